@@ -30,16 +30,15 @@ struct EpisodeChoice {
   std::vector<std::string> broken;      ///< of all episodes, with their errors
 };
 
-/// Holds back for validation and for the model's error. An episode in which the arm does not do
-/// what it does in the others (`episode_errors`) doesn't choose the epoch,
-/// unless there is no other.
+/// Takes out of both those in which the arm does not do what it does in the others
+/// (`episode_errors` of all of them together). @return their names, and what is wrong with them
+std::vector<std::string> leave_out_broken(const ArmDescription& arm, NamedEpisodes& all,
+                                          NamedEpisodes& validation);
+
+/// Holds back for validation and for the model's error.
 /// @param validation  what validates; where there is none, episodes are held back.
 /// @throws InputError as `hold_back_validation`.
-EpisodeChoice choose_episodes(const ArmDescription& arm, NamedEpisodes all,
-                              NamedEpisodes validation, const EpisodeShares& shares,
-                              std::uint64_t seed);
-
-/// How large the model's error is on motions that it has not seen, or why that is not known.
-std::string prediction_error_line(const CompensationModel& model, bool has_unseen);
+EpisodeChoice choose_episodes(NamedEpisodes all, NamedEpisodes validation,
+                              const EpisodeShares& shares, std::uint64_t seed);
 
 }  // namespace limber

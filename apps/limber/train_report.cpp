@@ -6,6 +6,7 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/arm/valve_findings.hpp"
+#include "limber/data/recording_inspection.hpp"
 #include "limber/network/gap_bounds.hpp"
 #include "limber/report/training_report.hpp"
 
@@ -104,10 +105,29 @@ void say_what_ran_away(const CommonFlags& flags, const TrainingResult& result) {
 
 }  // namespace
 
-void say_episodes(const CommonFlags& flags, const EpisodeChoice& choice) {
+void say_broken(const CommonFlags& flags, const EpisodeChoice& choice) {
   for (const std::string& broken : choice.broken) {
-    say(flags, "warning: {} is broken by the simple model: leave it out of the data", broken);
+    say(flags, "warning: left out as broken: {}; --keep-broken learns from it too", broken);
   }
+}
+
+void say_little(const CommonFlags& flags, const ArmDescription& arm,
+                const std::vector<Episode>& episodes) {
+  double moving_s = 0.0, all_s = 0.0;
+  for (const Episode& episode : episodes) {
+    const double seconds = episode.frame_count() * arm.frame_period_s();
+    all_s += seconds;
+    moving_s += moves(arm, episode) ? seconds : 0.0;
+  }
+  say(flags,
+      "{:.1f} minutes, {:.1f} of them in episodes that move: too little to hold anything back. {} "
+      "networks, each without a part of these, say how long to train and how large the error is; "
+      "then one learns from everything (--validation or --epochs: as with more data)",
+      all_s / 60.0, moving_s / 60.0, kFolds);
+}
+
+void say_episodes(const CommonFlags& flags, const EpisodeChoice& choice) {
+  say_broken(flags, choice);
   say(flags, "validating on {}", fmt::join(choice.validation, "; "));
 }
 
@@ -132,26 +152,33 @@ void print_no_model(const CommonFlags& flags, const TrainingResult& result) {
 void print_training_result(const CommonFlags& flags, const Command& command,
                            const TrainingFiles& files, const TrainingResult& result,
                            const std::optional<FineTuningReport>& changes,
-                           const EpisodeChoice& choice, const std::optional<StageChoice>& stages) {
+                           const EpisodeChoice& choice, const TrainingChoice& how) {
   say_what_ran_away(flags, result);
   nlohmann::ordered_json json = json_of(flags, command, files, result, choice);
   json["windows_choice"] = nullptr;
-  if (stages) {
-    json["windows_choice"] = to_json(*stages);
+  if (how.stages) {
+    json["windows_choice"] = to_json(*how.stages);
+  }
+  json["cross_validation"] = nullptr;
+  if (how.folds) {
+    json["cross_validation"] = to_json(*how.folds);
   }
   if (changes) {
     json["fine_tuning"] = to_json(*changes);
   }
   json["wall_time_s"] = result.wall_time_s;
-  print_result(flags, json,
-               fmt::format("{}: {}{} ({}), {} epochs in {:.1f} s, {}; {}\n{}{}", files.model,
-                           result.model.member_count() > 1
-                               ? fmt::format("{} networks ", result.model.member_count())
-                               : "",
-                           result.model.shape(), result.model.preset, result.curve.back().epoch,
-                           result.wall_time_s, status_of(result), chosen_epoch(result),
-                           error_line(result.model, !choice.data.unseen.empty()),
-                           changes ? "\n" + to_text(*changes) : ""));
+  print_result(
+      flags, json,
+      fmt::format("{}: {}{} ({}), {} epochs in {:.1f} s, {}; {}\n{}{}", files.model,
+                  result.model.member_count() > 1
+                      ? fmt::format("{} networks ", result.model.member_count())
+                      : "",
+                  result.model.shape(), result.model.preset, result.curve.back().epoch,
+                  result.wall_time_s, status_of(result),
+                  how.folds ? fmt::format("epoch {}, by cross-validation", result.best_epoch)
+                            : chosen_epoch(result),
+                  error_line(result.model, !choice.data.unseen.empty()),
+                  changes ? "\n" + to_text(*changes) : ""));
 }
 
 }  // namespace limber

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "episode_choice.hpp"
+#include "limber/training/cross_validation.hpp"
 #include "limber/training/fine_tuning.hpp"
 #include "limber/training/stage_choice.hpp"
 #include "verb.hpp"
@@ -17,6 +18,17 @@ struct TrainingFiles {
   std::filesystem::path learning_curve;
 };
 
+/// How it was decided in which windows, and for how long, to train; none where flags said so.
+struct TrainingChoice {
+  std::optional<StageChoice> stages;
+  std::optional<CrossValidation> folds;
+};
+
+/// Which episodes are left out as broken, and why.
+void say_broken(const CommonFlags& flags, const EpisodeChoice& choice);
+/// That nothing is held back, and why.
+void say_little(const CommonFlags& flags, const ArmDescription& arm,
+                const std::vector<Episode>& episodes);
 /// Which episodes choose the best epoch, and which are broken.
 void say_episodes(const CommonFlags& flags, const EpisodeChoice& choice);
 /// What is trained, on how much, for how long.
@@ -28,6 +40,6 @@ void print_no_model(const CommonFlags& flags, const TrainingResult& result);
 void print_training_result(const CommonFlags& flags, const Command& command,
                            const TrainingFiles& files, const TrainingResult& result,
                            const std::optional<FineTuningReport>& changes,
-                           const EpisodeChoice& choice, const std::optional<StageChoice>& stages);
+                           const EpisodeChoice& choice, const TrainingChoice& how);
 
 }  // namespace limber

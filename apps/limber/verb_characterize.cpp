@@ -200,15 +200,15 @@ class CharacterizeVerb final : public Verb {
       Recording recording = kinds.read(path, arm);
       std::ranges::move(recording.episodes, std::back_inserter(episodes));
     }
+    const EpisodeErrors errors = leave_out_broken(arm, episodes);
     const SimpleFit fit = fit_simple_model(arm, episodes);
     nlohmann::ordered_json json = to_json(fit);
     std::string text = to_text(fit, arm);
-    const EpisodeErrors errors = episode_errors(arm, episodes);
     json["episode_errors"] = to_json(errors);
     text += fmt::format("\nmiddle error at the tip over {} episodes: {:.2f} cm", episodes.size(),
                         errors.median_cm);
     if (const std::string broken = to_text(errors); !broken.empty()) {
-      say(flags, "warning: broken: {}", broken);
+      say(flags, "warning: left out as broken: {}", broken);
     }
     if (!out_.empty()) {
       write_file_atomically(

@@ -44,11 +44,17 @@ class TrainVerb final : public Verb {
     app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
         ->capture_default_str();
     app.add_option("--data", data_, "Recording to learn from; repeat for more")->required();
-    app.add_option("--validation", validation_,
-                   "Recording that chooses the best epoch; else whole episodes are held back");
+    app.add_option(
+        "--validation", validation_,
+        "Recording that chooses the best epoch; else whole episodes are held back, or, of "
+        "an hour at most, four networks that each miss a quarter say when to stop, and one "
+        "learns from everything");
     app.add_option("--unseen", unseen_,
                    "Recording for measuring the model's error, used neither for training nor for "
                    "choosing; else whole episodes are held back");
+    app.add_flag(
+        "--keep-broken", keep_broken_,
+        "Learn also from episodes in which the arm does not do what it does in the others");
     app.add_flag("--setpoints", setpoints_,
                  "Learn from set points alone, also where pressures "
                  "were measured: for recordings of both kinds");
@@ -123,6 +129,9 @@ class TrainVerb final : public Verb {
     TrainingData& data = choice.data;
     const TrainingData old_data = load_old_data(flags, arm, settings, sources);
     data.replay = old_data.training;
+    if (learns_from_little(arm, choice)) {
+      return train_on_little(flags, arm, choice, sources, valves);
+    }
     say_episodes(flags, choice);
     const std::optional<StageChoice> stages =
         family_ ? std::nullopt : choose_stages(flags, arm, data, settings);
@@ -141,7 +150,10 @@ class TrainVerb final : public Verb {
     result.model.set_valves(valves);
     result.model.learnt =
         learnt_region_of(data, start && start->learnt ? &*start->learnt : nullptr);
-    record_origin(result.model, sources, settings, stages, choice);
+    record_origin(result.model, sources, settings, choice);
+    if (stages) {
+      result.model.training["windows_choice"] = to_text(*stages);
+    }
     note_unseen(arm, result.model, data.unseen, flags.jobs);
     write(result);
     std::optional<FineTuningReport> changes;
@@ -153,7 +165,7 @@ class TrainVerb final : public Verb {
       remove_checkpoint();
     }
     print_training_result(flags, arm.command, {out_, curve_path(".curve.csv")}, result, changes,
-                          choice, stages);
+                          choice, {stages, std::nullopt});
     if (result.status == TrainingStatus::interrupted) {
       say(flags, "the best model so far is in {}; the same command with --resume goes on", out_);
     }
@@ -204,6 +216,39 @@ class TrainVerb final : public Verb {
   /// The default preset looks for windows that suit the data, unless anything says how to train.
   bool chooses_windows() const {
     return preset_ == "best" && from_.empty() && windows_.empty() && !epochs_ && !time_limit_s_;
+  }
+
+  /// Nothing of little is held back, unless flags say how to train or what validates.
+  bool learns_from_little(const ArmDescription& arm, const EpisodeChoice& choice) const {
+    return chooses_windows() && !family_ && validation_.empty() && unseen_.empty() &&
+           ensemble_.value_or(1) == 1 && choice.validation.empty() &&
+           is_little(arm, choice.data.training);
+  }
+
+  int train_on_little(const CommonFlags& flags, const ArmDescription& arm,
+                      const EpisodeChoice& choice, const std::string& sources,
+                      IdentifiedValves valves) {
+    const std::vector<Episode>& episodes = choice.data.training;
+    TrainingSettings settings = with_flags(flags, preset_for_little());
+    say_broken(flags, choice);
+    say_little(flags, arm, episodes);
+    keep_known_valves(flags, arm, std::nullopt, valves);
+    const CrossValidation found = choose_by_folds(flags, arm, episodes, settings, valves);
+    settings.resume = resume_ && fs::exists(checkpoint_path());
+    TrainingResult result = train_on_everything(arm, episodes, settings, valves, found);
+    if (result.best_epoch == 0) {
+      print_no_model(flags, result);
+      return kExitNoSolution;
+    }
+    record_origin(result.model, sources, settings, choice);
+    result.model.training["cross_validation"] = to_text(found);
+    write(result);
+    if (result.status == TrainingStatus::finished) {
+      remove_checkpoint();
+    }
+    print_training_result(flags, arm.command, {out_, curve_path(".curve.csv")}, result,
+                          std::nullopt, choice, {std::nullopt, found});
+    return result.status == TrainingStatus::finished ? kExitDone : kExitNoSolution;
   }
 
   /// Sets the windows, and how many networks share the epochs. None where flags say how to train.
@@ -260,6 +305,10 @@ class TrainVerb final : public Verb {
     if (epochs_) {
       set_epoch_count(settings, *epochs_);
     }
+    return with_flags(flags, std::move(settings));
+  }
+
+  TrainingSettings with_flags(const CommonFlags& flags, TrainingSettings settings) const {
     settings.time_limit_s = time_limit_s_.value_or(0.0);
     settings.learning_rate = learning_rate_.value_or(settings.learning_rate);
     if (!hidden_.empty()) {
@@ -320,8 +369,11 @@ class TrainVerb final : public Verb {
     for (const std::string& path : data_) {
       files.push_back(fs::path(path).filename().string());
     }
-    valves = identify_valves(all.episodes, arm, fmt::format("{}", fmt::join(files, ", ")));
+    const auto find_valves = [&] {
+      valves = identify_valves(all.episodes, arm, fmt::format("{}", fmt::join(files, ", ")));
+    };
     if (family_) {
+      find_valves();
       EpisodeChoice choice;
       choice.data = hold_back_arms(std::move(all.episodes), arms, kValidationShare, settings.seed);
       for (const int held : choice.data.held_back) {
@@ -331,12 +383,34 @@ class TrainVerb final : public Verb {
     }
     NamedEpisodes validation;
     if (!validation_.empty()) {
+      const std::string hash = content_hash(read_file(validation_));
+      if (std::ranges::any_of(data_, [&](const std::string& path) {
+            return content_hash(read_file(path)) == hash;
+          })) {
+        say(flags,
+            "warning: --validation {} is learnt from too: the epoch is chosen, and its error "
+            "reported, by what the network knows",
+            validation_);
+      }
       validation.add(fs::path(validation_).filename().string(),
                      read_usable(flags, arm, validation_).episodes);
     }
+    std::vector<std::string> broken;
+    if (!keep_broken_) {
+      broken = leave_out_broken(arm, all, validation);
+    }
+    find_valves();
+    EpisodeChoice choice;
+    choice.broken = std::move(broken);
+    choice.data.training = std::move(all.episodes);
+    if (learns_from_little(arm, choice)) {
+      return choice;
+    }
+    all.episodes = std::move(choice.data.training);
     const EpisodeShares shares{kValidationShare, unseen_.empty() ? kUnseenShare : 0.0};
-    EpisodeChoice choice =
-        choose_episodes(arm, std::move(all), std::move(validation), shares, settings.seed);
+    broken = std::move(choice.broken);
+    choice = choose_episodes(std::move(all), std::move(validation), shares, settings.seed);
+    choice.broken = std::move(broken);
     if (!unseen_.empty()) {
       choice.data.unseen = read_usable(flags, arm, unseen_).episodes;
     }
@@ -345,13 +419,9 @@ class TrainVerb final : public Verb {
 
   /// What the model's file says of its training, beside what the training itself wrote.
   void record_origin(CompensationModel& model, const std::string& sources,
-                     const TrainingSettings& settings, const std::optional<StageChoice>& stages,
-                     const EpisodeChoice& choice) const {
+                     const TrainingSettings& settings, const EpisodeChoice& choice) const {
     model.training["data"] = sources;
     model.training["windows"] = fmt::format("{}", fmt::join(windows_of(settings), " "));
-    if (stages) {
-      model.training["windows_choice"] = to_text(*stages);
-    }
     model.training["validation"] = fmt::format("{}", fmt::join(choice.validation, "; "));
     if (!from_.empty()) {
       model.training["from"] = content_hash(read_file(from_));
@@ -362,6 +432,7 @@ class TrainVerb final : public Verb {
     std::error_code ignored;  // a checkpoint that stays behind does no harm
     fs::remove(checkpoint_path(), ignored);
     fs::remove(choice_path_of(checkpoint_path()), ignored);
+    fs::remove(folds_path_of(checkpoint_path()), ignored);
   }
 
   /// The valves that the new data show; if they show none, the model to go on from keeps its own.
@@ -410,6 +481,7 @@ class TrainVerb final : public Verb {
   std::optional<int> ensemble_;
   bool family_ = false;
   int family_size_ = kFamilySize;
+  bool keep_broken_ = false;
   bool setpoints_ = false;
   RecordingKinds kinds_;
   double checkpoint_interval_s_ = 20.0;

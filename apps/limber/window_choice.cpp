@@ -1,5 +1,9 @@
 #include "window_choice.hpp"
 
+#include <nlohmann/json.hpp>
+
+#include "limber/common/atomic_file.hpp"
+
 namespace limber {
 
 namespace fs = std::filesystem;
@@ -25,6 +29,24 @@ std::optional<StageChoice> choose_windows(const CommonFlags& flags, const ArmDes
   say(flags, "windows and their validation errors after {} epochs: {}", choice.race_epochs,
       to_text(choice));
   return choice;
+}
+
+fs::path folds_path_of(const fs::path& checkpoint) {
+  return checkpoint.string() + ".folds.json";
+}
+
+CrossValidation choose_by_folds(const CommonFlags& flags, const ArmDescription& arm,
+                                const std::vector<Episode>& episodes,
+                                const TrainingSettings& settings, const IdentifiedValves& valves) {
+  const fs::path file = folds_path_of(settings.checkpoint);
+  const bool is_there = settings.resume && fs::exists(file);
+  const CrossValidation found = is_there ? read_cross_validation(read_file(file), file.string())
+                                         : cross_validate(arm, episodes, settings, valves);
+  if (!is_there) {
+    write_file_atomically(file, to_json(found).dump(2) + "\n");
+  }
+  say(flags, "{}", to_text(found));
+  return found;
 }
 
 }  // namespace limber

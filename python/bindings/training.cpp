@@ -109,6 +109,8 @@ void bind_settings(py::module_& module) {
       .field("growth_limit", &S::growth_limit,
              "What a window's gradients may grow to on their way back, over what was put in; 0: "
              "anything.")
+      .field("first_frames_power", &S::first_frames_power,
+             "A window's frame k, from 0, counts (k + 1)^-power; 0: all count alike.")
       .field("average_decay", &S::average_decay,
              "Decay of the weights' moving average, in [0, 1); 0: none.")
       .field("input_noise", &S::input_noise,
@@ -128,6 +130,8 @@ void bind_settings(py::module_& module) {
       .field("time_limit_s", &S::time_limit_s,
              "> 0: epochs are scaled to about this time, once, at the start [s]; 0: no "
              "limit.")
+      .field("keep_epoch", &S::keep_epoch,
+             "> 0: training ends after this epoch, whose network is kept; 0: the best one is.")
       .field("validation_interval", &S::validation_interval,
              "Epochs from one validation to the next, >= 1.")
       .field("checkpoint", &S::checkpoint,

@@ -441,11 +441,6 @@ class CompensationModel:
     def member_count(self) -> int:
         """Networks of the ensemble, 1 where it is none."""
     @property
-    def answer(self) -> str:
-        """Of an ensemble: "first", its first network's, or "mean" of all. No part of the file."""
-    @answer.setter
-    def answer(self, value: str) -> None: ...
-    @property
     def shape(self) -> str:
         """Sizes of the layers, inputs first: "102-100-100-100-48"."""
     @property
@@ -1095,9 +1090,6 @@ class Plan:
         """content_hash of the model's file; empty for the no-load model."""
     @model_hash.setter
     def model_hash(self, value: str) -> None: ...
-    @property
-    def ensemble(self) -> str:
-        """"mean": predicted by all of an ensemble's networks; empty: by one."""
     @property
     def arm_hash(self) -> str:
         """ArmDescription.hash() of the arm."""
@@ -1903,6 +1895,11 @@ class TrainingSettings:
     @growth_limit.setter
     def growth_limit(self, value: float) -> None: ...
     @property
+    def first_frames_power(self) -> float:
+        """A window's frame k, from 0, counts (k + 1)^-power; 0: all count alike."""
+    @first_frames_power.setter
+    def first_frames_power(self, value: float) -> None: ...
+    @property
     def average_decay(self) -> float:
         """Decay of the weights' moving average, in [0, 1); 0: none."""
     @average_decay.setter
@@ -1948,6 +1945,11 @@ class TrainingSettings:
     @time_limit_s.setter
     def time_limit_s(self, value: float) -> None: ...
     @property
+    def keep_epoch(self) -> int:
+        """> 0: training ends after this epoch, whose network is kept; 0: the best one is."""
+    @keep_epoch.setter
+    def keep_epoch(self, value: int) -> None: ...
+    @property
     def validation_interval(self) -> int:
         """Epochs from one validation to the next, >= 1."""
     @validation_interval.setter
@@ -1970,8 +1972,8 @@ class TrainingSettings:
     @property
     def epoch_count(self) -> int:
         """Epochs of all stages together."""
-    def __init__(self, *, preset: str = ..., layout: BackboneLayout = ..., form: OutputForm = ..., reads_velocity: bool = ..., hidden_units: list[int] = ..., scaling: Scaling = ..., reduction: LossReduction = ..., stages: list[TrainingStage] = ..., optimiser: Optimiser = ..., learning_rate: float = ..., cosine_decay: bool = ..., gradient_norm_limit: float = ..., growth_limit: float = ..., average_decay: float = ..., input_noise: float = ..., shift_windows: bool = ..., family_size: int = ..., ensemble: int = ..., replay_share: float = ..., seed: int = ..., jobs: int = ..., time_limit_s: float = ..., validation_interval: int = ..., checkpoint: str | os.PathLike[str] = ..., checkpoint_interval_s: float = ..., resume: bool = ...) -> None:
-        """Fields are keyword arguments, all optional. The defaults: TrainingSettings(preset='best', layout=<BackboneLayout.gap_poses: 1>, form=<OutputForm.gated_change: 1>, reads_velocity=True, hidden_units=[100, 100, 100], scaling=<Scaling.unit_spread: 1>, reduction=<LossReduction.mean_over_batch: 1>, stages=[], optimiser=<Optimiser.adam: 1>, learning_rate=0.003, cosine_decay=True, gradient_norm_limit=0.0, growth_limit=0.0, average_decay=0.0, input_noise=0.0, shift_windows=True, family_size=0, ensemble=1, replay_share=0.25, seed=1, jobs=0, time_limit_s=0.0, validation_interval=1, checkpoint=PosixPath('.'), checkpoint_interval_s=20.0, resume=False)."""
+    def __init__(self, *, preset: str = ..., layout: BackboneLayout = ..., form: OutputForm = ..., reads_velocity: bool = ..., hidden_units: list[int] = ..., scaling: Scaling = ..., reduction: LossReduction = ..., stages: list[TrainingStage] = ..., optimiser: Optimiser = ..., learning_rate: float = ..., cosine_decay: bool = ..., gradient_norm_limit: float = ..., growth_limit: float = ..., first_frames_power: float = ..., average_decay: float = ..., input_noise: float = ..., shift_windows: bool = ..., family_size: int = ..., ensemble: int = ..., replay_share: float = ..., seed: int = ..., jobs: int = ..., time_limit_s: float = ..., keep_epoch: int = ..., validation_interval: int = ..., checkpoint: str | os.PathLike[str] = ..., checkpoint_interval_s: float = ..., resume: bool = ...) -> None:
+        """Fields are keyword arguments, all optional. The defaults: TrainingSettings(preset='best', layout=<BackboneLayout.gap_poses: 1>, form=<OutputForm.gated_change: 1>, reads_velocity=True, hidden_units=[100, 100, 100], scaling=<Scaling.unit_spread: 1>, reduction=<LossReduction.mean_over_batch: 1>, stages=[], optimiser=<Optimiser.adam: 1>, learning_rate=0.003, cosine_decay=True, gradient_norm_limit=0.0, growth_limit=0.0, first_frames_power=0.0, average_decay=0.0, input_noise=0.0, shift_windows=True, family_size=0, ensemble=1, replay_share=0.25, seed=1, jobs=0, time_limit_s=0.0, keep_epoch=0, validation_interval=1, checkpoint=PosixPath('.'), checkpoint_interval_s=20.0, resume=False)."""
 
 class TrainingStage:
     """A part of training, windows of one length."""

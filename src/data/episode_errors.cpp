@@ -21,6 +21,7 @@ constexpr double kDeviations = 4.0;      // of log errors; robust ones
 constexpr double kMinRatio = 1.75;       // of the middle error, however alike the others are
 constexpr double kUnrelated = 0.4;       // correlation below which turns are not what was told …
 constexpr double kRelated = 0.6;         // … where the others' middle one is above this
+constexpr double kMovedShare = 0.01;     // of the arm's length, by the tip
 
 double mean_tip_error_cm(const FrameMatrix& expected, const Episode& episode) {
   const Eigen::Index tip = expected.cols() - kPoseSize;
@@ -33,6 +34,12 @@ double mean_tip_error_cm(const FrameMatrix& expected, const Episode& episode) {
     }
   }
   return count > 0 ? kCmPerM * sum / count : std::nan("");
+}
+
+bool tip_moves(const ArmDescription& arm, const FrameMatrix& backbones) {
+  const auto tips = backbones.middleCols<2>(backbones.cols() - kPoseSize);
+  return double((tips.rowwise() - tips.row(0)).rowwise().norm().maxCoeff()) >
+         kMovedShare * arm.length_m();
 }
 
 /// Of the segments' turns with the expected ones.
@@ -76,17 +83,22 @@ TurnCorrelation correlation_of(const ArmDescription& arm, const FrameMatrix& exp
 /// what it was told, as the others have.
 void mark_unrelated(const std::vector<TurnCorrelation>& correlations, EpisodeErrors& errors) {
   std::vector<double> means;
-  for (const TurnCorrelation& one : correlations) {
-    means.push_back(one.mean);
+  for (std::size_t i = 0; i < correlations.size(); ++i) {
+    if (errors.episodes[i].moves) {
+      means.push_back(correlations[i].mean);
+    }
   }
-  if (means.size() < kMinEpisodes || median(std::move(means)) < kRelated) {
+  const double usual = means.size() < kMinEpisodes ? 0.0 : median(std::move(means));
+  if (usual < kRelated) {
     return;
   }
   for (std::size_t i = 0; i < correlations.size(); ++i) {
     EpisodeError& episode = errors.episodes[i];
-    episode.is_outlier = episode.is_outlier ||
-                         (episode.tip_cm > errors.median_cm && correlations[i].mean < kUnrelated &&
-                          correlations[i].pooled < kUnrelated);
+    if (episode.moves && episode.why.empty() && episode.tip_cm > errors.median_cm &&
+        correlations[i].mean < kUnrelated && correlations[i].pooled < kUnrelated) {
+      episode.why = fmt::format("turns correlate by {:.2f} with what was told, {:.2f} is usual",
+                                correlations[i].mean, usual);
+    }
   }
 }
 
@@ -119,10 +131,11 @@ EpisodeErrors errors_of_any(const ArmDescription& arm, const std::vector<Episode
   for (const Episode& episode : episodes) {
     const FrameMatrix expected = predict(model, arm, episode);
     correlations.push_back(correlation_of(arm, expected, episode));
-    errors.episodes.push_back(
-        {mean_tip_error_cm(expected, episode), correlations.back().mean, false});
-    if (errors.episodes.back().tip_cm > 0.0) {
-      known.push_back(std::log(errors.episodes.back().tip_cm));
+    errors.episodes.push_back({mean_tip_error_cm(expected, episode), correlations.back().mean,
+                               tip_moves(arm, expected) || tip_moves(arm, episode.backbone), false,
+                               ""});
+    if (const EpisodeError& error = errors.episodes.back(); error.moves && error.tip_cm > 0.0) {
+      known.push_back(std::log(error.tip_cm));
     }
   }
   errors.limit_cm = std::numeric_limits<double>::infinity();
@@ -140,22 +153,44 @@ EpisodeErrors errors_of_any(const ArmDescription& arm, const std::vector<Episode
     errors.limit_cm = std::exp(middle + std::max(spread, std::log(kMinRatio)));
   }
   for (EpisodeError& episode : errors.episodes) {
-    episode.is_outlier = episode.tip_cm > errors.limit_cm;
+    if (episode.moves && episode.tip_cm > errors.limit_cm) {
+      episode.why =
+          fmt::format("{:.1f} cm at the tip, more than {:.1f} cm", episode.tip_cm, errors.limit_cm);
+    }
   }
   mark_unrelated(correlations, errors);
+  for (EpisodeError& episode : errors.episodes) {
+    episode.is_outlier = !episode.why.empty();
+  }
   return errors;
+}
+
+EpisodeErrors leave_out_broken(const ArmDescription& arm, std::vector<Episode>& episodes) {
+  EpisodeErrors errors = episode_errors(arm, episodes);
+  std::vector<Episode> whole;
+  for (std::size_t i = 0; i < episodes.size(); ++i) {
+    if (!errors.episodes[i].is_outlier) {
+      whole.push_back(std::move(episodes[i]));
+    }
+  }
+  episodes = std::move(whole);
+  return errors;
+}
+
+bool moves(const ArmDescription& arm, const Episode& episode) {
+  return tip_moves(arm, episode.backbone);
 }
 
 std::string to_text(const EpisodeErrors& errors) {
   std::vector<std::string> parts;
   for (const int number : errors.outliers()) {
-    const EpisodeError& episode = errors.episodes[static_cast<std::size_t>(number)];
-    parts.push_back(fmt::format("{}: {:.1f} cm (correlation {:.2f})", episode_name(number),
-                                episode.tip_cm, episode.correlation));
+    parts.push_back(episode_name(number) + ": " +
+                    errors.episodes[static_cast<std::size_t>(number)].why);
   }
-  return parts.empty() ? std::string()
-                       : fmt::format("{}; the others' middle is {:.1f} cm: leave such logs out",
-                                     fmt::join(parts, ", "), errors.median_cm);
+  return parts.empty()
+             ? std::string()
+             : fmt::format("{}; the middle one is {:.1f} cm: limber train leaves such logs out",
+                           fmt::join(parts, ", "), errors.median_cm);
 }
 
 nlohmann::ordered_json to_json(const EpisodeErrors& errors) {
@@ -167,7 +202,9 @@ nlohmann::ordered_json to_json(const EpisodeErrors& errors) {
   for (const EpisodeError& episode : errors.episodes) {
     json["episodes"].push_back({{"tip_error_cm", number(episode.tip_cm)},
                                 {"correlation", number(episode.correlation)},
-                                {"outlier", episode.is_outlier}});
+                                {"moves", episode.moves},
+                                {"outlier", episode.is_outlier},
+                                {"why", episode.why}});
   }
   return json;
 }

@@ -14,7 +14,7 @@ namespace limber {
 
 namespace {
 
-constexpr double kPressureSlack = 1.05;  // a measured pressure overshoots its limit a little
+constexpr double kOvershootSlack = 1.05;  // a measured pressure overshoots its limit a little
 
 CompensationModel checked(CompensationModel compensation, const ArmDescription& arm) {
   validate(compensation, "compensation model");
@@ -34,7 +34,7 @@ void require_pressures(const char* name, const Pressures& pressures, const NoLoa
   }
   for (int i = 0; i < arm.channel_count(); ++i) {
     const PressureLimits& limits = arm.segment(i).pressure_limit_kpa;
-    const PressureLimits allowed = limits.widened(kPressureSlack);
+    const PressureLimits allowed = limits.widened(kOvershootSlack);
     if (!(pressures[i] >= allowed.lower_kpa && pressures[i] <= allowed.upper_kpa)) {
       throw InputError(
           fmt::format("{}[{}] = {} {unit}; expected {:.6g} to {:.6g} {unit}, the segment's "

@@ -175,11 +175,8 @@ std::string to_text(const ImportReport& report, const EpisodeErrors& errors) {
       "simple model: its error at the tip is {:.2f} cm in the median episode\n", errors.median_cm);
   for (const int number : errors.outliers()) {
     const EpisodeError& episode = errors.episodes[static_cast<std::size_t>(number)];
-    text += fmt::format(
-        "  {} ({}) is broken: {:.2f} cm, more than {:.2f} cm; its levels correlate by "
-        "{:.2f}. Leave that log out\n",
-        episode_name(number), report.log_of(number), episode.tip_cm, errors.limit_cm,
-        episode.correlation);
+    text += fmt::format("  {} ({}) is broken: {}. limber train leaves it out\n",
+                        episode_name(number), report.log_of(number), episode.why);
   }
   return text;
 }

@@ -38,16 +38,8 @@ struct Halves {
   std::vector<Episode> held_back;
 };
 
-int frames_in(const std::vector<Episode>& episodes) {
-  int frames = 0;
-  for (const Episode& episode : episodes) {
-    frames += episode.frame_count();
-  }
-  return frames;
-}
-
 Halves split(const std::vector<Episode>& episodes) {
-  int left = static_cast<int>(std::lround(kHeldBackShare * frames_in(episodes)));
+  int left = static_cast<int>(std::lround(kHeldBackShare * double(frame_count(episodes))));
   Halves halves{episodes, {}};
   if (left < kMinHeldBackFrames) {
     return halves;
@@ -94,7 +86,7 @@ class Adapter {
     result.expected_error_m = whole.expected_error_m;
     result.distance_to_nearest = whole.distance_to_nearest;
     note_uncertainty(result);
-    result.seconds = frames_in(episodes) * arm_.frame_period_s();
+    result.seconds = double(frame_count(episodes)) * arm_.frame_period_s();
     for (const Episode& episode : episodes) {
       result.moving_s += moving_frames(episode) * arm_.frame_period_s();
     }
@@ -137,7 +129,7 @@ class Adapter {
   /// What the seconds held back say, and the weights that they ask for.
   void judge(const Halves& halves, const std::vector<Episode>& episodes,
              const IdentifiedValves& valves, Adaptation& result) const {
-    result.held_back_s = frames_in(halves.held_back) * arm_.frame_period_s();
+    result.held_back_s = double(frame_count(halves.held_back)) * arm_.frame_period_s();
     CompensationModel before = fitted_to(halves.seen).model;
     result.middle_error_m = error_on(family_, halves.held_back);
     result.fitted_error_m = error_on(before, halves.held_back);
@@ -155,8 +147,8 @@ class Adapter {
     if (!before.learnt_from_setpoints) {
       before.set_valves(valves);
     }
-    result.model.prediction_error =
-        measure_prediction_error(arm_, before, episodes, settings_.jobs, frames_in(halves.seen));
+    result.model.prediction_error = measure_prediction_error(arm_, before, episodes, settings_.jobs,
+                                                             int(frame_count(halves.seen)));
   }
 
   /// Weights trained further. What validates only says which epoch is the best.
@@ -194,7 +186,7 @@ class Adapter {
 
 Adaptation adapt(const ArmDescription& arm, const CompensationModel& family,
                  const std::vector<Episode>& episodes, const AdaptationSettings& settings) {
-  const int frames = frames_in(episodes);
+  const auto frames = frame_count(episodes);
   if (frames < kLeastFrames) {
     throw InputError(fmt::format(
         "{} frames in {} episodes are too few to tell which arm it is; expected {} at least, "

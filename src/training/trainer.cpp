@@ -25,14 +25,6 @@ constexpr std::uint64_t kValidationStream = 0;
 constexpr std::uint64_t kUnseenStream = 0x756e7365656e;
 constexpr int kMinUnseenFrames = 20;  // of an episode's end: less says nothing about a prediction
 
-std::int64_t frame_count(const std::vector<Episode>& episodes) {
-  std::int64_t frames = 0;
-  for (const Episode& episode : episodes) {
-    frames += episode.frame_count();
-  }
-  return frames;
-}
-
 /// Moves whole episodes from `from` to `to`, in an order sampled by (seed, stream), until `frames`
 /// would be exceeded: one at least goes, and one at least stays. Gives the numbers of those that
 /// went. @pre two episodes or more
@@ -93,20 +85,6 @@ TrainingData hold_back_validation(std::vector<Episode> episodes, double fraction
   data.training = std::move(episodes);
   data.held_back = hold_back(data.training, data.validation, frames, seed, kValidationStream);
   return data;
-}
-
-void leave_out_broken(TrainingData& data, const std::vector<bool>& broken) {
-  assert(broken.size() == data.validation.size());
-  if (std::ranges::find(broken, false) == broken.end()) {
-    return;
-  }
-  std::vector<Episode> kept;
-  for (std::size_t i = 0; i < broken.size(); ++i) {
-    if (!broken[i]) {
-      kept.push_back(std::move(data.validation[i]));
-    }
-  }
-  data.validation = std::move(kept);
 }
 
 void hold_back_unseen(TrainingData& data, double fraction, std::uint64_t seed) {

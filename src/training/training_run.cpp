@@ -90,6 +90,9 @@ void TrainingRun::validate(LearningCurvePoint& point) {
     return;
   }
   const auto tenth = [&](int epoch) { return (epoch - 1) * kRivals / settings_.epoch_count(); };
+  if (settings_.keep_epoch > 0) {
+    error_m = settings_.keep_epoch - point.epoch;  // the one asked for, or those before it
+  }
   if (state.rivals.empty() || tenth(state.rivals.back().epoch) != tenth(point.epoch)) {
     state.rivals.push_back({point.epoch, error_m, members_m, weights});
   } else if (error_m < state.rivals.back().error_m) {
@@ -262,6 +265,9 @@ std::string TrainingRun::identity() const {
   if (s.family_size > 0) {
     text += fmt::format(" family {} {}", s.family_size, fmt::join(data_.arms, " "));
   }
+  if (s.keep_epoch > 0 || s.first_frames_power > 0) {
+    text += fmt::format(" epoch {} power {}", s.keep_epoch, s.first_frames_power);
+  }
   if (!data_.replay.empty()) {
     text += fmt::format(" replay {} of {} episodes", s.replay_share, data_.replay.size());
   }
@@ -346,7 +352,7 @@ std::optional<TrainingResult> TrainingRun::run_stage(const TrainingStage& stage,
     point.loss = loss.mean;
     point.validation_position_error_cm = std::numeric_limits<double>::quiet_NaN();
     if (point.epoch % settings_.validation_interval == 0 ||
-        point.epoch == settings_.epoch_count()) {
+        point.epoch == settings_.epoch_count() || point.epoch == settings_.keep_epoch) {
       validate(point);
     }
     point.elapsed_s = elapsed_s();
@@ -370,11 +376,11 @@ TrainingResult TrainingRun::run() {
   if (settings_.time_limit_s > 0.0) {
     fit_epochs_to_time_limit();
   }
-  Progress progress("train", "epochs", static_cast<std::uint64_t>(settings_.epoch_count()),
-                    settings_.progress);
+  const int end = settings_.keep_epoch > 0 ? settings_.keep_epoch : settings_.epoch_count();
+  Progress progress("train", "epochs", static_cast<std::uint64_t>(end), settings_.progress);
   int last_epoch = 0;
   for (const TrainingStage& stage : settings_.stages) {
-    last_epoch += stage.epochs;
+    last_epoch = std::min(last_epoch + stage.epochs, end);
     if (trainer_.state().epochs_done >= last_epoch) {
       continue;
     }

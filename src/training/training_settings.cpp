@@ -163,6 +163,10 @@ void require_usable(const TrainingSettings& settings) {
           ">= 0 (0: no limit)");
   require(std::isfinite(settings.growth_limit) && settings.growth_limit >= 0.0, "growth_limit",
           settings.growth_limit, "a finite number >= 0 (0: no limit)");
+  require(std::isfinite(settings.first_frames_power) && settings.first_frames_power >= 0.0,
+          "first_frames_power", settings.first_frames_power, "a finite number >= 0 (0: all alike)");
+  require(settings.keep_epoch >= 0 && settings.keep_epoch <= settings.epoch_count(), "keep_epoch",
+          settings.keep_epoch, "0 (the best one) to the number of epochs");
   require(settings.average_decay >= 0.0 && settings.average_decay < 1.0, "average_decay",
           settings.average_decay, "[0, 1)");
   require(settings.input_noise >= 0.0, "input_noise", settings.input_noise, ">= 0");

@@ -237,6 +237,7 @@ void normalise(RawFrames raw, const NetworkLayout& layout, const TrainingSetting
     tables.map.error = FrameError<float>(spread.scale.array() / state_scale);
   }
   tables.map.growth_limit = static_cast<float>(settings.growth_limit);
+  tables.map.first_frames_power = settings.first_frames_power;
   if (settings.reads_velocity) {
     const auto scale = tables.input.scale.segment(layout.change_row(), size).array();
     tables.map.change_scale = scale / state_scale;

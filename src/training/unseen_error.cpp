@@ -12,6 +12,7 @@
 #include "limber/data/valve_simulation.hpp"
 #include "limber/training/learnt_region_fit.hpp"
 #include "rollout.hpp"
+#include "run_errors.hpp"
 
 namespace limber {
 
@@ -141,29 +142,19 @@ PredictedRuns predict_error_runs(const ArmDescription& arm, const CompensationMo
   return predict_runs(arm, model, unseen, pieces, jobs);
 }
 
-std::optional<PredictionError> error_of(const ArmDescription& arm, const PredictedRuns& all) {
-  std::vector<double> max_m, off_m, end_m, end_rad;
-  double frames = 0.0;
+void add_all(const PredictedRuns& all, RunErrors& errors) {
   for (std::size_t i = 0; i < all.runs.size(); ++i) {
     if (const std::optional<RunError> error = error_of(all.predicted[i], all.runs[i])) {
-      max_m.push_back(error->max_position_m);
-      off_m.push_back(error->off_path_m);
-      end_m.push_back(error->end_position_m);
-      end_rad.push_back(error->end_orientation_rad);
-      frames += all.runs[i].frame_count() - 1;
+      errors.add(error->max_position_m, error->off_path_m, error->end_position_m,
+                 error->end_orientation_rad, all.runs[i].frame_count() - 1);
     }
   }
-  if (max_m.empty()) {
-    return std::nullopt;
-  }
-  PredictionError result;
-  result.runs = static_cast<int>(max_m.size());
-  result.run_s = frames / result.runs * arm.frame_period_s();
-  result.max_position_m = conformal_quantile(max_m);
-  result.off_path_m = conformal_quantile(off_m);
-  result.end_position_m = conformal_quantile(end_m);
-  result.end_orientation_rad = conformal_quantile(end_rad);
-  return result;
+}
+
+std::optional<PredictionError> error_of(const ArmDescription& arm, const PredictedRuns& all) {
+  RunErrors errors;
+  add_all(all, errors);
+  return errors.result(arm.frame_period_s());
 }
 
 /// Widens what the model has learnt by the shapes that it predicts.
@@ -179,6 +170,38 @@ void hold_shapes(PredictedRuns all, CompensationModel& model) {
 }
 
 }  // namespace
+
+bool RunErrors::add(const ArmDescription& arm, const CompensationModel& model,
+                    const std::vector<Episode>& unseen, int jobs) {
+  const PredictedRuns all = predict_error_runs(arm, model, unseen, jobs, 0);
+  if (!all.are_finite()) {
+    return false;
+  }
+  add_all(all, *this);
+  return true;
+}
+
+void RunErrors::add(double max_m, double off_path_m, double end_m, double end_rad, int frames) {
+  max_m_.push_back(max_m);
+  off_path_m_.push_back(off_path_m);
+  end_m_.push_back(end_m);
+  end_rad_.push_back(end_rad);
+  frames_ += frames;
+}
+
+std::optional<PredictionError> RunErrors::result(double frame_period_s) const {
+  if (max_m_.empty()) {
+    return std::nullopt;
+  }
+  PredictionError result;
+  result.runs = static_cast<int>(max_m_.size());
+  result.run_s = frames_ / result.runs * frame_period_s;
+  result.max_position_m = conformal_quantile(max_m_);
+  result.off_path_m = conformal_quantile(off_path_m_);
+  result.end_position_m = conformal_quantile(end_m_);
+  result.end_orientation_rad = conformal_quantile(end_rad_);
+  return result;
+}
 
 std::optional<PredictionError> measure_prediction_error(const ArmDescription& arm,
                                                         const CompensationModel& model,

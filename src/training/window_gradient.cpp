@@ -130,13 +130,16 @@ void WindowGradient<Scalar>::weigh(const FrameTable<Scalar>& frames, std::span<c
     const auto is_tracked = [&](int k) {
       return frames.tracked.empty() || frames.tracked[static_cast<std::size_t>(first + k)] != 0;
     };
-    int count = 0;
+    const auto counts = [&](int k) {
+      return is_tracked(k) ? std::pow(k + 1.0, -map_.first_frames_power) : 0.0;
+    };
+    double sum = 0.0;
     for (int k = 0; k < frames_; ++k) {
-      count += is_tracked(k) ? 1 : 0;
+      sum += counts(k);
     }
     for (int k = 0; k < frames_; ++k) {
       at(weight_, 1, block_of(j / stride_, k))[j % stride_] =
-          is_tracked(k) ? Scalar(1) / static_cast<Scalar>(count) : Scalar(0);
+          is_tracked(k) ? static_cast<Scalar>(counts(k) / sum) : Scalar(0);
     }
   }
 }

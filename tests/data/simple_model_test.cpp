@@ -249,6 +249,24 @@ TEST(EpisodeErrors, NameOneThatDoesNothingOfWhatItWasToldAmongLargeErrors) {
   EXPECT_THAT(errors.outliers(), ::testing::ElementsAre(17));
 }
 
+// Logs that begin with rest: the errors of half of the episodes are next to none.
+TEST(EpisodeErrors, OfEpisodesThatRestSayNothingOfWhatIsUsual) {
+  const ArmDescription arm = sample_arm(3);
+  std::vector<Episode> episodes = episodes_of(some_model(), arm, 40, 2e-3);
+  for (std::size_t i = 0; i < episodes.size(); i += 2) {
+    episodes[i].pressure_kpa.rowwise() = Eigen::RowVectorXf(episodes[i].pressure_kpa.row(0));
+    episodes[i].backbone = predict(some_model(), arm, episodes[i]);
+  }
+  episodes[17].backbone = episodes[19].backbone;
+  const EpisodeErrors errors = episode_errors(arm, episodes);
+  EXPECT_FALSE(errors.episodes[0].moves);
+  EXPECT_THAT(errors.outliers(), ::testing::ElementsAre(17));
+  EXPECT_LT(errors.limit_cm, 3.0 * errors.median_cm);
+  EXPECT_THAT(errors.episodes[17].why, ::testing::HasSubstr("cm at the tip, more than"));
+  EXPECT_EQ(leave_out_broken(arm, episodes).outliers(), errors.outliers());
+  EXPECT_EQ(episodes.size(), 39U);
+}
+
 TEST(EpisodeErrors, FlagNoneOfTooFew) {
   const ArmDescription arm = sample_arm(3);
   std::vector<Episode> episodes = episodes_of(some_model(), arm, 4);

@@ -24,7 +24,7 @@ def with_tube(model, path):
     points = int(header["__metadata__"]["point_count"])
     header["__metadata__"]["tube"] = json.dumps({
         "plate_scale_m": [SCALE_M * (i + 1) / points for i in range(points)],
-        "end_scale_m": 0.002, "end_heading_scale_rad": 0.01, "source": "made up",
+        "end_scale_m": 0.002, "end_heading_scale_rad": 0.01, "start_share": 1.0, "full_after_m": 0.0, "source": "made up",
         "levels": LEVELS})
     text = json.dumps(header).encode()
     text += b" " * (-len(text) % 8)

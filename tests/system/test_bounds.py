@@ -78,8 +78,34 @@ class Bounds(InFolder):
         ).stderr
         self.assertIn("m.safetensors", message)
 
-    def test_the_default_chooses_its_windows_and_says_so_for_any_number_of_jobs(self):
+    def test_little_is_learnt_from_as_a_whole_and_measured_by_folds(self):
         one = self.train("--jobs", 1)
+        folds = one["cross_validation"]
+        self.assertEqual([t["epochs"] for t in folds["tried"]], [100, 300, 600])
+        self.assertIn(one["epochs"], (100, 300, 600))
+        self.assertEqual((one["epochs"], one["best_epoch"]), (folds["epochs"], folds["epochs"]))
+        self.assertIsNone(one["windows_choice"])
+        self.assertEqual(one["validation_episodes"], [])
+        self.assertGreater(one["prediction_error"]["runs"], 0)
+        record = self.run_json("inspect", "m.safetensors")["training"]
+        self.assertIn("chosen", record["cross_validation"])
+        frames = self.run_json("inspect", "train.h5")["frames"]
+        self.assertEqual(int(record["training_frames"]), frames)
+        self.assertEqual([], list(self.folder.glob("*.checkpoint*")))
+        first = (self.folder / "m.safetensors").read_bytes()
+        self.train("--jobs", 2, "--force")
+        self.assertEqual((self.folder / "m.safetensors").read_bytes(), first)
+
+    def test_validation_by_what_is_learnt_from_is_named(self):
+        said = self.run_limber("train", *ARM, "--data", "train.h5", "--validation", "train.h5", "--hidden", 8,
+                               "--epochs", 3, "--out", "m.safetensors").stderr
+        self.assertIn("--validation train.h5 is learnt from too", said)
+
+    def test_windows_are_chosen_where_something_validates_for_any_number_of_jobs(self):
+        self.run_limber("collect", *ARM, "--schedule", "random", "--count", 5, "--seed", 9, "--out",
+                        "other.h5")
+        validation = ("--validation", "other.h5")
+        one = self.train("--jobs", 1, *validation)
         choice = one["windows_choice"]
         self.assertEqual([t["windows"] for t in choice["tried"]], [[32], [8, 32], [2, 8, 32]])
         self.assertIn(choice["windows"], [t["windows"] for t in choice["tried"]])
@@ -90,7 +116,7 @@ class Bounds(InFolder):
         self.assertIn("chosen", record["windows_choice"])
         self.assertEqual([], list(self.folder.glob("*.checkpoint*")))
         first = (self.folder / "m.safetensors").read_bytes()
-        two = self.train("--jobs", 2, "--force")
+        two = self.train("--jobs", 2, "--force", *validation)
         self.assertEqual(two["windows_choice"], choice)
         self.assertEqual((self.folder / "m.safetensors").read_bytes(), first)
 

@@ -43,20 +43,6 @@ TEST(HoldBackValidation, SaysWhichEpisodesItHeldBack) {
   }
 }
 
-TEST(LeaveOutBroken, TakesThemOutOfValidationUnlessAllAre) {
-  const ArmDescription arm = three_segment_arm();
-  TrainingData data;
-  for (std::uint64_t seed = 0; seed < 3; ++seed) {
-    data.validation.push_back(toy_episode(arm, 3, 20, seed));
-  }
-  const Eigen::MatrixXf last = data.validation[2].backbone;
-  leave_out_broken(data, {true, true, true});
-  EXPECT_EQ(data.validation.size(), 3U);
-  leave_out_broken(data, {true, true, false});
-  ASSERT_EQ(data.validation.size(), 1U);
-  EXPECT_TRUE(data.validation[0].backbone == last);
-}
-
 TEST(HoldBackValidation, CutsASingleEpisode) {
   const ArmDescription arm = three_segment_arm();
   const TrainingData data = hold_back_validation({toy_episode(arm, 5, 20, 1)}, 0.2, 1);

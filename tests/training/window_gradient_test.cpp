@@ -171,6 +171,23 @@ TEST(WindowGradient, EachWindowIsShortenedByItself) {
   EXPECT_LT((together - sum).norm(), 1e-9 * sum.norm());
 }
 
+// With the errors E_k of one frame each: (E_0 + E_1) / 2 where all count alike, with power 1
+// (E_0 + E_1 / 2) / (1 + 1 / 2).
+TEST(WindowGradient, FirstFramesCountMoreByTheirPower) {
+  const Amplifier some;
+  const auto loss = [&](int frames, double power) {
+    StateMap<double> map = in_double(some.tables.map);
+    map.first_frames_power = power;
+    WindowGradient<double> window(some.layout, map, some.arm.segment_count(), frames, 4);
+    window.load(in_double(some.tables.frames), std::vector<int>{2, 30});
+    return window.forward(some.parameters.data());
+  };
+  const double first = loss(1, 0.0);
+  const double second = 2.0 * loss(2, 0.0) - first;
+  EXPECT_DOUBLE_EQ(loss(1, 1.0), first);
+  EXPECT_NEAR(loss(2, 1.0), (first + second / 2.0) / 1.5, 1e-12 * (first + second));
+}
+
 struct PyTorchCase {
   nlohmann::json values =
       nlohmann::json::parse(std::ifstream(LIMBER_TEST_DATA_DIR "/pytorch_gradients.json"));

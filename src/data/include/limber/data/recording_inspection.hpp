@@ -43,7 +43,9 @@ struct Suspicion {
 struct EpisodeError {
   double tip_cm = 0.0;       ///< mean over the tracked frames; NaN where there are none
   double correlation = 0.0;  ///< of levels: turns with what the commands say, mean over segments
+  bool moves = false;        ///< or should, by what it was told; one that rests is not judged
   bool is_outlier = false;
+  std::string why;  ///< it is one, in words; else empty
 };
 
 /// The simple model's error in every episode. One that is far above the others' was broken, and so
@@ -61,8 +63,14 @@ struct EpisodeErrors {
 /// @throws InputError as require_episodes_of, or where nothing was tracked.
 EpisodeErrors episode_errors(const ArmDescription& arm, const std::vector<Episode>& episodes);
 
-/// "episode 7: 12.3 cm (correlation 0.30)" of every outlier, and what is usual; empty without one.
+/// "episode 7: 12.3 cm, more than 9.1 cm" of every outlier, and what is usual; empty without one.
 std::string to_text(const EpisodeErrors& errors);
+
+/// Takes the outliers out of `episodes`; gives what was found of all of them.
+EpisodeErrors leave_out_broken(const ArmDescription& arm, std::vector<Episode>& episodes);
+
+/// Whether the tip goes anywhere, by more than a hundredth of the arm's length.
+bool moves(const ArmDescription& arm, const Episode& episode);
 
 /// What a recording holds and what is odd about it, though it is valid.
 struct RecordingInspection {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "limber/data/recording.hpp"
 
 namespace limber {
@@ -19,6 +22,15 @@ inline Episode slice(const Episode& episode, int first, int count) {
     part.tracked.assign(episode.tracked.begin() + first, episode.tracked.begin() + first + count);
   }
   return part;
+}
+
+/// Of all of them together.
+inline std::int64_t frame_count(const std::vector<Episode>& episodes) {
+  std::int64_t frames = 0;
+  for (const Episode& episode : episodes) {
+    frames += episode.frame_count();
+  }
+  return frames;
 }
 
 }  // namespace limber

@@ -37,10 +37,6 @@ struct TrainingData {
 TrainingData hold_back_validation(std::vector<Episode> episodes, double fraction,
                                   std::uint64_t seed);
 
-/// Takes broken episodes (EpisodeErrors::outliers) out of `data.validation`, so that none of them
-/// chooses the epoch; where all are broken, none. @param broken  one for each of them
-void leave_out_broken(TrainingData& data, const std::vector<bool>& broken);
-
 /// Then holds back for `data.unseen` about `fraction` of the frames of training and validation:
 /// whole training episodes, chosen by `seed`, of which one stays; or the end of the longest one,
 /// if that is more than twice as long. Nothing if that is too short. Validation episodes stay as

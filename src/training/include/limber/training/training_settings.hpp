@@ -69,6 +69,9 @@ struct TrainingSettings {
   /// what later frames put in: networks that read velocities may otherwise begin to amplify, and
   /// then nothing is learnt any more. 0: never.
   double growth_limit = 0;
+  /// A window's frame k (from 0) counts (k + 1)^-power: errors grow along a window, so that without
+  /// this the last frames decide, and one step ahead is learnt late. 0: all count alike.
+  double first_frames_power = 0;
   double average_decay = 0;   ///< of the exponential moving average of the weights; 0: none
   double input_noise = 0;     ///< standard deviation added to a window's first backbone, normalised
   bool shift_windows = true;  ///< each epoch cuts its windows at another offset
@@ -85,6 +88,8 @@ struct TrainingSettings {
   /// > 0: the epochs of every stage are scaled to about this, once, at the start.
   double time_limit_s = 0;
   int validation_interval = 1;  ///< epochs between validations
+  /// > 0: training ends after this epoch, whose network is kept; what validates only reports.
+  int keep_epoch = 0;
   Progress::Mode progress = Progress::Mode::quiet;
 
   /// File in which the run is stored now and then, when it is interrupted and when it has finished.

@@ -71,6 +71,7 @@ struct StateMap {
   /// > 0: the gradient that a window carries back to a frame is shortened to this many times the
   /// sum of what the frames behind it put in. What grows more has run away: no arm amplifies so.
   Scalar growth_limit = 0;
+  double first_frames_power = 0;  ///< a window's frame k counts (k + 1)^-power
 
   bool is_bounded() const { return !bounds.gaps.empty(); }
   bool reads_velocity() const { return change_scale.size() > 0; }

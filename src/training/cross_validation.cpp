@@ -1,0 +1,277 @@
+#include "limber/training/cross_validation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
+#include "limber/common/json_reader.hpp"
+#include "limber/common/random_stream.hpp"
+#include "limber/common/units.hpp"
+#include "limber/common/yaml_reader.hpp"
+#include "limber/data/episode_slice.hpp"
+#include "limber/data/recording_inspection.hpp"
+#include "limber/training/unseen_error.hpp"
+#include "rollout.hpp"
+#include "run_errors.hpp"
+#include "shuffle.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kMaxHours = 1.0;  // with more, a tenth held back costs less than it tells
+constexpr std::array<int, 3> kEpochs{100, 300, 600};
+constexpr int kLittleWindowFrames = 32;
+constexpr double kFirstFramesPower = 1.0;
+constexpr std::uint64_t kFoldStream = 0x666f6c6473;
+constexpr int kMinPartFrames = 100;  // a rollout over less says little
+
+/// The parts that folds are made of, and what is learnt from in all of them.
+struct Parts {
+  std::vector<Episode> moving;
+  std::vector<Episode> resting;
+};
+
+Parts parts_of(const ArmDescription& arm, const std::vector<Episode>& episodes) {
+  Parts parts;
+  for (const Episode& episode : episodes) {
+    (moves(arm, episode) ? parts.moving : parts.resting).push_back(episode);
+  }
+  while (!parts.moving.empty() && parts.moving.size() < 2 * kFolds) {
+    Episode& longest = *std::ranges::max_element(parts.moving, {}, &Episode::frame_count);
+    const int frames = longest.frame_count();
+    if (frames < 2 * kMinPartFrames) {
+      break;
+    }
+    Episode rest = slice(longest, frames / 2, frames - frames / 2);
+    longest = slice(longest, 0, frames / 2);
+    parts.moving.push_back(std::move(rest));
+  }
+  return parts;
+}
+
+/// The fold of each part: the longest ones first, each to the fold that has least.
+std::vector<int> deal(const std::vector<Episode>& parts, std::uint64_t seed) {
+  std::vector<std::size_t> order(parts.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    order[i] = i;
+  }
+  RandomStream random(seed, kFoldStream);
+  shuffle(random, order);
+  std::ranges::stable_sort(order, std::greater{},
+                           [&](std::size_t i) { return parts[i].frame_count(); });
+  std::array<int, kFolds> frames{};
+  std::vector<int> folds(parts.size());
+  for (const std::size_t i : order) {
+    const auto least = std::ranges::min_element(frames);
+    folds[i] = static_cast<int>(least - frames.begin());
+    *least += parts[i].frame_count();
+  }
+  return folds;
+}
+
+class Folds {
+ public:
+  Folds(const ArmDescription& arm, const std::vector<Episode>& episodes,
+        const TrainingSettings& settings, const IdentifiedValves& valves,
+        const TrainingHooks& hooks)
+      : arm_(arm),
+        parts_(parts_of(arm, episodes)),
+        fold_(deal(parts_.moving, settings.seed)),
+        settings_(settings),
+        valves_(valves),
+        hooks_(hooks) {
+    if (parts_.moving.size() < 2) {
+      throw InputError(
+          "no two motions to validate one by the other; give more of the arm's motion, or a "
+          "recording of its own with --validation");
+    }
+    settings_.checkpoint.clear();
+    settings_.resume = false;
+    settings_.ensemble = 1;
+    for (std::size_t i = 0; i < parts_.moving.size(); ++i) {
+      folds_ = std::max(folds_, fold_[i] + 1);
+    }
+  }
+
+  CrossValidation run() {
+    CrossValidation found;
+    found.folds = folds_;
+    for (const int epochs : kEpochs) {
+      RunErrors errors;
+      found.tried.push_back(tried(epochs, errors));
+      const EpochsTried& best = found.tried[static_cast<std::size_t>(found.chosen)];
+      if (found.tried.size() == 1 || found.tried.back().score_cm() < best.score_cm()) {
+        found.chosen = static_cast<int>(found.tried.size()) - 1;
+        found.prediction_error = errors.result(arm_.frame_period_s());
+      }
+    }
+    if (!std::isfinite(found.tried[static_cast<std::size_t>(found.chosen)].score_cm())) {
+      throw InputError(
+          "no network of cross-validation predicts finite shapes; look at the data with limber "
+          "inspect");
+    }
+    return found;
+  }
+
+ private:
+  /// A network for each fold, and what they are worth together.
+  EpochsTried tried(int epochs, RunErrors& errors) {
+    set_epoch_count(settings_, epochs);
+    settings_.keep_epoch = epochs;
+    EpochsTried sum{epochs, 0.0, 0.0, 0.0};
+    for (int fold = 0; fold < folds_; ++fold) {
+      TrainingData data;
+      data.training = parts_.resting;
+      std::vector<Episode> unseen;
+      for (std::size_t i = 0; i < parts_.moving.size(); ++i) {
+        (fold_[i] == fold ? unseen : data.training).push_back(parts_.moving[i]);
+      }
+      TrainingResult trained = train(arm_, data, settings_, hooks_);
+      if (trained.status == TrainingStatus::interrupted) {
+        throw Interrupted("stopped while cross-validation looked for the number of epochs");
+      }
+      if (trained.best_epoch == 0) {
+        return {epochs, kNever, kNever, kNever};
+      }
+      trained.model.set_valves(valves_);
+      (void)errors.add(arm_, trained.model, unseen, settings_.jobs);
+      const ForwardModel model(arm_, std::move(trained.model));
+      const double share =
+          double(frame_count(unseen)) / double(frame_count(parts_.moving));
+      sum.one_step_cm += share * error_cm(model, unseen, 1);
+      sum.window_32_cm += share * error_cm(model, unseen, 32);
+      sum.window_600_cm += share * error_cm(model, unseen, 600);
+      throw_if_interrupted();
+    }
+    return sum;
+  }
+
+  double error_cm(const ForwardModel& model, const std::vector<Episode>& unseen, int frames) const {
+    const std::vector<RolloutPiece> pieces = pieces_of_length(unseen, frames);
+    const double error =
+        kCmPerM * mean_tip_error_m(roll_out(model, unseen, pieces, settings_.jobs), unseen, pieces);
+    return std::isfinite(error) ? error : kNever;
+  }
+
+  static constexpr double kNever = std::numeric_limits<double>::infinity();
+
+  const ArmDescription& arm_;
+  Parts parts_;
+  std::vector<int> fold_;  // of each moving part
+  TrainingSettings settings_;
+  const IdentifiedValves& valves_;
+  const TrainingHooks& hooks_;
+  int folds_ = 0;
+};
+
+}  // namespace
+
+bool is_little(const ArmDescription& arm, const std::vector<Episode>& episodes) {
+  constexpr double kSecondsPerHour = 3600.0;
+  return double(frame_count(episodes)) * arm.frame_period_s() <= kMaxHours * kSecondsPerHour &&
+         parts_of(arm, episodes).moving.size() >= 2;
+}
+
+TrainingSettings preset_for_little() {
+  TrainingSettings settings = best_preset();
+  set_window_frames(settings, {kLittleWindowFrames});
+  settings.first_frames_power = kFirstFramesPower;
+  return settings;
+}
+
+CrossValidation cross_validate(const ArmDescription& arm, const std::vector<Episode>& episodes,
+                               const TrainingSettings& settings, const IdentifiedValves& valves,
+                               const TrainingHooks& hooks) {
+  return Folds(arm, episodes, settings, valves, hooks).run();
+}
+
+TrainingResult train_on_everything(const ArmDescription& arm, const std::vector<Episode>& episodes,
+                                   const TrainingSettings& settings, const IdentifiedValves& valves,
+                                   const CrossValidation& found, const TrainingHooks& hooks) {
+  TrainingData data;
+  data.training = episodes;
+  TrainingSettings all = settings;
+  set_epoch_count(all, found.epochs());
+  all.keep_epoch = found.epochs();
+  TrainingResult result = train(arm, data, all, hooks);
+  if (result.best_epoch > 0) {
+    result.model.set_valves(valves);
+    result.model.learnt = learnt_region_of(data);
+    result.model.prediction_error = found.prediction_error;
+    note_shapes(arm, result.model, episodes, settings.jobs);
+  }
+  return result;
+}
+
+nlohmann::ordered_json to_json(const CrossValidation& found) {
+  const auto number = [](double value) {
+    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
+  };
+  nlohmann::ordered_json json = {{"folds", found.folds},
+                                 {"epochs", found.epochs()},
+                                 {"tried", nlohmann::ordered_json::array()},
+                                 {"prediction_error", nullptr}};
+  for (const EpochsTried& tried : found.tried) {
+    json["tried"].push_back({{"epochs", tried.epochs},
+                             {"one_step_cm", number(tried.one_step_cm)},
+                             {"window_32_cm", number(tried.window_32_cm)},
+                             {"window_600_cm", number(tried.window_600_cm)}});
+  }
+  if (found.prediction_error) {
+    json["prediction_error"] =
+        nlohmann::ordered_json::parse(prediction_error_to_metadata(*found.prediction_error));
+  }
+  return json;
+}
+
+CrossValidation read_cross_validation(const std::string& text, const std::string& where) {
+  constexpr int kMaxEpochs = 10'000'000;
+  const nlohmann::json json = parse_json_object(text, where);
+  const JsonReader root(json, where, "");
+  CrossValidation found;
+  found.folds = root.at("folds").integer(1, kFolds);
+  const int epochs = root.at("epochs").integer(1, kMaxEpochs);
+  found.chosen = -1;
+  for (const JsonReader& row : root.at("tried").elements("a list of runs")) {
+    const auto error_at = [&](const char* key) {
+      const JsonReader field = row.at(key);
+      return field.is_null() ? std::numeric_limits<double>::infinity() : field.number(0.0);
+    };
+    found.tried.push_back({row.at("epochs").integer(1, kMaxEpochs), error_at("one_step_cm"),
+                           error_at("window_32_cm"), error_at("window_600_cm")});
+    if (found.tried.back().epochs == epochs) {
+      found.chosen = static_cast<int>(found.tried.size()) - 1;
+    }
+  }
+  if (found.chosen < 0) {
+    root.at("epochs").refuse("so many were not tried; remove the file and train again");
+  }
+  if (const JsonReader error = root.at("prediction_error"); !error.is_null()) {
+    found.prediction_error = read_prediction_error(
+        YamlReader::from_text(error.value().dump(), where + ": prediction_error"));
+  }
+  return found;
+}
+
+std::string to_text(const CrossValidation& found) {
+  std::string text = fmt::format(
+      "{} networks for each length, on episodes that they had not seen (one step, 32, up to 600 "
+      "frames)",
+      found.folds);
+  for (std::size_t i = 0; i < found.tried.size(); ++i) {
+    const EpochsTried& tried = found.tried[i];
+    text += fmt::format("{} {} epochs: {:.2f}, {:.2f}, {:.2f} cm{}", i == 0 ? ":" : ";",
+                        tried.epochs, tried.one_step_cm, tried.window_32_cm, tried.window_600_cm,
+                        static_cast<int>(i) == found.chosen ? ", chosen" : "");
+  }
+  return text;
+}
+
+}  // namespace limber

@@ -1,0 +1,79 @@
+#pragma once
+// For those who train and evaluate models.
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/data/valve_identification.hpp"
+#include "limber/training/trainer.hpp"
+
+namespace limber {
+
+/// What runs of one length are worth: mean errors at the tip on episodes that the networks had not
+/// seen, one step ahead, and over rollouts of 32 and of up to 600 frames. Infinite where one of
+/// them diverged.
+struct EpochsTried {
+  int epochs = 0;
+  double one_step_cm = 0.0;
+  double window_32_cm = 0.0;
+  double window_600_cm = 0.0;
+  /// What decides: the mean, as of factors.
+  double score_cm() const { return std::cbrt(one_step_cm * window_32_cm * window_600_cm); }
+  bool operator==(const EpochsTried&) const = default;
+};
+
+/// How long to train on a recording, and how wrong a network is that learnt from it
+/// (docs/training.md, Learning from little).
+struct CrossValidation {
+  int folds = 0;
+  std::vector<EpochsTried> tried;
+  int chosen = 0;                                   ///< index in `tried`
+  std::optional<PredictionError> prediction_error;  ///< of the chosen networks' runs together
+  int epochs() const { return tried[static_cast<std::size_t>(chosen)].epochs; }
+  bool operator==(const CrossValidation&) const = default;
+};
+
+/// Whether so little was recorded that nothing of it should be held back: at most an hour, of which
+/// something moves.
+bool is_little(const ArmDescription& arm, const std::vector<Episode>& episodes);
+
+/// The default preset as it learns from little: windows of 32 frames, in which early frames count
+/// more.
+TrainingSettings preset_for_little();
+
+/// Deals the episodes that move to kFolds folds of about equal length (long ones are cut where there
+/// are few), and trains a network for each fold on all that is not in it. What rests is learnt from
+/// in all of them, and judges none. So with runs of several lengths: a learning rate that has fallen
+/// all the way teaches more than one that is stopped early. Depends on data, settings and seed, not
+/// on threads.
+/// @param settings  of each run; its checkpoint, ensemble, epochs and keep_epoch are not used
+/// @param valves  of the recording, before the network; PredictionError is about set points
+/// @throws InputError as `train`, and where no fold's network is finite; Interrupted on Ctrl-C, or
+/// where hooks.should_stop says so.
+CrossValidation cross_validate(const ArmDescription& arm, const std::vector<Episode>& episodes,
+                               const TrainingSettings& settings, const IdentifiedValves& valves,
+                               const TrainingHooks& hooks = {});
+inline constexpr int kFolds = 4;
+
+/// One network that learns from all `episodes`, for as long as `found` says; it carries the
+/// folds' error, its valves and what it has learnt.
+[[nodiscard]] TrainingResult train_on_everything(const ArmDescription& arm,
+                                                 const std::vector<Episode>& episodes,
+                                                 const TrainingSettings& settings,
+                                                 const IdentifiedValves& valves,
+                                                 const CrossValidation& found,
+                                                 const TrainingHooks& hooks = {});
+
+/// The object `cross_validation` of `train --json`, and of the file by which a stopped run goes on.
+nlohmann::ordered_json to_json(const CrossValidation& found);
+/// @throws InputError naming `where` and the field.
+CrossValidation read_cross_validation(const std::string& text, const std::string& where);
+/// For people, and for the model's record.
+std::string to_text(const CrossValidation& found);
+
+}  // namespace limber

@@ -1,0 +1,129 @@
+#include "limber/training/cross_validation.hpp"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "limber/common/error.hpp"
+#include "training/toy_arm.hpp"
+
+namespace limber {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+struct Little {
+  ArmDescription arm = three_segment_arm();
+  std::vector<Episode> episodes;
+  TrainingSettings settings = preset_for_little();
+
+  explicit Little(int count = 5) {
+    settings.hidden_units = {4};
+    settings.jobs = 1;
+    for (int seed = 1; seed <= count; ++seed) {
+      episodes.push_back(toy_episode(arm, 2, 34, static_cast<std::uint64_t>(seed)));
+    }
+  }
+
+  CrossValidation found() const { return cross_validate(arm, episodes, settings, {}); }
+};
+
+/// Found once, for all tests that look at it.
+const CrossValidation& found_once() {
+  static const CrossValidation found = Little().found();
+  return found;
+}
+
+/// An arm that was told nothing, and does nothing.
+Episode at_rest(const ArmDescription& arm) {
+  Episode episode = toy_episode(arm, 2, 34, 9);
+  episode.pressure_kpa.setZero();
+  episode.setpoint_kpa.setZero();
+  episode.backbone.rowwise() = Eigen::RowVectorXf(episode.backbone.row(0));
+  return episode;
+}
+
+TEST(CrossValidation, TakesTheLengthThatPredictsUnseenEpisodesBest) {
+  const CrossValidation& found = found_once();
+  EXPECT_EQ(found.folds, kFolds);
+  ASSERT_EQ(found.tried.size(), 3U);
+  for (const EpochsTried& tried : found.tried) {
+    EXPECT_GE(tried.score_cm(), found.tried[static_cast<std::size_t>(found.chosen)].score_cm());
+    EXPECT_LT(tried.one_step_cm, tried.window_600_cm);
+  }
+  ASSERT_TRUE(found.prediction_error);
+  EXPECT_GE(found.prediction_error->runs, 10) << "every episode's motions count";
+}
+
+TEST(CrossValidation, IsTheSameForAnyNumberOfThreads) {
+  Little little;
+  little.settings.jobs = 2;
+  EXPECT_EQ(little.found(), found_once());
+}
+
+TEST(CrossValidation, WhatRestsJudgesNoNetwork) {
+  Little little;
+  const CrossValidation& found = found_once();
+  for (int i = 0; i < 3; ++i) {
+    little.episodes.push_back(at_rest(little.arm));
+  }
+  const CrossValidation with_rest = little.found();
+  ASSERT_TRUE(with_rest.prediction_error);
+  EXPECT_EQ(with_rest.prediction_error->runs, found.prediction_error->runs);
+  EXPECT_FALSE(is_little(little.arm, {at_rest(little.arm), at_rest(little.arm)}));
+}
+
+TEST(CrossValidation, OneLongEpisodeIsCutIntoFolds) {
+  Little little(0);
+  little.episodes = {toy_episode(little.arm, 12, 34, 1)};
+  EXPECT_TRUE(is_little(little.arm, little.episodes));
+  EXPECT_EQ(little.found().folds, kFolds);
+}
+
+TEST(CrossValidation, OneNetworkThenLearnsFromEverythingForThatLong) {
+  const Little little;
+  const CrossValidation& found = found_once();
+  const TrainingResult result =
+      train_on_everything(little.arm, little.episodes, little.settings, {}, found);
+  EXPECT_EQ(result.status, TrainingStatus::finished);
+  EXPECT_EQ(result.best_epoch, found.epochs());
+  EXPECT_EQ(result.model.training.at("training_frames"), std::to_string(5 * 69));
+  EXPECT_EQ(result.model.prediction_error, found.prediction_error);
+  EXPECT_TRUE(result.model.learnt);
+}
+
+TEST(CrossValidation, ItsFileSaysTheSame) {
+  CrossValidation found = found_once();
+  found.tried.back().window_600_cm = std::numeric_limits<double>::infinity();
+  const std::string text = to_json(found).dump();
+  EXPECT_EQ(read_cross_validation(text, "f.json"), found);
+  EXPECT_THAT([] { (void)read_cross_validation("{\"folds\": 9}", "f.json"); },
+              ThrowsMessage<InputError>(HasSubstr("f.json")));
+}
+
+TEST(CrossValidation, StopsWhereItIsAsked) {
+  const Little little;
+  TrainingHooks hooks;
+  hooks.should_stop = [] { return true; };
+  EXPECT_THROW((void)cross_validate(little.arm, little.episodes, little.settings, {}, hooks),
+               Interrupted);
+}
+
+TEST(KeepEpoch, IsTheEpochOfTheNetworkWhateverTheLossSays) {
+  const Little little;
+  TrainingData data;
+  data.training = little.episodes;
+  TrainingSettings settings = little.settings;
+  set_epoch_count(settings, 30);
+  settings.keep_epoch = 7;
+  const TrainingResult result = train(little.arm, data, settings);
+  const std::vector<int>& ran_away = result.passed_over_epochs;  // so small, it may
+  EXPECT_EQ(ran_away.empty() ? result.best_epoch : ran_away.front(), 7);
+  EXPECT_EQ(result.curve.size(), 7U);
+  settings.keep_epoch = 31;
+  EXPECT_THAT([&] { (void)train(little.arm, data, settings); },
+              ThrowsMessage<InputError>(HasSubstr("keep_epoch")));
+}
+
+}  // namespace
+}  // namespace limber
