@@ -23,15 +23,12 @@ def _from_fields(kind: type, fields: dict[str, Any]) -> Any:
     return kind(**fields)
 
 
-def _from_file(kind: str, data: bytes, attributes: dict[str, Any]) -> Any:
+def _from_file(kind: str, data: bytes) -> Any:
     import tempfile  # what few need
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / f"pickled {kind}"
         path.write_bytes(data)
-        value = _READERS[kind](path)
-    for name, attribute in attributes.items():
-        setattr(value, name, attribute)
-    return value
+        return _READERS[kind](path)
 
 
 def _reduce_filed(self: Any, _protocol: int) -> tuple[Any, ...]:
@@ -41,8 +38,7 @@ def _reduce_filed(self: Any, _protocol: int) -> tuple[Any, ...]:
         path = pathlib.Path(folder) / f"pickled {kind}"
         _WRITERS[kind](path, self)
         data = path.read_bytes()
-    # No part of a model's file.
-    return _from_file, (kind, data, {"answer": self.answer} if kind == "model" else {})
+    return _from_file, (kind, data)
 
 
 def _reduce_record(self: Any, _protocol: int) -> tuple[Any, ...]:
