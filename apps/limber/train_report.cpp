@@ -177,7 +177,10 @@ void print_training_result(const CommonFlags& flags, const Command& command,
                   result.wall_time_s, status_of(result),
                   how.folds ? fmt::format("epoch {}, by cross-validation", result.best_epoch)
                             : chosen_epoch(result),
-                  error_line(result.model, !choice.data.unseen.empty()),
+                  how.folds && !result.model.prediction_error
+                      ? "the folds' error is not known, or not this network's, whose training "
+                        "did not end: plans keep what is usual"
+                      : error_line(result.model, !choice.data.unseen.empty()),
                   changes ? "\n" + to_text(*changes) : ""));
 }
 

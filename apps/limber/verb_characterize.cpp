@@ -200,12 +200,13 @@ class CharacterizeVerb final : public Verb {
       Recording recording = kinds.read(path, arm);
       std::ranges::move(recording.episodes, std::back_inserter(episodes));
     }
+    const std::size_t count = episodes.size();
     const EpisodeErrors errors = leave_out_broken(arm, episodes);
     const SimpleFit fit = fit_simple_model(arm, episodes);
     nlohmann::ordered_json json = to_json(fit);
     std::string text = to_text(fit, arm);
     json["episode_errors"] = to_json(errors);
-    text += fmt::format("\nmiddle error at the tip over {} episodes: {:.2f} cm", episodes.size(),
+    text += fmt::format("\nmiddle error at the tip over {} episodes: {:.2f} cm", count,
                         errors.median_cm);
     if (const std::string broken = to_text(errors); !broken.empty()) {
       say(flags, "warning: left out as broken: {}", broken);

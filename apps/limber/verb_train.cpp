@@ -51,7 +51,7 @@ class TrainVerb final : public Verb {
         "learns from everything");
     app.add_option("--unseen", unseen_,
                    "Recording for measuring the model's error, used neither for training nor for "
-                   "choosing; else whole episodes are held back");
+                   "choosing; else whole episodes are held back, as for --validation");
     app.add_flag(
         "--keep-broken", keep_broken_,
         "Learn also from episodes in which the arm does not do what it does in the others");
@@ -80,9 +80,10 @@ class TrainVerb final : public Verb {
                    "Fix the number of epochs, at the start, to what fits in this time")
         ->check(CLI::PositiveNumber)
         ->excludes("--epochs");
-    app.add_option("--windows", windows_,
-                   "Frames per window of each stage. Without this flag and --epochs, best chooses "
-                   "among 2 8 32, 8 32 and 32 by short runs")
+    app.add_option(
+           "--windows", windows_,
+           "Frames per window of each stage. Without this flag and --epochs, best takes 32, or of "
+           "more than an hour chooses among 2 8 32, 8 32 and 32 by short runs")
         ->check(CLI::Range(1, 1000));
     app.add_option("--learning-rate", learning_rate_, "Learning rate, instead of the preset's")
         ->check(CLI::PositiveNumber);
@@ -106,7 +107,7 @@ class TrainVerb final : public Verb {
         ->needs("--family")
         ->capture_default_str();
     app.add_option("--checkpoint-interval-s", checkpoint_interval_s_,
-                   "Seconds between checkpoints: the most that a killed run loses")
+                   "Seconds between checkpoints: the most that a killed run loses, but for folds")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     app.add_flag("--resume", resume_,
@@ -139,12 +140,7 @@ class TrainVerb final : public Verb {
     keep_known_valves(flags, arm, start, valves);
     TrainingResult result =
         start ? fine_tune(arm, data, settings, *start) : train(arm, data, settings);
-    if (result.status == TrainingStatus::diverged) {
-      print_error(result.message);
-      remove_checkpoint();  // --resume would only end here again
-    }
-    if (result.best_epoch == 0) {
-      print_no_model(flags, result);
+    if (!has_network(flags, result)) {
       return kExitNoSolution;
     }
     result.model.set_valves(valves);
@@ -161,18 +157,36 @@ class TrainVerb final : public Verb {
       changes = compare_models(arm, *start, result.model, data.validation, old_data.validation,
                                flags.jobs);
     }
+    return finish(flags, arm, result, changes, choice, {stages, std::nullopt});
+  }
+
+ private:
+  /// Whether there is one to write; says why where there is none.
+  bool has_network(const CommonFlags& flags, const TrainingResult& result) const {
+    if (result.status == TrainingStatus::diverged) {
+      print_error(result.message);
+      remove_checkpoint();  // --resume would only end here again
+    }
+    if (result.best_epoch == 0) {
+      print_no_model(flags, result);
+    }
+    return result.best_epoch > 0;
+  }
+
+  int finish(const CommonFlags& flags, const ArmDescription& arm, const TrainingResult& result,
+             const std::optional<FineTuningReport>& changes, const EpisodeChoice& choice,
+             const TrainingChoice& how) const {
     if (result.status == TrainingStatus::finished) {
       remove_checkpoint();
     }
     print_training_result(flags, arm.command, {out_, curve_path(".curve.csv")}, result, changes,
-                          choice, {stages, std::nullopt});
+                          choice, how);
     if (result.status == TrainingStatus::interrupted) {
       say(flags, "the best model so far is in {}; the same command with --resume goes on", out_);
     }
     return result.status == TrainingStatus::finished ? kExitDone : kExitNoSolution;
   }
 
- private:
   /// --epochs 0.
   int only_add_bounds(const CommonFlags& flags) const {
     if (!unseen_.empty()) {
@@ -189,7 +203,8 @@ class TrainVerb final : public Verb {
                                  fs::path(checkpoint_path())}) {
       refuse_to_overwrite(path, flags.force || resume_ || path == checkpoint_path());
     }
-    if (resume_ && !fs::exists(checkpoint_path())) {
+    if (resume_ && !fs::exists(checkpoint_path()) &&
+        !fs::exists(folds_path_of(checkpoint_path()))) {
       throw InputError(fmt::format("--resume: there is no checkpoint {}; leave --resume out",
                                    checkpoint_path().string()));
     }
@@ -236,19 +251,13 @@ class TrainVerb final : public Verb {
     const CrossValidation found = choose_by_folds(flags, arm, episodes, settings, valves);
     settings.resume = resume_ && fs::exists(checkpoint_path());
     TrainingResult result = train_on_everything(arm, episodes, settings, valves, found);
-    if (result.best_epoch == 0) {
-      print_no_model(flags, result);
+    if (!has_network(flags, result)) {
       return kExitNoSolution;
     }
     record_origin(result.model, sources, settings, choice);
     result.model.training["cross_validation"] = to_text(found);
     write(result);
-    if (result.status == TrainingStatus::finished) {
-      remove_checkpoint();
-    }
-    print_training_result(flags, arm.command, {out_, curve_path(".curve.csv")}, result,
-                          std::nullopt, choice, {std::nullopt, found});
-    return result.status == TrainingStatus::finished ? kExitDone : kExitNoSolution;
+    return finish(flags, arm, result, std::nullopt, choice, {std::nullopt, found});
   }
 
   /// Sets the windows, and how many networks share the epochs. None where flags say how to train.
@@ -398,6 +407,12 @@ class TrainVerb final : public Verb {
     std::vector<std::string> broken;
     if (!keep_broken_) {
       broken = leave_out_broken(arm, all, validation);
+      if (!validation_.empty() && validation.episodes.empty()) {
+        throw InputError(fmt::format(
+            "--validation {}: the arm does nothing there of what it does in --data, so nothing "
+            "would validate ({}); --keep-broken takes it as it is",
+            validation_, fmt::join(broken, "; ")));
+      }
     }
     find_valves();
     EpisodeChoice choice;

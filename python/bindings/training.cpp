@@ -131,7 +131,8 @@ void bind_settings(py::module_& module) {
              "> 0: epochs are scaled to about this time, once, at the start [s]; 0: no "
              "limit.")
       .field("keep_epoch", &S::keep_epoch,
-             "> 0: training ends after this epoch, whose network is kept; 0: the best one is.")
+             "> 0: training ends after this epoch, whose network is kept; nothing may validate. 0: "
+             "the best one is.")
       .field("validation_interval", &S::validation_interval,
              "Epochs from one validation to the next, >= 1.")
       .field("checkpoint", &S::checkpoint,

@@ -1946,7 +1946,7 @@ class TrainingSettings:
     def time_limit_s(self, value: float) -> None: ...
     @property
     def keep_epoch(self) -> int:
-        """> 0: training ends after this epoch, whose network is kept; 0: the best one is."""
+        """> 0: training ends after this epoch, whose network is kept; nothing may validate. 0: the best one is."""
     @keep_epoch.setter
     def keep_epoch(self, value: int) -> None: ...
     @property

@@ -38,10 +38,16 @@ struct Parts {
   std::vector<Episode> resting;
 };
 
+/// Whether a rollout over it says anything: it moves, was seen, and is longer than a window.
+bool can_judge(const ArmDescription& arm, const Episode& episode) {
+  return episode.frame_count() > kLittleWindowFrames + 1 &&
+         episode.frame_count() - episode.untracked_count() >= 2 && moves(arm, episode);
+}
+
 Parts parts_of(const ArmDescription& arm, const std::vector<Episode>& episodes) {
   Parts parts;
   for (const Episode& episode : episodes) {
-    (moves(arm, episode) ? parts.moving : parts.resting).push_back(episode);
+    (can_judge(arm, episode) ? parts.moving : parts.resting).push_back(episode);
   }
   while (!parts.moving.empty() && parts.moving.size() < 2 * kFolds) {
     Episode& longest = *std::ranges::max_element(parts.moving, {}, &Episode::frame_count);
@@ -53,6 +59,11 @@ Parts parts_of(const ArmDescription& arm, const std::vector<Episode>& episodes) 
     longest = slice(longest, 0, frames / 2);
     parts.moving.push_back(std::move(rest));
   }
+  const auto judging = std::stable_partition(
+      parts.moving.begin(), parts.moving.end(),
+      [&](const Episode& part) { return can_judge(arm, part); });  // a half may rest
+  std::move(judging, parts.moving.end(), std::back_inserter(parts.resting));
+  parts.moving.erase(judging, parts.moving.end());
   return parts;
 }
 
@@ -76,33 +87,32 @@ std::vector<int> deal(const std::vector<Episode>& parts, std::uint64_t seed) {
   return folds;
 }
 
-class Folds {
+class CrossValidator {
  public:
-  Folds(const ArmDescription& arm, const std::vector<Episode>& episodes,
-        const TrainingSettings& settings, const IdentifiedValves& valves,
-        const TrainingHooks& hooks)
+  CrossValidator(const ArmDescription& arm, const std::vector<Episode>& episodes,
+                 const TrainingSettings& settings, const IdentifiedValves& valves,
+                 const TrainingHooks& hooks)
       : arm_(arm),
         parts_(parts_of(arm, episodes)),
         fold_(deal(parts_.moving, settings.seed)),
         settings_(settings),
         valves_(valves),
         hooks_(hooks) {
-    if (parts_.moving.size() < 2) {
-      throw InputError(
-          "no two motions to validate one by the other; give more of the arm's motion, or a "
-          "recording of its own with --validation");
+    if (parts_.moving.size() < kFolds) {
+      throw InputError(fmt::format(
+          "{} parts of more than {} frames in which the arm moves; {} folds need one each. Give "
+          "more "
+          "of its motion, or a recording of its own that validates",
+          parts_.moving.size(), kLittleWindowFrames + 1, kFolds));
     }
     settings_.checkpoint.clear();
     settings_.resume = false;
     settings_.ensemble = 1;
-    for (std::size_t i = 0; i < parts_.moving.size(); ++i) {
-      folds_ = std::max(folds_, fold_[i] + 1);
-    }
   }
 
   CrossValidation run() {
     CrossValidation found;
-    found.folds = folds_;
+    found.folds = kFolds;
     for (const int epochs : kEpochs) {
       RunErrors errors;
       found.tried.push_back(tried(epochs, errors));
@@ -114,8 +124,8 @@ class Folds {
     }
     if (!std::isfinite(found.tried[static_cast<std::size_t>(found.chosen)].score_cm())) {
       throw InputError(
-          "no network of cross-validation predicts finite shapes; look at the data with limber "
-          "inspect");
+          fmt::format("no network of cross-validation predicts finite shapes: {}",
+                      message_.empty() ? "look at the data with limber inspect" : message_));
     }
     return found;
   }
@@ -126,7 +136,7 @@ class Folds {
     set_epoch_count(settings_, epochs);
     settings_.keep_epoch = epochs;
     EpochsTried sum{epochs, 0.0, 0.0, 0.0};
-    for (int fold = 0; fold < folds_; ++fold) {
+    for (int fold = 0; fold < kFolds; ++fold) {
       TrainingData data;
       data.training = parts_.resting;
       std::vector<Episode> unseen;
@@ -137,14 +147,14 @@ class Folds {
       if (trained.status == TrainingStatus::interrupted) {
         throw Interrupted("stopped while cross-validation looked for the number of epochs");
       }
-      if (trained.best_epoch == 0) {
+      trained.model.set_valves(valves_);
+      if (trained.status != TrainingStatus::finished ||
+          !errors.add(arm_, trained.model, unseen, settings_.jobs)) {
+        message_ = trained.message;
         return {epochs, kNever, kNever, kNever};
       }
-      trained.model.set_valves(valves_);
-      (void)errors.add(arm_, trained.model, unseen, settings_.jobs);
       const ForwardModel model(arm_, std::move(trained.model));
-      const double share =
-          double(frame_count(unseen)) / double(frame_count(parts_.moving));
+      const double share = double(frame_count(unseen)) / double(frame_count(parts_.moving));
       sum.one_step_cm += share * error_cm(model, unseen, 1);
       sum.window_32_cm += share * error_cm(model, unseen, 32);
       sum.window_600_cm += share * error_cm(model, unseen, 600);
@@ -168,7 +178,7 @@ class Folds {
   TrainingSettings settings_;
   const IdentifiedValves& valves_;
   const TrainingHooks& hooks_;
-  int folds_ = 0;
+  std::string message_;  // of a run that diverged
 };
 
 }  // namespace
@@ -176,7 +186,7 @@ class Folds {
 bool is_little(const ArmDescription& arm, const std::vector<Episode>& episodes) {
   constexpr double kSecondsPerHour = 3600.0;
   return double(frame_count(episodes)) * arm.frame_period_s() <= kMaxHours * kSecondsPerHour &&
-         parts_of(arm, episodes).moving.size() >= 2;
+         parts_of(arm, episodes).moving.size() >= kFolds;
 }
 
 TrainingSettings preset_for_little() {
@@ -189,7 +199,7 @@ TrainingSettings preset_for_little() {
 CrossValidation cross_validate(const ArmDescription& arm, const std::vector<Episode>& episodes,
                                const TrainingSettings& settings, const IdentifiedValves& valves,
                                const TrainingHooks& hooks) {
-  return Folds(arm, episodes, settings, valves, hooks).run();
+  return CrossValidator(arm, episodes, settings, valves, hooks).run();
 }
 
 TrainingResult train_on_everything(const ArmDescription& arm, const std::vector<Episode>& episodes,
@@ -204,7 +214,9 @@ TrainingResult train_on_everything(const ArmDescription& arm, const std::vector<
   if (result.best_epoch > 0) {
     result.model.set_valves(valves);
     result.model.learnt = learnt_region_of(data);
-    result.model.prediction_error = found.prediction_error;
+    if (result.status == TrainingStatus::finished && result.best_epoch == found.epochs()) {
+      result.model.prediction_error = found.prediction_error;
+    }
     note_shapes(arm, result.model, episodes, settings.jobs);
   }
   return result;

@@ -12,8 +12,8 @@ namespace limber {
 /// What PredictionError is made of: the errors of runs, also of several models.
 class RunErrors {
  public:
-  /// The runs of `measure_prediction_error` on `unseen`. @return whether all predictions are finite;
-  /// where they are not, nothing was added
+  /// The runs of `measure_prediction_error` on `unseen`.
+  /// @return whether all predictions are finite; where they are not, nothing was added
   bool add(const ArmDescription& arm, const CompensationModel& model,
            const std::vector<Episode>& unseen, int jobs);
   /// One frame's error of a run ends it; `frames` are those after its first.

@@ -23,8 +23,12 @@ namespace {
 constexpr int kValidationFrames = 600;
 constexpr int kRivals = 10;  // epochs that are kept to choose from
 
-TrainingSettings usable(TrainingSettings settings, const CompensationModel* start) {
+TrainingSettings usable(TrainingSettings settings, const CompensationModel* start, bool validates) {
   require_usable(settings);
+  if (settings.keep_epoch > 0 && validates) {
+    throw InputError(
+        "keep_epoch says which epoch is kept, and so would validation; give one of them");
+  }
   return start != nullptr ? in_form_of(*start, std::move(settings)) : settings;
 }
 
@@ -55,7 +59,7 @@ TrainingRun::TrainingRun(const ArmDescription& arm, const TrainingData& data,
                          const TrainingHooks& hooks)
     : arm_(arm),
       data_(data),
-      settings_(usable(std::move(settings), start)),
+      settings_(usable(std::move(settings), start, !data.validation.empty())),
       hooks_(hooks),
       trainer_(arm, data, settings_, start),
       begin_(std::chrono::steady_clock::now()) {}

@@ -112,7 +112,6 @@ std::vector<PressureLimits> read_limits(const JsonReader& root, const Command& c
   return limits;
 }
 
-/// @param has_pressures  of the file's schema; else pressures are the set points
 std::vector<PlanFrame> read_frames(const JsonReader& field, const Command& command) {
   const std::vector<JsonReader> items = field.elements("a list of frames");
   if (items.empty()) {

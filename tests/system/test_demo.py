@@ -43,6 +43,9 @@ class Demo(InFolder):
             self.assertLessEqual(row["arrived"] + row["collided"], row["solved"])
         self.assertGreaterEqual(len({plan["environment"] for plan in summary["plans"]}), 3)
         self.assertEqual({run["model"] for run in summary["executions"]}, {"no_load", "network"})
+        arrived = [run["goal_reached"] and not run["collided"]
+                   for run in summary["executions"] if run["model"] == "network"]
+        self.assertEqual(arrived, [True] * 3)
         # Even little data beats the model without any.
         self.assertGreater(summary["evaluation"]["reduction_percent"]["position"], 0.0)
 

@@ -91,6 +91,23 @@ class Train(InFolder):
                 for name in ("model.safetensors", "model.curve.csv", "model.curve.svg"):
                     (self.folder / name).unlink()
 
+    def test_a_run_that_is_killed_after_its_folds_goes_on_without_them(self):
+        self.train("--out", "unbroken.safetensors")
+        folds = self.folder / "model.safetensors.checkpoint.folds.json"
+        command = [PROGRAM, "train", *ARM, "--data", "train.h5", "--hidden", "8"]
+        with subprocess.Popen(command, cwd=self.folder, stderr=subprocess.DEVNULL) as process:
+            while not folds.exists():
+                self.assertIsNone(process.poll(), "training ended before it was killed")
+                time.sleep(0.002)
+            process.kill()
+        self.assertFalse((self.folder / "model.safetensors").exists())
+        before = folds.read_bytes()
+        resumed = self.train("--resume")
+        self.assertEqual(len(json.loads(before)["tried"]), len(resumed["cross_validation"]["tried"]))
+        self.assertEqual((self.folder / "model.safetensors").read_bytes(),
+                         (self.folder / "unbroken.safetensors").read_bytes())
+        self.assertEqual([], list(self.folder.glob("model.safetensors.checkpoint*")))
+
     def test_resuming_with_other_settings_is_refused(self):
         self.killed("--epochs", "3000", "--checkpoint-interval-s", "0")
         message = self.refused("--epochs", 600, "--resume")

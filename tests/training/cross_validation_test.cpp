@@ -70,6 +70,10 @@ TEST(CrossValidation, WhatRestsJudgesNoNetwork) {
   const CrossValidation with_rest = little.found();
   ASSERT_TRUE(with_rest.prediction_error);
   EXPECT_EQ(with_rest.prediction_error->runs, found.prediction_error->runs);
+  for (std::size_t i = 0; i < found.tried.size();
+       ++i) {  // three of eight that judged would lower it by a third
+    EXPECT_GT(with_rest.tried[i].window_600_cm, 0.8 * found.tried[i].window_600_cm);
+  }
   EXPECT_FALSE(is_little(little.arm, {at_rest(little.arm), at_rest(little.arm)}));
 }
 
@@ -120,6 +124,10 @@ TEST(KeepEpoch, IsTheEpochOfTheNetworkWhateverTheLossSays) {
   const std::vector<int>& ran_away = result.passed_over_epochs;  // so small, it may
   EXPECT_EQ(ran_away.empty() ? result.best_epoch : ran_away.front(), 7);
   EXPECT_EQ(result.curve.size(), 7U);
+  data.validation = {little.episodes.front()};
+  EXPECT_THAT([&] { (void)train(little.arm, data, settings); },
+              ThrowsMessage<InputError>(HasSubstr("so would validation")));
+  data.validation.clear();
   settings.keep_epoch = 31;
   EXPECT_THAT([&] { (void)train(little.arm, data, settings); },
               ThrowsMessage<InputError>(HasSubstr("keep_epoch")));

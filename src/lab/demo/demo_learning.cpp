@@ -8,6 +8,7 @@
 #include "limber/common/interrupt.hpp"
 #include "limber/common/version.hpp"
 #include "limber/data/valve_identification.hpp"
+#include "limber/lab/unseen_arm.hpp"
 #include "limber/report/bench_chart.hpp"
 #include "limber/report/speed_report.hpp"
 #include "limber/report/training_report.hpp"
@@ -17,6 +18,8 @@
 #include "limber/sim/virtual_arm.hpp"
 #include "limber/sim/virtual_arm_factory.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
+#include "limber/training/adaptation.hpp"
+#include "limber/training/fine_tuning.hpp"
 #include "limber/training/learnt_region_fit.hpp"
 #include "limber/training/unseen_error.hpp"
 
@@ -30,6 +33,7 @@ enum DemoSeed : std::uint64_t {
   kValidationSeed = 1,
   kTrainingSeed = 2,
   kUnseenSeed = 3,
+  kMinuteSeed = 4,
   kScheduleSeed = 16
 };
 
@@ -50,6 +54,32 @@ Recording record(const DemoResults& results, const ScheduleSettings& schedule, s
             .recording;
   });
   return recording;
+}
+
+/// limber's family as a network of this arm, known by a minute; none where the recipe starts anew.
+std::optional<CompensationModel> adapted_family(const DemoResults& results) {
+  constexpr double kAdaptedToS = 60.0;
+  const std::optional<CompensationModel> family =
+      results.recipe.starts_from_family ? own_family(results.settings->arm) : std::nullopt;
+  if (!family) {
+    return std::nullopt;
+  }
+  AdaptationSettings settings;
+  settings.jobs = results.settings->jobs;
+  const Episode minute = identifying_run(results.arm(), kAdaptedToS,
+                                         derived_seed(results.settings->seed, kMinuteSeed), 0);
+  CompensationModel model = adapt(results.arm(), *family, {minute}, settings).model;
+  model.family.reset();  // once its weights are trained it is one arm's alone
+  model.member_of_family.reset();
+  return model;
+}
+
+/// Few epochs: the family has learnt most of it.
+TrainingSettings after_family() {
+  constexpr int kEpochs = 40;
+  TrainingSettings settings = fine_tuning_of(best_preset());
+  set_epoch_count(settings, kEpochs);
+  return settings;
 }
 
 /// The run behind the paper's Fig. 1: the right side of every segment inflated fully, then vented.
@@ -107,12 +137,14 @@ void collect_stage(DemoResults& results) {
 }
 
 void train_stage(DemoResults& results) {
-  TrainingSettings settings = results.recipe.training;
+  const std::optional<CompensationModel> start = adapted_family(results);
+  TrainingSettings settings = start ? after_family() : results.recipe.training;
   settings.seed = derived_seed(results.settings->seed, kTrainingSeed);
   settings.jobs = results.settings->jobs;
   settings.progress = results.settings->progress;
   const TrainingData data{results.training_recording.episodes, results.validation};
-  results.training = train(results.arm(), data, settings);
+  results.training = start ? fine_tune(results.arm(), data, settings, *start)
+                           : train(results.arm(), data, settings);
   throw_if_interrupted();
   if (results.training.status == TrainingStatus::diverged) {
     throw SystemFault("training diverged: " + results.training.message);

@@ -88,6 +88,7 @@ DemoRecipe quick_recipe(const ArmDescription& arm) {
   recipe.validation_schedule = one_episode(30);
   recipe.unseen_schedule = unseen_motions(50);
   recipe.training = training_for(200);
+  recipe.starts_from_family = true;
   recipe.bench_queries = 100'000;
   recipe.plans_per_environment = 1;
   recipe.arrival_times_s = {kFirstPlan, 0.1};

@@ -23,6 +23,8 @@ struct DemoRecipe {
   ScheduleSettings unseen_schedule;
   ScheduleSettings test_schedule;  ///< one unbroken episode, never trained on
   TrainingSettings training;
+  /// Goes on from limber's family, where it has one, adapted to a minute of the arm.
+  bool starts_from_family = false;
   std::int64_t bench_queries = 1000000;
   std::vector<std::string> environments;  ///< names of files in environments/; for the paper's arm
   int random_environments = 3;            ///< for any other arm, for which none are drawn up

@@ -14,6 +14,8 @@
 
 namespace limber {
 
+inline constexpr int kFolds = 4;
+
 /// What runs of one length are worth: mean errors at the tip on episodes that the networks had not
 /// seen, one step ahead, and over rollouts of 32 and of up to 600 frames. Infinite where one of
 /// them diverged.
@@ -33,24 +35,24 @@ struct CrossValidation {
   int folds = 0;
   std::vector<EpochsTried> tried;
   int chosen = 0;                                   ///< index in `tried`
-  std::optional<PredictionError> prediction_error;  ///< of the chosen networks' runs together
+  std::optional<PredictionError> prediction_error;  ///< of the chosen networks' runs
   int epochs() const { return tried[static_cast<std::size_t>(chosen)].epochs; }
   bool operator==(const CrossValidation&) const = default;
 };
 
 /// Whether so little was recorded that nothing of it should be held back: at most an hour, of which
-/// something moves.
+/// enough moves for kFolds folds.
 bool is_little(const ArmDescription& arm, const std::vector<Episode>& episodes);
 
 /// The default preset as it learns from little: windows of 32 frames, in which early frames count
 /// more.
 TrainingSettings preset_for_little();
 
-/// Deals the episodes that move to kFolds folds of about equal length (long ones are cut where there
-/// are few), and trains a network for each fold on all that is not in it. What rests is learnt from
-/// in all of them, and judges none. So with runs of several lengths: a learning rate that has fallen
-/// all the way teaches more than one that is stopped early. Depends on data, settings and seed, not
-/// on threads.
+/// Deals the episodes that move to kFolds folds of about equal length (long ones are cut where
+/// there are few), and trains a network for each fold on all that is not in it. What rests is
+/// learnt from in all of them, and judges none. So with runs of several lengths: a learning rate
+/// that has fallen all the way teaches more than one that is stopped early. Depends on data,
+/// settings and seed, not on threads.
 /// @param settings  of each run; its checkpoint, ensemble, epochs and keep_epoch are not used
 /// @param valves  of the recording, before the network; PredictionError is about set points
 /// @throws InputError as `train`, and where no fold's network is finite; Interrupted on Ctrl-C, or
@@ -58,10 +60,9 @@ TrainingSettings preset_for_little();
 CrossValidation cross_validate(const ArmDescription& arm, const std::vector<Episode>& episodes,
                                const TrainingSettings& settings, const IdentifiedValves& valves,
                                const TrainingHooks& hooks = {});
-inline constexpr int kFolds = 4;
 
-/// One network that learns from all `episodes`, for as long as `found` says; it carries the
-/// folds' error, its valves and what it has learnt.
+/// One network that learns from all `episodes`, for as long as `found` says; it carries its valves
+/// and what it has learnt and, if it was trained to the end, the folds' error.
 [[nodiscard]] TrainingResult train_on_everything(const ArmDescription& arm,
                                                  const std::vector<Episode>& episodes,
                                                  const TrainingSettings& settings,

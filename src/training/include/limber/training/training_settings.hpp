@@ -88,7 +88,7 @@ struct TrainingSettings {
   /// > 0: the epochs of every stage are scaled to about this, once, at the start.
   double time_limit_s = 0;
   int validation_interval = 1;  ///< epochs between validations
-  /// > 0: training ends after this epoch, whose network is kept; what validates only reports.
+  /// > 0: training ends after this epoch, whose network is kept; nothing may validate then.
   int keep_epoch = 0;
   Progress::Mode progress = Progress::Mode::quiet;
 
