@@ -1,5 +1,6 @@
 """`limber train` and `limber evaluate`: files beside the model, resuming, and what they refuse."""
 
+import json
 import os
 import signal
 import subprocess
