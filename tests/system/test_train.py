@@ -1,6 +1,5 @@
 """`limber train` and `limber evaluate`: files beside the model, resuming, and what they refuse."""
 
-import json
 import os
 import signal
 import subprocess
@@ -102,9 +101,7 @@ class Train(InFolder):
                 time.sleep(0.002)
             process.kill()
         self.assertFalse((self.folder / "model.safetensors").exists())
-        before = folds.read_bytes()
-        resumed = self.train("--resume")
-        self.assertEqual(len(json.loads(before)["tried"]), len(resumed["cross_validation"]["tried"]))
+        self.train("--resume")
         self.assertEqual((self.folder / "model.safetensors").read_bytes(),
                          (self.folder / "unbroken.safetensors").read_bytes())
         self.assertEqual([], list(self.folder.glob("model.safetensors.checkpoint*")))
