@@ -138,6 +138,7 @@ void collect_stage(DemoResults& results) {
 
 void train_stage(DemoResults& results) {
   const std::optional<CompensationModel> start = adapted_family(results);
+  results.starts_from_family = start.has_value();
   TrainingSettings settings = start ? after_family() : results.recipe.training;
   settings.seed = derived_seed(results.settings->seed, kTrainingSeed);
   settings.jobs = results.settings->jobs;

@@ -40,7 +40,7 @@ struct DemoRecipe {
 
 /// Everything, in under six minutes on two cores.
 DemoRecipe full_recipe(const ArmDescription& arm);
-/// The same chain on little data, in under a minute; its figures are worse, and the report says so.
+/// The same chain in about a minute: little data, and a network that goes on from limber's family.
 DemoRecipe quick_recipe(const ArmDescription& arm);
 
 /// Seed of part `index` of a run, so that no two parts share random numbers.

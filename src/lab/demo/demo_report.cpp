@@ -57,7 +57,8 @@ void opening(ReportPage& page, const DemoResults& results) {
         "the paper's shape, one at a time, one core; the paper 510"}});
   if (results.settings->quick) {
     page.remark(
-        "A quick run: little data and a short training, so that the chain can be seen in a minute. "
+        "A quick run: little data, and a network that goes on from limber's family where it has "
+        "one, so that the chain can be seen in a minute. "
         "For figures to judge by, run limber demo without --quick.");
   }
   page.remark(
@@ -87,10 +88,13 @@ void what_was_done(ReportPage& page, const DemoResults& results) {
                       results.training_recording.frame_count(), hours(results.training_recording),
                       results.training_recording.episodes.size(),
                       results.test_recording.frame_count()),
-          fmt::format("Train: {}, {} epochs in {:.0f} s; epoch "
+          fmt::format("Train: {}, {}{} epochs in {:.0f} s; epoch "
                       "{} was best on the validation episode.{}",
-                      networks_text(training.model), results.recipe.training.epoch_count(),
-                      training.wall_time_s, training.best_epoch,
+                      networks_text(training.model),
+                      results.starts_from_family
+                          ? "from limber's family, adapted to another minute of the arm, "
+                          : "",
+                      training.curve.size(), training.wall_time_s, training.best_epoch,
                       training.model.member_count() > 1
                           ? " The one that validated best predicts; plans count only where all "
                             "agree that they are free and end in the goal."

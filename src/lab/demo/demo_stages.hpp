@@ -63,6 +63,7 @@ struct DemoResults {
   Recording test_recording;
 
   TrainingResult training;
+  bool starts_from_family = false;  ///< its weights; limber has one for this arm
   std::optional<ForwardModel> no_load;
   std::optional<ForwardModel> network;
   std::string model_hash;
