@@ -9,7 +9,7 @@ namespace limber {
 
 namespace {
 
-constexpr int kFolds = 5;
+constexpr int kYardstickFolds = 5;
 constexpr double kRidge = 1e-6;  // of the mean square of the terms: neighbouring plates are alike
 
 /// XᵀX and XᵀY, of which the coefficients come.
@@ -38,8 +38,8 @@ Folds::Folds(const std::vector<Episode>& episodes, bool elsewhere)
     : single_(episodes.size() == 1),
       frames_(episodes.front().frame_count()),
       count_(elsewhere ? 1
-             : single_ ? kFolds
-                       : std::min(kFolds, int(episodes.size()))) {}
+             : single_ ? kYardstickFolds
+                       : std::min(kYardstickFolds, int(episodes.size()))) {}
 
 int Folds::of(int episode, int frame) const {
   if (count_ == 1) {

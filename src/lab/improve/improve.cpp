@@ -29,7 +29,7 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 constexpr const char* kImproveFile = "improve.json";
-constexpr double kHoldS = 3.0;                // of a random motion, as `collect` has it
+constexpr double kMotionHoldS = 3.0;          // of a random motion, as `collect` has it
 constexpr int kRandomMotionsPerEpisode = 10;  // so that some episodes can be held back
 constexpr double kSecondsPerMinute = 60.0;
 
@@ -151,7 +151,7 @@ class Improvement {
                            std::uint64_t seed) {
     CollectionSettings collection;
     collection.schedule.kind = ScheduleKind::random;
-    collection.schedule.hold_s = kHoldS;
+    collection.schedule.hold_s = kMotionHoldS;
     collection.schedule.limit_scale = on_.limit_scale;
     collection.schedule.episodes = std::max(1, motions / per_episode);
     collection.schedule.count = std::max(1, motions / collection.schedule.episodes);
@@ -199,7 +199,7 @@ class Improvement {
       add_source(in_round(round, "plans.h5"));
     }
     // Plans that took longer than their share leave less for the rest.
-    const int motions = static_cast<int>(std::lround((round_s - plans_s) / kHoldS));
+    const int motions = static_cast<int>(std::lround((round_s - plans_s) / kMotionHoldS));
     double exploration_s = 0.0;
     if (motions > 0 && settings_.plan_share < 1.0) {
       const Recording exploration =

@@ -10,8 +10,8 @@ namespace limber {
 
 namespace {
 
-constexpr double kOfClearanceNow = 0.9;  // where that is less than the margin
-constexpr double kReserveM = 2e-4;       // float32 searches, double certifies
+constexpr double kOfClearanceNow = 0.9;     // where that is less than the margin
+constexpr double kRoundingReserveM = 2e-4;  // float32 searches, double certifies
 
 PlanningProblem with_kept_margin(PlanningProblem problem, const Backbone& now) {
   const double now_m =
@@ -39,7 +39,7 @@ CheckedPlans::CheckedPlans(const PlanningProblem& problem, PlanCheck check)
       problem_(with_kept_margin(problem, from_.backbone)),
       check_(std::move(check)),
       checker_(problem_.arm, problem_.environment.obstacles,
-               std::max(problem_.margin_m, Certificate::kMinClearanceM) + kReserveM),
+               std::max(problem_.margin_m, Certificate::kMinClearanceM) + kRoundingReserveM),
       simulator_(problem_.arm, problem_.model, checker_) {}
 
 std::optional<MotionState> CheckedPlans::end_of(const std::vector<Pressures>& waypoints_kpa) {
