@@ -1,5 +1,4 @@
 #pragma once
-// For those who train and evaluate models.
 
 #include <cmath>
 #include <optional>
