@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/arm/names.hpp"
+#include "limber/common/json_number.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/common/units.hpp"
 #include "limber/data/recording_inspection.hpp"
@@ -102,10 +103,6 @@ void mark_unrelated(const std::vector<TurnCorrelation>& correlations, EpisodeErr
   }
 }
 
-nlohmann::ordered_json number(double value) {
-  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
-}
-
 }  // namespace
 
 std::vector<int> EpisodeErrors::outliers() const {
@@ -195,13 +192,13 @@ std::string to_text(const EpisodeErrors& errors) {
 
 nlohmann::ordered_json to_json(const EpisodeErrors& errors) {
   nlohmann::ordered_json json;
-  json["median_cm"] = number(errors.median_cm);
-  json["limit_cm"] = number(errors.limit_cm);
+  json["median_cm"] = json_number(errors.median_cm);
+  json["limit_cm"] = json_number(errors.limit_cm);
   json["outliers"] = errors.outliers();
   json["episodes"] = nlohmann::ordered_json::array();
   for (const EpisodeError& episode : errors.episodes) {
-    json["episodes"].push_back({{"tip_error_cm", number(episode.tip_cm)},
-                                {"correlation", number(episode.correlation)},
+    json["episodes"].push_back({{"tip_error_cm", json_number(episode.tip_cm)},
+                                {"correlation", json_number(episode.correlation)},
                                 {"moves", episode.moves},
                                 {"outlier", episode.is_outlier},
                                 {"why", episode.why}});

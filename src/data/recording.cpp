@@ -11,6 +11,7 @@
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/utf8.hpp"
+#include "limber/data/episode_slice.hpp"
 #include "recorded_backbones.hpp"
 #include "recording_header.hpp"
 
@@ -127,11 +128,7 @@ int Episode::untracked_count() const {
 }
 
 std::int64_t Recording::frame_count() const {
-  std::int64_t frames = 0;
-  for (const Episode& episode : episodes) {
-    frames += episode.frame_count();
-  }
-  return frames;
+  return limber::frame_count(episodes);
 }
 
 std::int64_t Recording::untracked_count() const {

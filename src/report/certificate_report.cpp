@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "json_number.hpp"
 #include "limber/arm/names.hpp"
+#include "limber/common/json_number.hpp"
 #include "limber/common/units.hpp"
 
 namespace limber {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "json_number.hpp"
+#include "limber/common/json_number.hpp"
 
 namespace limber {
 

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "json_number.hpp"
+#include "limber/common/json_number.hpp"
 #include "limber/common/units.hpp"
 
 namespace limber {

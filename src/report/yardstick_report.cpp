@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "json_number.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/atomic_file.hpp"
+#include "limber/common/json_number.hpp"
 #include "limber/plot/chart.hpp"
 #include "limber/plot/shape_style.hpp"
 #include "limber/report/training_report.hpp"

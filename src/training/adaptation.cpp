@@ -163,10 +163,7 @@ class Adapter {
     settings.validation_interval = 5;
     TrainingHooks hooks;
     hooks.should_stop = interrupt_requested;
-    CompensationModel ordinary = start;
-    ordinary.family.reset();
-    ordinary.member_of_family.reset();
-    TrainingResult result = fine_tune(arm_, data, settings, ordinary, hooks);
+    TrainingResult result = fine_tune(arm_, data, settings, start, hooks);
     if (result.status == TrainingStatus::interrupted) {
       throw Interrupted("stopped while weights were trained");
     }

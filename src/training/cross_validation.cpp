@@ -4,15 +4,16 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/json_number.hpp"
 #include "limber/common/json_reader.hpp"
 #include "limber/common/random_stream.hpp"
-#include "limber/common/units.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "limber/data/episode_slice.hpp"
 #include "limber/data/recording_inspection.hpp"
@@ -70,9 +71,7 @@ Parts parts_of(const ArmDescription& arm, const std::vector<Episode>& episodes) 
 /// The fold of each part: the longest ones first, each to the fold that has least.
 std::vector<int> deal(const std::vector<Episode>& parts, std::uint64_t seed) {
   std::vector<std::size_t> order(parts.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    order[i] = i;
-  }
+  std::iota(order.begin(), order.end(), std::size_t{0});
   RandomStream random(seed, kFoldStream);
   shuffle(random, order);
   std::ranges::stable_sort(order, std::greater{},
@@ -101,8 +100,7 @@ class CrossValidator {
     if (parts_.moving.size() < kFolds) {
       throw InputError(fmt::format(
           "{} parts of more than {} frames in which the arm moves; {} folds need one each. Give "
-          "more "
-          "of its motion, or a recording of its own that validates",
+          "more of its motion, or a recording of its own that validates",
           parts_.moving.size(), kLittleWindowFrames + 1, kFolds));
     }
     settings_.checkpoint.clear();
@@ -155,19 +153,12 @@ class CrossValidator {
       }
       const ForwardModel model(arm_, std::move(trained.model));
       const double share = double(frame_count(unseen)) / double(frame_count(parts_.moving));
-      sum.one_step_cm += share * error_cm(model, unseen, 1);
-      sum.window_32_cm += share * error_cm(model, unseen, 32);
-      sum.window_600_cm += share * error_cm(model, unseen, 600);
+      sum.one_step_cm += share * tip_error_cm(model, unseen, 1, settings_.jobs);
+      sum.window_32_cm += share * tip_error_cm(model, unseen, 32, settings_.jobs);
+      sum.window_600_cm += share * tip_error_cm(model, unseen, 600, settings_.jobs);
       throw_if_interrupted();
     }
     return sum;
-  }
-
-  double error_cm(const ForwardModel& model, const std::vector<Episode>& unseen, int frames) const {
-    const std::vector<RolloutPiece> pieces = pieces_of_length(unseen, frames);
-    const double error =
-        kCmPerM * mean_tip_error_m(roll_out(model, unseen, pieces, settings_.jobs), unseen, pieces);
-    return std::isfinite(error) ? error : kNever;
   }
 
   static constexpr double kNever = std::numeric_limits<double>::infinity();
@@ -223,18 +214,15 @@ TrainingResult train_on_everything(const ArmDescription& arm, const std::vector<
 }
 
 nlohmann::ordered_json to_json(const CrossValidation& found) {
-  const auto number = [](double value) {
-    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
-  };
   nlohmann::ordered_json json = {{"folds", found.folds},
                                  {"epochs", found.epochs()},
                                  {"tried", nlohmann::ordered_json::array()},
                                  {"prediction_error", nullptr}};
   for (const EpochsTried& tried : found.tried) {
     json["tried"].push_back({{"epochs", tried.epochs},
-                             {"one_step_cm", number(tried.one_step_cm)},
-                             {"window_32_cm", number(tried.window_32_cm)},
-                             {"window_600_cm", number(tried.window_600_cm)}});
+                             {"one_step_cm", json_number(tried.one_step_cm)},
+                             {"window_32_cm", json_number(tried.window_32_cm)},
+                             {"window_600_cm", json_number(tried.window_600_cm)}});
   }
   if (found.prediction_error) {
     json["prediction_error"] =

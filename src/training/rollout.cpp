@@ -9,6 +9,7 @@
 #include <tbb/task_arena.h>
 
 #include "limber/common/interrupt.hpp"
+#include "limber/common/units.hpp"
 
 namespace limber {
 
@@ -162,6 +163,14 @@ double mean_tip_error_m(const std::vector<FrameMatrix>& predicted,
     }
   }
   return count > 0 ? sum / static_cast<double>(count) : std::numeric_limits<double>::quiet_NaN();
+}
+
+double tip_error_cm(const ForwardModel& model, const std::vector<Episode>& episodes, int frames,
+                    int jobs) {
+  const std::vector<RolloutPiece> pieces = pieces_of_length(episodes, frames);
+  const double error =
+      kCmPerM * mean_tip_error_m(roll_out(model, episodes, pieces, jobs), episodes, pieces);
+  return std::isfinite(error) ? error : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace limber

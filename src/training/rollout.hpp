@@ -46,4 +46,9 @@ double mean_tip_error_m(const std::vector<FrameMatrix>& predicted,
                         const std::vector<Episode>& episodes,
                         const std::vector<RolloutPiece>& pieces);
 
+/// The same of `model` rolled out over pieces of `frames` frames [cm]; infinite where a prediction
+/// is not finite, or nothing was tracked.
+double tip_error_cm(const ForwardModel& model, const std::vector<Episode>& episodes, int frames,
+                    int jobs);
+
 }  // namespace limber

@@ -12,7 +12,9 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/json_number.hpp"
 #include "limber/common/json_reader.hpp"
+#include "limber/data/episode_slice.hpp"
 #include "rollout.hpp"
 
 namespace limber {
@@ -33,26 +35,10 @@ constexpr double kMinHoursToShare = 1.0;
 constexpr double kMaxHoursToShare = 4.0;
 constexpr int kNetworksThatShare = 3;
 
-double frames_to_train_on(const TrainingData& data) {
-  double frames = 0.0;
-  for (const Episode& episode : data.training) {
-    frames += episode.frame_count();
-  }
-  return frames;
-}
-
 int race_epochs(const TrainingData& data, int epochs) {
-  const int wanted =
-      static_cast<int>(std::lround(kRaceFrames / std::max(frames_to_train_on(data), 1.0)));
+  const int wanted = static_cast<int>(
+      std::lround(kRaceFrames / std::max(double(frame_count(data.training)), 1.0)));
   return std::clamp(wanted, kMinRaceEpochs, std::max(epochs / kMaxRaceShare, kMinRaceEpochs));
-}
-
-double error_cm(const ForwardModel& model, const std::vector<Episode>& episodes, int frames,
-                int jobs) {
-  const std::vector<RolloutPiece> pieces = pieces_of_length(episodes, frames);
-  const double error =
-      100.0 * mean_tip_error_m(roll_out(model, episodes, pieces, jobs), episodes, pieces);
-  return std::isfinite(error) ? error : std::numeric_limits<double>::infinity();
 }
 
 void set_windows(TrainingSettings& settings, const std::vector<int>& preset,
@@ -80,9 +66,9 @@ WindowsTried raced(const ArmDescription& arm, const TrainingData& data, Training
   }
   if (result.best_epoch > 0) {
     const ForwardModel model(arm, result.model);
-    tried.one_step_cm = error_cm(model, data.validation, 1, settings.jobs);
-    tried.window_32_cm = error_cm(model, data.validation, kMidFrames, settings.jobs);
-    tried.window_600_cm = error_cm(model, data.validation, kLongFrames, settings.jobs);
+    tried.one_step_cm = tip_error_cm(model, data.validation, 1, settings.jobs);
+    tried.window_32_cm = tip_error_cm(model, data.validation, kMidFrames, settings.jobs);
+    tried.window_600_cm = tip_error_cm(model, data.validation, kLongFrames, settings.jobs);
   }
   return tried;
 }
@@ -127,7 +113,7 @@ void apply(const StageChoice& choice, TrainingSettings& settings) {
 }
 
 int network_count_for(const ArmDescription& arm, const TrainingData& data) {
-  const double hours = frames_to_train_on(data) * arm.frame_period_s() / 3600.0;
+  const double hours = double(frame_count(data.training)) * arm.frame_period_s() / 3600.0;
   return hours >= kMinHoursToShare && hours <= kMaxHoursToShare ? kNetworksThatShare : 1;
 }
 
@@ -138,9 +124,6 @@ void share_epochs(TrainingSettings& settings, int networks) {
 }
 
 nlohmann::ordered_json to_json(const StageChoice& choice) {
-  const auto number = [](double value) {
-    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
-  };
   nlohmann::ordered_json json = {
       {"windows", choice.tried[static_cast<std::size_t>(choice.chosen)].window_frames},
       {"epochs", choice.epochs},
@@ -148,10 +131,10 @@ nlohmann::ordered_json to_json(const StageChoice& choice) {
       {"tried", nlohmann::ordered_json::array()}};
   for (const WindowsTried& tried : choice.tried) {
     json["tried"].push_back({{"windows", tried.window_frames},
-                             {"score_cm", number(tried.score_cm())},
-                             {"one_step_cm", number(tried.one_step_cm)},
-                             {"window_32_cm", number(tried.window_32_cm)},
-                             {"window_600_cm", number(tried.window_600_cm)}});
+                             {"score_cm", json_number(tried.score_cm())},
+                             {"one_step_cm", json_number(tried.one_step_cm)},
+                             {"window_32_cm", json_number(tried.window_32_cm)},
+                             {"window_600_cm", json_number(tried.window_600_cm)}});
   }
   return json;
 }

@@ -68,10 +68,7 @@ std::optional<CompensationModel> adapted_family(const DemoResults& results) {
   settings.jobs = results.settings->jobs;
   const Episode minute = identifying_run(results.arm(), kAdaptedToS,
                                          derived_seed(results.settings->seed, kMinuteSeed), 0);
-  CompensationModel model = adapt(results.arm(), *family, {minute}, settings).model;
-  model.family.reset();  // once its weights are trained it is one arm's alone
-  model.member_of_family.reset();
-  return model;
+  return adapt(results.arm(), *family, {minute}, settings).model;
 }
 
 /// Few epochs: the family has learnt most of it.
