@@ -1,6 +1,7 @@
 #include "episode_choice.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -10,11 +11,34 @@
 
 namespace limber {
 
-void NamedEpisodes::add(const std::string& file, std::vector<Episode> more) {
+void NamedEpisodes::add(const std::string& path, std::vector<Episode> more) {
+  const std::string file = std::filesystem::path(path).filename().string();
   for (std::size_t i = 0; i < more.size(); ++i) {
     names.push_back(fmt::format("{}, {}", file, episode_name(i)));
     episodes.push_back(std::move(more[i]));
   }
+}
+
+Recording EpisodeReader::read(const std::string& path) {
+  Recording recording = kinds_.read(path, arm_, setpoints_);
+  if (const std::string warning = base_warning(recording); !warning.empty()) {
+    say(flags_, "warning: {}: {}", path, warning);
+  }
+  return recording;
+}
+
+NamedEpisodes EpisodeReader::read_all(const std::vector<std::string>& paths,
+                                      std::vector<int>* arms) {
+  NamedEpisodes all;
+  for (const std::string& path : paths) {
+    Recording recording = read(path);
+    if (arms != nullptr) {
+      add_arms_of(recording, *arms);
+    }
+    all.add(path, std::move(recording.episodes));
+    add_source(sources_, path);
+  }
+  return all;
 }
 
 std::vector<std::string> leave_out_broken(const ArmDescription& arm, NamedEpisodes& all,

@@ -5,6 +5,8 @@
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/training/trainer.hpp"
+#include "recording_kinds.hpp"
+#include "verb.hpp"
 
 namespace limber {
 
@@ -13,8 +15,32 @@ struct NamedEpisodes {
   std::vector<Episode> episodes;
   std::vector<std::string> names;
 
-  /// @param file  without its folder
-  void add(const std::string& file, std::vector<Episode> more);
+  void add(const std::string& path, std::vector<Episode> more);
+};
+
+/// Reads what a network is to learn from, and keeps the files' names and hashes.
+class EpisodeReader {
+ public:
+  /// @param setpoints  whether set points alone are taken
+  EpisodeReader(const CommonFlags& flags, const ArmDescription& arm, bool setpoints)
+      : flags_(flags), arm_(arm), setpoints_(setpoints) {}
+
+  /// @throws InputError as RecordingKinds::read; says where the base is not where it should be.
+  Recording read(const std::string& path);
+  /// All of them, which are noted as `sources`.
+  /// @param arms  the arm of each episode is added (add_arms_of); null: not asked
+  NamedEpisodes read_all(const std::vector<std::string>& paths, std::vector<int>* arms = nullptr);
+
+  RecordingKinds& kinds() { return kinds_; }
+  /// "a.h5 HASH, b.h5 HASH".
+  const std::string& sources() const { return sources_; }
+
+ private:
+  const CommonFlags& flags_;
+  const ArmDescription& arm_;
+  bool setpoints_;
+  RecordingKinds kinds_;
+  std::string sources_;
 };
 
 /// Of the frames: what chooses the epoch, and what the finished model is measured on.
@@ -28,6 +54,7 @@ struct EpisodeChoice {
   TrainingData data;
   std::vector<std::string> validation;  ///< names of those that validate
   std::vector<std::string> broken;      ///< of all episodes, with their errors
+  bool is_little = false;               ///< nothing is held back (cross_validate)
 };
 
 /// Takes out of both those in which the arm does not do what it does in the others

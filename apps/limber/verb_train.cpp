@@ -7,7 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "bound_model.hpp"
-#include "episode_choice.hpp"
+#include "data_flags.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/arm/valve_findings.hpp"
 #include "limber/common/atomic_file.hpp"
@@ -20,7 +20,6 @@
 #include "limber/training/learnt_region_fit.hpp"
 #include "limber/training/trainer.hpp"
 #include "limber/training/unseen_error.hpp"
-#include "recording_kinds.hpp"
 #include "train_report.hpp"
 #include "verbs.hpp"
 #include "window_choice.hpp"
@@ -43,29 +42,12 @@ class TrainVerb final : public Verb {
   void add_flags(CLI::App& app) override {
     app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
         ->capture_default_str();
-    app.add_option("--data", data_, "Recording to learn from; repeat for more")->required();
-    app.add_option(
-        "--validation", validation_,
-        "Recording that chooses the best epoch; else whole episodes are held back, or, of "
-        "an hour at most, four networks that each miss a quarter say when to stop, and one "
-        "learns from everything");
-    app.add_option("--unseen", unseen_,
-                   "Recording for measuring the model's error, used neither for training nor for "
-                   "choosing; else whole episodes are held back, as for --validation");
-    app.add_flag(
-        "--keep-broken", keep_broken_,
-        "Learn also from episodes in which the arm does not do what it does in the others");
-    app.add_flag("--setpoints", setpoints_,
-                 "Learn from set points alone, also where pressures "
-                 "were measured: for recordings of both kinds");
+    files_.add_to(app);
     app.add_option("--preset", preset_, "paper: as published; best: the default")
         ->check(CLI::IsMember({"paper", "best"}))
         ->capture_default_str();
     auto* from = app.add_option("--from", from_, "Model to go on from (fine-tuning)");
-    app.add_option("--old-data", old_data_,
-                   "Recording that --from was trained on: errors on it are shown before and after, "
-                   "and it is replayed; repeat for more")
-        ->needs(from);
+    files_.add_old_data_to(app, from);
     app.add_option("--replay", replay_share_,
                    fmt::format("Share of each epoch's windows that come "
                                "from --old-data, 0 to 0.95; else {}",
@@ -122,17 +104,20 @@ class TrainVerb final : public Verb {
     }
     require_free_paths(flags);
     const ArmDescription arm = load_asked_arm(arm_);
-    const std::optional<CompensationModel> start = read_start(arm);
+    EpisodeReader reader(flags, arm, files_.setpoints());
+    const std::optional<CompensationModel> start = read_start(arm, reader);
     TrainingSettings settings = make_settings(flags, start.has_value());
-    std::string sources;
     IdentifiedValves valves;
-    EpisodeChoice choice = load_data(flags, arm, settings, sources, valves);
-    TrainingData& data = choice.data;
-    const TrainingData old_data = load_old_data(flags, arm, settings, sources);
-    data.replay = old_data.training;
-    if (learns_from_little(arm, choice)) {
-      return train_on_little(flags, arm, choice, sources, valves);
+    EpisodeChoice choice =
+        family_ ? files_.load_arms(flags, arm, reader, valves)
+                : files_.load(flags, arm, reader, chooses_windows() && ensemble_.value_or(1) == 1,
+                              valves);
+    if (choice.is_little) {
+      return train_on_little(flags, arm, choice, reader.sources(), valves);
     }
+    TrainingData& data = choice.data;
+    const TrainingData old_data = files_.load_old(flags, reader);
+    data.replay = old_data.training;
     say_episodes(flags, choice);
     const std::optional<StageChoice> stages =
         family_ ? std::nullopt : choose_stages(flags, arm, data, settings);
@@ -146,7 +131,7 @@ class TrainVerb final : public Verb {
     result.model.set_valves(valves);
     result.model.learnt =
         learnt_region_of(data, start && start->learnt ? &*start->learnt : nullptr);
-    record_origin(result.model, sources, settings, choice);
+    record_origin(result.model, reader.sources(), settings, choice);
     if (stages) {
       result.model.training["windows_choice"] = to_text(*stages);
     }
@@ -189,12 +174,12 @@ class TrainVerb final : public Verb {
 
   /// --epochs 0.
   int only_add_bounds(const CommonFlags& flags) const {
-    if (!unseen_.empty()) {
+    if (files_.names_unseen()) {
       throw InputError(
           "--epochs 0 only adds bounds, and does not use --unseen: limber evaluate --model MODEL "
           "--data UNSEEN --out OTHER measures a model's error again");
     }
-    return add_bounds_to_model({arm_, from_, data_, old_data_, out_}, flags);
+    return add_bounds_to_model({arm_, from_, files_.data(), files_.old_data(), out_}, flags);
   }
 
   /// @throws InputError where a file is in the way, or --resume has nothing to go on with.
@@ -217,27 +202,21 @@ class TrainVerb final : public Verb {
   }
 
   /// The model of --from; none without that flag.
-  std::optional<CompensationModel> read_start(const ArmDescription& arm) {
+  std::optional<CompensationModel> read_start(const ArmDescription& arm,
+                                              EpisodeReader& reader) const {
     if (from_.empty()) {
       return std::nullopt;
     }
     CompensationModel start = read_model(from_);
     require_model_of(start, arm, from_);
     require_no_contradiction(start);
-    kinds_.add(from_, start.learnt_from_setpoints);
+    reader.kinds().add(from_, start.learnt_from_setpoints);
     return start;
   }
 
   /// The default preset looks for windows that suit the data, unless anything says how to train.
   bool chooses_windows() const {
     return preset_ == "best" && from_.empty() && windows_.empty() && !epochs_ && !time_limit_s_;
-  }
-
-  /// Nothing of little is held back, unless flags say how to train or what validates.
-  bool learns_from_little(const ArmDescription& arm, const EpisodeChoice& choice) const {
-    return chooses_windows() && !family_ && validation_.empty() && unseen_.empty() &&
-           ensemble_.value_or(1) == 1 && choice.validation.empty() &&
-           is_little(arm, choice.data.training);
   }
 
   int train_on_little(const CommonFlags& flags, const ArmDescription& arm,
@@ -335,103 +314,6 @@ class TrainVerb final : public Verb {
     return settings;
   }
 
-  Recording read_usable(const CommonFlags& flags, const ArmDescription& arm,
-                        const std::string& path) {
-    Recording recording = kinds_.read(path, arm, setpoints_);
-    if (const std::string warning = base_warning(recording); !warning.empty()) {
-      say(flags, "warning: {}: {}", path, warning);
-    }
-    return recording;
-  }
-
-  NamedEpisodes read_episodes(const CommonFlags& flags, const ArmDescription& arm,
-                              const std::vector<std::string>& paths, std::string& sources,
-                              std::vector<int>* arms = nullptr) {
-    NamedEpisodes all;
-    for (const std::string& path : paths) {
-      const std::string file = fs::path(path).filename().string();
-      Recording recording = read_usable(flags, arm, path);
-      if (arms != nullptr) {
-        add_arms_of(recording, *arms);
-      }
-      all.add(file, std::move(recording.episodes));
-      add_source(sources, path);
-    }
-    return all;
-  }
-
-  /// What is replayed, and what the old errors are measured on.
-  TrainingData load_old_data(const CommonFlags& flags, const ArmDescription& arm,
-                             const TrainingSettings& settings, std::string& sources) {
-    std::vector<Episode> episodes = read_episodes(flags, arm, old_data_, sources).episodes;
-    return episodes.empty()
-               ? TrainingData()
-               : hold_back_validation(std::move(episodes), kValidationShare, settings.seed);
-  }
-
-  EpisodeChoice load_data(const CommonFlags& flags, const ArmDescription& arm,
-                          const TrainingSettings& settings, std::string& sources,
-                          IdentifiedValves& valves) {
-    std::vector<int> arms;
-    NamedEpisodes all = read_episodes(flags, arm, data_, sources, &arms);
-    std::vector<std::string> files;
-    for (const std::string& path : data_) {
-      files.push_back(fs::path(path).filename().string());
-    }
-    const auto find_valves = [&] {
-      valves = identify_valves(all.episodes, arm, fmt::format("{}", fmt::join(files, ", ")));
-    };
-    if (family_) {
-      find_valves();
-      EpisodeChoice choice;
-      choice.data = hold_back_arms(std::move(all.episodes), arms, kValidationShare, settings.seed);
-      for (const int held : choice.data.held_back) {
-        choice.validation.push_back(all.names[static_cast<std::size_t>(held)]);
-      }
-      return choice;
-    }
-    NamedEpisodes validation;
-    if (!validation_.empty()) {
-      const std::string hash = content_hash(read_file(validation_));
-      if (std::ranges::any_of(data_, [&](const std::string& path) {
-            return content_hash(read_file(path)) == hash;
-          })) {
-        say(flags,
-            "warning: --validation {} is learnt from too: the epoch is chosen, and its error "
-            "reported, by what the network knows",
-            validation_);
-      }
-      validation.add(fs::path(validation_).filename().string(),
-                     read_usable(flags, arm, validation_).episodes);
-    }
-    std::vector<std::string> broken;
-    if (!keep_broken_) {
-      broken = leave_out_broken(arm, all, validation);
-      if (!validation_.empty() && validation.episodes.empty()) {
-        throw InputError(fmt::format(
-            "--validation {}: the arm does nothing there of what it does in --data, so nothing "
-            "would validate ({}); --keep-broken takes it as it is",
-            validation_, fmt::join(broken, "; ")));
-      }
-    }
-    find_valves();
-    EpisodeChoice choice;
-    choice.broken = std::move(broken);
-    choice.data.training = std::move(all.episodes);
-    if (learns_from_little(arm, choice)) {
-      return choice;
-    }
-    all.episodes = std::move(choice.data.training);
-    const EpisodeShares shares{kValidationShare, unseen_.empty() ? kUnseenShare : 0.0};
-    broken = std::move(choice.broken);
-    choice = choose_episodes(std::move(all), std::move(validation), shares, settings.seed);
-    choice.broken = std::move(broken);
-    if (!unseen_.empty()) {
-      choice.data.unseen = read_usable(flags, arm, unseen_).episodes;
-    }
-    return choice;
-  }
-
   /// What the model's file says of its training, beside what the training itself wrote.
   void record_origin(CompensationModel& model, const std::string& sources,
                      const TrainingSettings& settings, const EpisodeChoice& choice) const {
@@ -476,16 +358,11 @@ class TrainVerb final : public Verb {
   }
 
   static constexpr int kFamilySize = 8;
-  static constexpr double kValidationShare = 0.1;
-  static constexpr double kUnseenShare = 0.1;
 
   std::string arm_ = "three_segment";
-  std::vector<std::string> data_;
-  std::string validation_;
-  std::string unseen_;
+  DataFlags files_;
   std::string preset_ = "best";
   std::string from_;
-  std::vector<std::string> old_data_;
   std::optional<double> replay_share_;
   std::optional<int> epochs_;
   std::optional<double> time_limit_s_;
@@ -496,9 +373,6 @@ class TrainVerb final : public Verb {
   std::optional<int> ensemble_;
   bool family_ = false;
   int family_size_ = kFamilySize;
-  bool keep_broken_ = false;
-  bool setpoints_ = false;
-  RecordingKinds kinds_;
   double checkpoint_interval_s_ = 20.0;
   bool resume_ = false;
   std::string out_ = "model.safetensors";

@@ -1,0 +1,126 @@
+#include "data_flags.hpp"
+
+#include <filesystem>
+
+#include <fmt/ranges.h>
+
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/content_hash.hpp"
+#include "limber/common/error.hpp"
+#include "limber/training/cross_validation.hpp"
+
+namespace limber {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kValidationShare = 0.1;
+constexpr double kUnseenShare = 0.1;
+
+}  // namespace
+
+void DataFlags::add_to(CLI::App& app) {
+  app.add_option("--data", data_, "Recording to learn from; repeat for more")->required();
+  app.add_option(
+      "--validation", validation_,
+      "Recording that chooses the best epoch; else whole episodes are held back, or, of "
+      "an hour at most, four networks that each miss a quarter say when to stop, and one "
+      "learns from everything");
+  app.add_option("--unseen", unseen_,
+                 "Recording for measuring the model's error, used neither for training nor for "
+                 "choosing; else whole episodes are held back, as for --validation");
+  app.add_flag("--keep-broken", keep_broken_,
+               "Learn also from episodes in which the arm does not do what it does in the others");
+  app.add_flag("--setpoints", setpoints_,
+               "Learn from set points alone, also where pressures "
+               "were measured: for recordings of both kinds");
+}
+
+void DataFlags::add_old_data_to(CLI::App& app, CLI::Option* from) {
+  app.add_option("--old-data", old_data_,
+                 "Recording that --from was trained on: errors on it are shown before and after, "
+                 "and it is replayed; repeat for more")
+      ->needs(from);
+}
+
+TrainingData DataFlags::load_old(const CommonFlags& flags, EpisodeReader& reader) const {
+  std::vector<Episode> episodes = reader.read_all(old_data_).episodes;
+  return episodes.empty() ? TrainingData()
+                          : hold_back_validation(std::move(episodes), kValidationShare, flags.seed);
+}
+
+IdentifiedValves DataFlags::valves_of(const std::vector<Episode>& episodes,
+                                      const ArmDescription& arm) const {
+  std::vector<std::string> files;
+  for (const std::string& path : data_) {
+    files.push_back(fs::path(path).filename().string());
+  }
+  return identify_valves(episodes, arm, fmt::format("{}", fmt::join(files, ", ")));
+}
+
+EpisodeChoice DataFlags::load_arms(const CommonFlags& flags, const ArmDescription& arm,
+                                   EpisodeReader& reader, IdentifiedValves& valves) const {
+  std::vector<int> arms;
+  NamedEpisodes all = reader.read_all(data_, &arms);
+  valves = valves_of(all.episodes, arm);
+  EpisodeChoice choice;
+  choice.data = hold_back_arms(std::move(all.episodes), arms, kValidationShare, flags.seed);
+  for (const int held : choice.data.held_back) {
+    choice.validation.push_back(all.names[static_cast<std::size_t>(held)]);
+  }
+  return choice;
+}
+
+NamedEpisodes DataFlags::load_validation(const CommonFlags& flags, EpisodeReader& reader) const {
+  NamedEpisodes validation;
+  if (!validation_.empty()) {
+    validation.add(validation_, reader.read(validation_).episodes);
+    if (reader.sources().find(content_hash(read_file(validation_))) != std::string::npos) {
+      say(flags,
+          "warning: --validation {} is learnt from too: the epoch is chosen, and its error "
+          "reported, by what the network knows",
+          validation_);
+    }
+  }
+  return validation;
+}
+
+std::vector<std::string> DataFlags::leave_out(const ArmDescription& arm, NamedEpisodes& all,
+                                              NamedEpisodes& validation) const {
+  if (keep_broken_) {
+    return {};
+  }
+  std::vector<std::string> broken = leave_out_broken(arm, all, validation);
+  if (!validation_.empty() && validation.episodes.empty()) {
+    throw InputError(fmt::format(
+        "--validation {}: the arm does nothing there of what it does in --data, so nothing "
+        "would validate ({}); --keep-broken takes it as it is",
+        validation_, fmt::join(broken, "; ")));
+  }
+  return broken;
+}
+
+EpisodeChoice DataFlags::load(const CommonFlags& flags, const ArmDescription& arm,
+                              EpisodeReader& reader, bool may_be_little,
+                              IdentifiedValves& valves) const {
+  NamedEpisodes all = reader.read_all(data_);
+  NamedEpisodes validation = load_validation(flags, reader);
+  std::vector<std::string> broken = leave_out(arm, all, validation);
+  valves = valves_of(all.episodes, arm);
+  EpisodeChoice choice;
+  if (may_be_little && validation_.empty() && unseen_.empty() && is_little(arm, all.episodes)) {
+    choice.is_little = true;
+    choice.data.training = std::move(all.episodes);
+  } else {
+    const EpisodeShares shares{kValidationShare, unseen_.empty() ? kUnseenShare : 0.0};
+    choice = choose_episodes(std::move(all), std::move(validation), shares, flags.seed);
+  }
+  choice.broken = std::move(broken);
+  if (!unseen_.empty()) {
+    choice.data.unseen = reader.read(unseen_).episodes;
+  }
+  return choice;
+}
+
+}  // namespace limber
