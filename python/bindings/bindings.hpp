@@ -27,6 +27,7 @@ void bind_virtual_arm(pybind11::module_& module);
 void bind_process_driver(pybind11::module_& module);
 void bind_collection(pybind11::module_& module);
 void bind_execution(pybind11::module_& module);
+void bind_training_settings(pybind11::module_& module);
 void bind_training(pybind11::module_& module);
 void bind_families(pybind11::module_& module);
 void bind_evaluation(pybind11::module_& module);

@@ -9,12 +9,12 @@
 #include <fmt/ranges.h>
 
 #include "checkpoint.hpp"
-#include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/units.hpp"
 #include "limber/training/arm_fit.hpp"
 #include "rollout.hpp"
+#include "run_identity.hpp"
 
 namespace limber {
 
@@ -251,45 +251,6 @@ TrainingResult TrainingRun::result(TrainingStatus status, std::string message) c
   return result;
 }
 
-// Everything that decides the result but the stages, which a time limit may have fixed; what
-// differs there is named.
-std::string TrainingRun::identity() const {
-  const auto bytes = [](const auto& matrix) {
-    return std::string_view(reinterpret_cast<const char*>(matrix.data()),
-                            static_cast<std::size_t>(matrix.size()) * sizeof(float));
-  };
-  const TrainingSettings& s = settings_;
-  std::string text = fmt::format(
-      "{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", arm_.hash(), s.preset,
-      fmt::join(s.hidden_units, "-"), static_cast<int>(s.layout), to_string(s.form),
-      s.reads_velocity, s.growth_limit, s.first_gate_bias, static_cast<int>(s.scaling),
-      s.error_in_base_poses, static_cast<int>(s.reduction), static_cast<int>(s.optimiser),
-      s.learning_rate, s.cosine_decay, s.gradient_norm_limit, s.average_decay, s.input_noise,
-      s.shift_windows, s.validation_interval, s.ensemble, s.seed);
-  if (s.family_size > 0) {
-    text += fmt::format(" family {} {}", s.family_size, fmt::join(data_.arms, " "));
-  }
-  if (s.keep_epoch > 0 || s.first_frames_power > 0) {
-    text += fmt::format(" epoch {} power {}", s.keep_epoch, s.first_frames_power);
-  }
-  if (!data_.replay.empty()) {
-    text += fmt::format(" replay {} of {} episodes", s.replay_share, data_.replay.size());
-  }
-  const FrameTable<float>& frames = trainer_.tables().frames;
-  text += content_hash(bytes(frames.pressure)) + content_hash(bytes(frames.state));
-  text += content_hash(bytes(trainer_.state().parameters));  // the weights that it began with
-  for (const Eigen::VectorXf* bound :
-       {&trainer_.bounds().min_length_m, &trainer_.bounds().max_length_m,
-        &trainer_.bounds().min_turn_rad, &trainer_.bounds().max_turn_rad}) {
-    text += content_hash(bytes(*bound));
-  }
-  text += content_hash(std::string(frames.tracked.begin(), frames.tracked.end()));
-  for (const Episode& episode : data_.validation) {
-    text += content_hash(bytes(episode.backbone));
-  }
-  return content_hash(text);
-}
-
 void TrainingRun::resume() {
   const TrainingState& fresh = trainer_.state();
   Checkpoint checkpoint =
@@ -372,7 +333,7 @@ std::optional<TrainingResult> TrainingRun::run_stage(const TrainingStage& stage,
 
 TrainingResult TrainingRun::run() {
   if (!settings_.checkpoint.empty()) {
-    identity_ = identity();
+    identity_ = run_identity(arm_, data_, settings_, trainer_);
     if (settings_.resume) {
       resume();
     }

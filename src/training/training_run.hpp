@@ -21,7 +21,6 @@ class TrainingRun {
  private:
   void fit_epochs_to_time_limit();
   double seconds_per_epoch(const TrainingStage& stage);
-  std::string identity() const;
   void resume();
   void store(bool now);
   /// Trains epochs of one stage up to its last, from where the state is. Empty if it finished.

@@ -42,7 +42,8 @@ WindowGradient<Scalar>::WindowGradient(const ParameterLayout& layout, const Stat
       frames_(window_frames),
       window_limit_(window_limit),
       stride_(group_stride(window_limit, kernels_.lanes)),
-      slots_(std::max(kGradientQueries / stride_, 1)) {
+      slots_(std::max(kGradientQueries / stride_, 1)),
+      growth_(map.growth_limit, stride_) {
   assert(layout.inputs(0) >= 2 * segment_count + size_ * (map.reads_velocity() ? 2 : 1));
   assert(layout.outputs(layout.layer_count() - 1) == map.output_count());
   const int groups = (window_limit + stride_ - 1) / stride_;
@@ -68,8 +69,6 @@ WindowGradient<Scalar>::WindowGradient(const ParameterLayout& layout, const Stat
   direct_.resize(numbers(1, size_));
   changed_.resize(map.reads_velocity() ? numbers(1, size_) : 0);
   change_back_.resize(changed_.size());
-  put_in_.resize(map.growth_limit > 0 ? numbers(1, 1) : 0);
-  shortened_.resize(put_in_.size());
   if (layout.arms().size > 0) {
     arm_.resize(index_.size());
     arm_back_.resize(numbers(1, layout.arms().size));
@@ -266,8 +265,8 @@ void WindowGradient<Scalar>::backward_block(const Scalar* parameters, int block,
     return at(delta_[static_cast<std::size_t>(layer)], layout_.outputs(layer), slot);
   };
   const int last = layout_.layer_count() - 1;
-  if (map_.growth_limit > 0) {
-    note_error(block);
+  if (growth_.is_on()) {
+    growth_.put_in(at(error_gradient_, size_, block), size_);
   }
   carry_back(block, delta(last));
   for (int layer = last; layer > 0; --layer) {
@@ -292,45 +291,8 @@ void WindowGradient<Scalar>::backward_block(const Scalar* parameters, int block,
   if (map_.reads_velocity()) {
     carry_change_back(parameters, delta(0));
   }
-  if (map_.growth_limit > 0) {
-    limit_growth();
-  }
-}
-
-template <class Scalar>
-void WindowGradient<Scalar>::note_error(int block) {
-  std::fill(shortened_.begin(), shortened_.end(), Scalar(0));
-  const Scalar* error = at(error_gradient_, size_, block);
-  for (int r = 0; r < size_; ++r) {
-    for (int i = 0; i < stride_; ++i) {
-      shortened_[i] += error[r * stride_ + i] * error[r * stride_ + i];
-    }
-  }
-  for (int i = 0; i < stride_; ++i) {
-    put_in_[i] += std::sqrt(shortened_[i]);
-  }
-}
-
-template <class Scalar>
-void WindowGradient<Scalar>::limit_growth() {
-  std::fill(shortened_.begin(), shortened_.end(), Scalar(0));
-  for (int r = 0; r < size_; ++r) {
-    for (int i = 0; i < stride_; ++i) {
-      const Scalar whole = carried_[r * stride_ + i] + direct_[r * stride_ + i];
-      shortened_[i] += whole * whole;
-    }
-  }
-  for (int i = 0; i < stride_; ++i) {
-    const Scalar longest = map_.growth_limit * put_in_[i];
-    shortened_[i] = longest / std::max(longest, std::sqrt(shortened_[i]));
-    if (!(shortened_[i] >= 0)) {
-      shortened_[i] = 0;  // nothing was put in, or the gradient is beyond all numbers
-    }
-  }
-  for (Storage* part : {&carried_, &direct_, &changed_}) {
-    for (auto row = part->begin(); row != part->end(); row += stride_) {
-      std::transform(row, row + stride_, shortened_.begin(), row, std::multiplies<>());
-    }
+  if (growth_.is_on()) {
+    growth_.shorten(carried_, direct_, changed_);
   }
 }
 
@@ -398,7 +360,7 @@ void WindowGradient<Scalar>::backward(const Scalar* parameters, Scalar* gradient
       std::fill(carried_.begin(), carried_.end(), Scalar(0));
       std::fill(direct_.begin(), direct_.end(), Scalar(0));
       std::fill(changed_.begin(), changed_.end(), Scalar(0));
-      std::fill(put_in_.begin(), put_in_.end(), Scalar(0));
+      growth_.begin();
       std::fill(arm_sum_.begin(), arm_sum_.end(), Scalar(0));
     }
     backward_block(parameters, block, pending, gradient);

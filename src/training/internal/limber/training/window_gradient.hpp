@@ -9,6 +9,7 @@
 #include "limber/common/aligned_floats.hpp"
 #include "limber/network/compensation_model.hpp"
 #include "limber/training/frame_error.hpp"
+#include "limber/training/growth_limit.hpp"
 #include "limber/training/parameter_layout.hpp"
 
 namespace limber {
@@ -134,8 +135,6 @@ class WindowGradient {
   void carry_arms_back(const Scalar* parameters, int block, const Scalar* delta, Scalar* gradient);
   void note_change(int block, const Scalar* state, Scalar* change) const;
   void carry_change_back(const Scalar* parameters, const Scalar* delta);
-  void note_error(int block);
-  void limit_growth();
   void apply_output(int block, Scalar* state);
   void compose(int block, Scalar* state);
   void carry_back(int block, Scalar* delta);
@@ -153,6 +152,7 @@ class WindowGradient {
   int window_limit_;
   int stride_;
   int slots_;  ///< blocks whose deltas are kept until their products are taken together
+  GrowthLimit<Scalar, Storage> growth_;
   int groups_ = 0;
   int windows_ = 0;
   std::vector<int> index_;       ///< table columns of a group's windows
@@ -170,10 +170,8 @@ class WindowGradient {
   Storage direct_;      ///< one block: the part of it that the network had no part in
   Storage changed_;  ///< one block: ∂loss/∂(state's change) of the frame behind, in state's units
   Storage change_back_;     ///< one block: the same of this frame
-  Storage put_in_;          ///< of a group's windows: norms of the frames' error gradients, summed
   Storage arm_back_;        ///< one block: ∂loss/∂(arm's vector) of a frame
   Storage arm_sum_;         ///< … and of a group's frames so far
-  Storage shortened_;       ///< of a group's windows: the factor that keeps them from growing
   Storage unbounded_;       ///< states before (20), where there are bounds
   Storage gate_;            ///< g, where there are gates
   Storage error_gradient_;  ///< ∂(frame error)/∂state

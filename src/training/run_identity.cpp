@@ -1,0 +1,50 @@
+#include "run_identity.hpp"
+
+#include <string_view>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "limber/common/content_hash.hpp"
+
+namespace limber {
+
+std::string run_identity(const ArmDescription& arm, const TrainingData& data,
+                         const TrainingSettings& settings, const EpochTrainer& trainer) {
+  const auto bytes = [](const auto& matrix) {
+    return std::string_view(reinterpret_cast<const char*>(matrix.data()),
+                            static_cast<std::size_t>(matrix.size()) * sizeof(float));
+  };
+  const TrainingSettings& s = settings;
+  std::string text = fmt::format(
+      "{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", arm.hash(), s.preset,
+      fmt::join(s.hidden_units, "-"), static_cast<int>(s.layout), to_string(s.form),
+      s.reads_velocity, s.growth_limit, s.first_gate_bias, static_cast<int>(s.scaling),
+      s.error_in_base_poses, static_cast<int>(s.reduction), static_cast<int>(s.optimiser),
+      s.learning_rate, s.cosine_decay, s.gradient_norm_limit, s.average_decay, s.input_noise,
+      s.shift_windows, s.validation_interval, s.ensemble, s.seed);
+  if (s.family_size > 0) {
+    text += fmt::format(" family {} {}", s.family_size, fmt::join(data.arms, " "));
+  }
+  if (s.keep_epoch > 0 || s.first_frames_power > 0) {
+    text += fmt::format(" epoch {} power {}", s.keep_epoch, s.first_frames_power);
+  }
+  if (!data.replay.empty()) {
+    text += fmt::format(" replay {} of {} episodes", s.replay_share, data.replay.size());
+  }
+  const FrameTable<float>& frames = trainer.tables().frames;
+  text += content_hash(bytes(frames.pressure)) + content_hash(bytes(frames.state));
+  text += content_hash(bytes(trainer.state().parameters));  // the weights that it began with
+  for (const Eigen::VectorXf* bound :
+       {&trainer.bounds().min_length_m, &trainer.bounds().max_length_m,
+        &trainer.bounds().min_turn_rad, &trainer.bounds().max_turn_rad}) {
+    text += content_hash(bytes(*bound));
+  }
+  text += content_hash(std::string(frames.tracked.begin(), frames.tracked.end()));
+  for (const Episode& episode : data.validation) {
+    text += content_hash(bytes(episode.backbone));
+  }
+  return content_hash(text);
+}
+
+}  // namespace limber
