@@ -14,7 +14,7 @@ namespace limber {
 void NamedEpisodes::add(const std::string& path, std::vector<Episode> more) {
   const std::string file = std::filesystem::path(path).filename().string();
   for (std::size_t i = 0; i < more.size(); ++i) {
-    names.push_back(fmt::format("{}, {}", file, episode_name(i)));
+    names.push_back(fmt::format("{}, {}", file, episode_name(i, more[i].log)));
     episodes.push_back(std::move(more[i]));
   }
 }

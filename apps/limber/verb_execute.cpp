@@ -1,4 +1,5 @@
 #include "driver_flags.hpp"
+#include "limber/arm/arm_identity.hpp"
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
@@ -67,7 +68,7 @@ class ExecuteVerb final : public Verb {
     const std::vector<Disturbance> disturbances = parse_disturbances(disturbance_);
     refuse_what_cannot_be_disturbed(disturbances);
     const std::string arm_file = find_arm_file(arm_);
-    const ArmDescription arm = load_asked_arm(arm_file);
+    ArmDescription arm = load_asked_arm(arm_file);
     if (track_.is_asked()) {
       return track(arm, arm_file, disturbances, flags);
     }
@@ -81,6 +82,10 @@ class ExecuteVerb final : public Verb {
     const Environment environment = load_environment(find_environment_file(environment_), arm);
     const Plan plan = read_plan(plan_);
     require_plan_of(plan, arm, plan_);
+    // A plan that was asked to be slow is corrected slowly, too.
+    arm.pressure_rate_limit_kpa_per_s =
+        std::min(arm.pressure_rate_limit_kpa_per_s,
+                 rate_limit_of(plan.arm(), plan_).value_or(arm.pressure_rate_limit_kpa_per_s));
     require_plan_in(plan, environment, plan_);
     replan_.settings().corrections.limits =
         limits_of(with_scaled_limits(arm, driver_.limit_scale()));

@@ -225,6 +225,7 @@ class PlanVerb final : public Verb {
     PlanSettings settings;
     settings.room = room_.asked();
     settings.within = narrower_.limits(arm);
+    settings.rate_limit_kpa_per_s = narrower_.rate_limit();
     settings.stay_recorded = stay_recorded_;
     settings.planner = planner_;
     settings.jobs = flags.jobs;

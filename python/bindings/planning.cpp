@@ -286,10 +286,12 @@ void bind_plan_function(py::module_& module) {
          const std::string& planner, int jobs, std::optional<double> margin_m,
          std::optional<double> goal_margin_m, std::optional<double> goal_margin_rad,
          std::optional<double> tube_level, bool stay_recorded,
-         const std::vector<std::pair<double, double>>& limits_kpa) {
+         const std::vector<std::pair<double, double>>& limits_kpa,
+         std::optional<double> rate_limit_kpa_per_s) {
         return plan_with(arm, model, environment, limits, seed, callback,
                          {{margin_m, goal_margin_m, goal_margin_rad, tube_level},
                           limits_of_pairs(limits_kpa),
+                          rate_limit_kpa_per_s,
                           stay_recorded,
                           planner,
                           jobs});
@@ -301,11 +303,13 @@ void bind_plan_function(py::module_& module) {
       py::arg("goal_margin_rad") = py::none(), py::arg("tube_level") = py::none(),
       py::arg("stay_recorded") = false,
       py::arg("limits_kpa") = std::vector<std::pair<double, double>>{},
+      py::arg("rate_limit_kpa_per_s") = py::none(),
       "What `limber plan` does, and the same plan: it keeps the tube that the model carries, or "
       "the error that it states, stands behind the valves that it was trained with, and is "
       "certified. model: the file of one, which the plan then names; a CompensationModel; or a "
       "MotionModel, with valves of its own or without a network. limits: by default 10 s. The "
       "others as Planner.plan, make_planner, error_room and PlanningProblem have them; "
+      "rate_limit_kpa_per_s: in place of the arm's, at most that; "
       "stay_recorded: with set points, rates and shapes like those recorded alone. No plan is no "
       "error: PlanResult.status and reason say why, warnings what is doubtful.");
 }

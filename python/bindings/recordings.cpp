@@ -144,6 +144,8 @@ void bind_episode(py::module_& module) {
       .def_readonly("physics", &Episode::physics,
                     "JSON of what a varied virtual arm has other than its file (limber collect "
                     "--vary-physics); '' otherwise.")
+      .def_readonly("log", &Episode::log,
+                    "File name of the log that it was imported from; '' where there is none.")
       .def_property_readonly("frame_count", &Episode::frame_count, "T: number of frames.")
       .def_property_readonly("untracked_count", &Episode::untracked_count,
                              "Number of frames without a measured backbone.")

@@ -21,13 +21,10 @@ class Comparison {
       : there_(there), here_(here) {}
 
   std::vector<std::string> run() {
-    const bool pressures = here_.command.is_pressure_kpa();
     word("command.name", there_.command.name, here_.command.name);
     word("command.unit", there_.command.unit, here_.command.unit);
     word("no_load", to_string(there_.no_load), to_string(here_.no_load));
     number("frame_rate_hz", there_.frame_rate_hz, here_.frame_rate_hz);
-    number(pressures ? "pressure_rate_limit_kpa_per_s" : "command.rate_limit_per_s",
-           there_.pressure_rate_limit_kpa_per_s, here_.pressure_rate_limit_kpa_per_s);
     number("actuator_radius_m", there_.actuator_radius_m, here_.actuator_radius_m);
     if (there_.segment_count() != here_.segment_count()) {
       add("segments", there_.segment_count(), here_.segment_count());
@@ -122,6 +119,14 @@ ArmIdentity identity_of(const ArmDescription& arm) {
 
 std::vector<std::string> arm_differences(const ArmDescription& there, const ArmDescription& here) {
   return Comparison(there, here).run();
+}
+
+std::optional<double> rate_limit_of(const ArmIdentity& made_for, const std::string& file) {
+  if (made_for.description.empty()) {
+    return std::nullopt;
+  }
+  return read_arm_keys(made_for.description, file + ": arm_description")
+      .pressure_rate_limit_kpa_per_s;
 }
 
 std::string why_another_arm(const ArmIdentity& made_for, const ArmDescription& arm,

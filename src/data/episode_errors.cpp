@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "episode_mistakes.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/json_number.hpp"
 #include "limber/common/statistics.hpp"
@@ -103,6 +104,21 @@ void mark_unrelated(const std::vector<TurnCorrelation>& correlations, EpisodeErr
   }
 }
 
+/// What explains an episode's error says more than how large it is.
+void mark_mistakes(const SimpleModel& model, const ArmDescription& arm,
+                   const std::vector<Episode>& episodes, EpisodeErrors& errors) {
+  std::vector<bool> judged;
+  for (const EpisodeError& error : errors.episodes) {
+    judged.push_back(error.moves);
+  }
+  const std::vector<std::string> mistakes = likely_mistakes(model, arm, episodes, judged);
+  for (std::size_t i = 0; i < mistakes.size(); ++i) {
+    if (!mistakes[i].empty()) {
+      errors.episodes[i].why = mistakes[i];
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<int> EpisodeErrors::outliers() const {
@@ -128,7 +144,8 @@ EpisodeErrors errors_of_any(const ArmDescription& arm, const std::vector<Episode
   for (const Episode& episode : episodes) {
     const FrameMatrix expected = predict(model, arm, episode);
     correlations.push_back(correlation_of(arm, expected, episode));
-    errors.episodes.push_back({mean_tip_error_cm(expected, episode), correlations.back().mean,
+    errors.episodes.push_back({episode_name(std::ssize(errors.episodes), episode.log),
+                               mean_tip_error_cm(expected, episode), correlations.back().mean,
                                tip_moves(arm, expected) || tip_moves(arm, episode.backbone), false,
                                ""});
     if (const EpisodeError& error = errors.episodes.back(); error.moves && error.tip_cm > 0.0) {
@@ -156,6 +173,9 @@ EpisodeErrors errors_of_any(const ArmDescription& arm, const std::vector<Episode
     }
   }
   mark_unrelated(correlations, errors);
+  if (known.size() >= kMinEpisodes) {
+    mark_mistakes(model, arm, episodes, errors);
+  }
   for (EpisodeError& episode : errors.episodes) {
     episode.is_outlier = !episode.why.empty();
   }
@@ -181,8 +201,8 @@ bool moves(const ArmDescription& arm, const Episode& episode) {
 std::string to_text(const EpisodeErrors& errors) {
   std::vector<std::string> parts;
   for (const int number : errors.outliers()) {
-    parts.push_back(episode_name(number) + ": " +
-                    errors.episodes[static_cast<std::size_t>(number)].why);
+    const EpisodeError& episode = errors.episodes[static_cast<std::size_t>(number)];
+    parts.push_back(episode.name + ": " + episode.why);
   }
   return parts.empty()
              ? std::string()
@@ -197,7 +217,8 @@ nlohmann::ordered_json to_json(const EpisodeErrors& errors) {
   json["outliers"] = errors.outliers();
   json["episodes"] = nlohmann::ordered_json::array();
   for (const EpisodeError& episode : errors.episodes) {
-    json["episodes"].push_back({{"tip_error_cm", json_number(episode.tip_cm)},
+    json["episodes"].push_back({{"name", episode.name},
+                                {"tip_error_cm", json_number(episode.tip_cm)},
                                 {"correlation", json_number(episode.correlation)},
                                 {"moves", episode.moves},
                                 {"outlier", episode.is_outlier},

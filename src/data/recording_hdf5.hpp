@@ -19,8 +19,9 @@ inline constexpr const char* kRecordingSchema = "limber/recording/1";
 /// Attribute that says what the commands are; a file without it holds measured ones.
 inline constexpr const char* kCommandsAre = "commands_are";
 
-/// Attribute of an episode, where it has a text there: Episode::physics.
+/// Attributes of an episode, where it has a text there: Episode::physics, Episode::log.
 inline constexpr const char* kPhysics = "physics";
+inline constexpr const char* kLog = "log";
 
 /// One thread inside HDF5, its own error printing off (it would go to standard error).
 class Hdf5Section {

@@ -259,6 +259,9 @@ RecordingInspection inspect(const Recording& recording, const ArmDescription* ar
     EpisodeInspector(recording, i, inspection.limits_kpa, suspicions).run();
   }
   inspection.suspicions = suspicions.take();
+  for (Suspicion& suspicion : inspection.suspicions) {
+    suspicion.log = recording.episodes[static_cast<std::size_t>(suspicion.episode)].log;
+  }
   std::vector<double> largest_kpa;
   for (const PressureLimits& limits : inspection.limits_kpa) {
     largest_kpa.push_back(limits.largest_kpa());
@@ -321,6 +324,7 @@ nlohmann::ordered_json to_json(const Recording& recording, const RecordingInspec
     json["suspicions"].push_back({{"what", suspicion.what},
                                   {"count", suspicion.count},
                                   {"episode", suspicion.episode},
+                                  {"log", suspicion.log},
                                   {"frame", suspicion.frame},
                                   {"first", suspicion.first}});
   }
@@ -366,7 +370,7 @@ std::string to_text(const Recording& recording, const RecordingInspection& inspe
   for (const Suspicion& suspicion : inspection.suspicions) {
     text +=
         fmt::format("\n    {}: {} times, first in {}, {}: {}", suspicion.what, suspicion.count,
-                    episode_name(suspicion.episode), frame_name(suspicion.frame), suspicion.first);
+                    episode_name(suspicion.episode, suspicion.log), frame_name(suspicion.frame), suspicion.first);
   }
   return text;
 }

@@ -350,9 +350,12 @@ class Reader {
       read_into(tracked_path, data_set(tracked_path, {frames}, each.c_str(), "1"),
                 episode.tracked.data(), H5::PredType::NATIVE_UINT8);
     }
-    if (const H5::Group own = file_.openGroup(group); own.attrExists(kPhysics)) {
-      episode.physics =
-          text_in(own.openAttribute(kPhysics), fmt::format("{}, attribute '{}'", group, kPhysics));
+    const H5::Group own = file_.openGroup(group);
+    for (const auto& [name, text] :
+         {std::pair(kPhysics, &episode.physics), {kLog, &episode.log}}) {
+      if (own.attrExists(name)) {
+        *text = text_in(own.openAttribute(name), fmt::format("{}, attribute '{}'", group, name));
+      }
     }
     return episode;
   }

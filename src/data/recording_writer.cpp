@@ -112,8 +112,10 @@ void write_episode(const H5::Group& group, const Episode& episode, const Recordi
   write_data_set(group, "motion_index", "1", H5::PredType::NATIVE_INT, episode.motion_index.data(),
                  {frames});
   write_data_set(group, "tracked", "1", H5::PredType::NATIVE_UINT8, tracked.data(), {frames});
-  if (!episode.physics.empty()) {
-    write_attribute(group, kPhysics, episode.physics);
+  for (const auto& [name, text] : {std::pair(kPhysics, &episode.physics), {kLog, &episode.log}}) {
+    if (!text->empty()) {
+      write_attribute(group, name, *text);
+    }
   }
 }
 

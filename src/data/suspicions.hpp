@@ -19,7 +19,7 @@ class Suspicions {
         return;
       }
     }
-    list_.push_back({what, 1, static_cast<int>(episode), frame, numbers});
+    list_.push_back({what, 1, static_cast<int>(episode), {}, frame, numbers});
   }
 
   std::vector<Suspicion> take() { return std::move(list_); }

@@ -170,29 +170,18 @@ std::string notes_of_all(const std::vector<RunReport>& runs) {
 }
 
 /// What the simple model says of each episode; outliers by the logs that they came from.
-std::string to_text(const ImportReport& report, const EpisodeErrors& errors) {
+std::string episodes_to_text(const EpisodeErrors& errors) {
   std::string text = fmt::format(
       "simple model: its error at the tip is {:.2f} cm in the median episode\n", errors.median_cm);
   for (const int number : errors.outliers()) {
     const EpisodeError& episode = errors.episodes[static_cast<std::size_t>(number)];
-    text += fmt::format("  {} ({}) is broken: {}. limber train leaves it out\n",
-                        episode_name(number), report.log_of(number), episode.why);
+    text += fmt::format("  {} is broken: {}. limber train leaves it out\n", episode.name,
+                        episode.why);
   }
   return text;
 }
 
 }  // namespace
-
-const std::string& ImportReport::log_of(int episode) const {
-  std::int64_t before = 0;
-  for (const RunReport& run : runs) {
-    before += run.episodes;
-    if (episode < before) {
-      return run.name;
-    }
-  }
-  return runs.back().name;
-}
 
 void RunReport::note(const std::string& what, const std::string& first, std::int64_t count) {
   const auto known = std::find_if(notes.begin(), notes.end(),
@@ -252,7 +241,7 @@ std::string to_text(const ImportReport& report) {
   text += many ? notes_of_all(report.runs) : std::string();
   text += to_text(report.columns);
   if (report.episode_errors) {
-    text += to_text(report, *report.episode_errors);
+    text += episodes_to_text(*report.episode_errors);
   }
   return text + fmt::format("{} episodes, {} frames, {} of them not tracked", report.episodes(),
                             report.frames(), report.frames_not_tracked());

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -176,8 +175,10 @@ ImportResult import_logs(const std::vector<fs::path>& logs, const ImportOptions&
       run_names.push_back(name_of(logs[i], run.report));
       LevelTable& own = levels.emplace_back();
       try {
-        std::ranges::move(import_run(logs[i], command_log, options, arm, run, own),
-                          std::back_inserter(result.recording.episodes));
+        for (Episode& episode : import_run(logs[i], command_log, options, arm, run, own)) {
+          episode.log = run.report.name;
+          result.recording.episodes.push_back(std::move(episode));
+        }
       } catch (const SlowLog&) {
         if (logs.size() > 1) {
           refuse_all_slow_logs(logs, arm, read_runs);

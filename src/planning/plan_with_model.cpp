@@ -1,6 +1,8 @@
 #include <optional>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
@@ -39,6 +41,23 @@ void warn_beyond_recordings(const ArmDescription& arm, const MotionModel& model,
   }
 }
 
+/// The arm, asked to move no faster than the settings say.
+ArmDescription slowed(ArmDescription arm, const PlanSettings& settings) {
+  if (settings.rate_limit_kpa_per_s) {
+    const double rate = *settings.rate_limit_kpa_per_s;
+    if (!(rate > 0.0 && rate <= arm.pressure_rate_limit_kpa_per_s)) {
+      throw InputError(fmt::format(
+          "a rate limit of {0} {1}/s; expected more than 0, and at most the arm's {2} {1}/s", rate,
+          arm.command.unit, arm.pressure_rate_limit_kpa_per_s));
+    }
+    if (settings.forest != nullptr) {
+      throw InputError("a rate limit of its own and a forest, which was grown with the arm's");
+    }
+    arm.pressure_rate_limit_kpa_per_s = rate;
+  }
+  return arm;
+}
+
 /// Before the planner's own.
 void warn_first(const std::string& warning, PlanResult& result) {
   if (!warning.empty()) {
@@ -48,8 +67,10 @@ void warn_first(const std::string& warning, PlanResult& result) {
 
 }  // namespace
 
-PlanResult plan(const ArmDescription& arm, const MotionModel& model, const Environment& environment,
-                const PlannerLimits& limits, std::uint64_t seed, const PlanSettings& settings) {
+PlanResult plan(const ArmDescription& asked_arm, const MotionModel& model,
+                const Environment& environment, const PlannerLimits& limits, std::uint64_t seed,
+                const PlanSettings& settings) {
+  const ArmDescription arm = slowed(asked_arm, settings);
   if (model.has_network()) {
     require_bounded(model.compensation(), "the model");
   }

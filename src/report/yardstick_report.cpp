@@ -54,7 +54,7 @@ std::string worst_episodes(const YardstickReport& report) {
                            [&](std::size_t i) { return shown.episode_cm[i]; });
   std::string text = fmt::format("worst episodes, {} open loop [cm]:", shown.label);
   for (std::size_t k = 0; k < std::min(kShownEpisodes, order.size()); ++k) {
-    text += fmt::format("{} {} {:.2f}", k == 0 ? "" : ",", episode_name(order[k]),
+    text += fmt::format("{} {} {:.2f}", k == 0 ? "" : ",", report.episode_names[order[k]],
                         shown.episode_cm[order[k]]);
   }
   return text + fmt::format(" (of {})\n", order.size());
@@ -120,7 +120,8 @@ Json to_json(const YardstickReport& report, const std::vector<Episode>& episodes
   json["episodes"] = Json::array();
   for (std::size_t e = 0; e < episodes.size(); ++e) {
     json["episodes"].push_back(
-        {{"frames", episodes[e].frame_count()},
+        {{"name", report.episode_names[e]},
+         {"frames", episodes[e].frame_count()},
          {"tracked", episodes[e].frame_count() - episodes[e].untracked_count()}});
   }
   for (const PredictorCurve& curve : report.curves) {

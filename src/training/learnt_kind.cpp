@@ -43,7 +43,7 @@ void require_kind_learnt(const CompensationModel& network, const std::vector<Epi
     if (episodes[i].setpoints_only != network.learnt_from_setpoints) {
       throw InputError(fmt::format(
           "the network learnt from {}, and {} holds {}. {}", kind_of(network.learnt_from_setpoints),
-          episode_name(i), kind_of(episodes[i].setpoints_only),
+          episode_name(i, episodes[i].log), kind_of(episodes[i].setpoints_only),
           network.learnt_from_setpoints
               ? "Leave what was measured out (with_setpoints_only)"
               : "It has to be asked with pressures, or the arm's other command, as measured"));

@@ -26,6 +26,11 @@ constexpr double kMinPressureShare = 0.01;  // of the pressure that spreads most
 constexpr double kNegligibleVariance = 1e-5;
 constexpr double kMinHalfRange = 1e-3;  // of an axis along which nothing varies
 
+// A rate was recorded where it was held for both of these, in one frame of 200: fewer are how a
+// sensor jumps, or a valve that opens, and nothing that a plan could ask for.
+constexpr std::array kRateSpans_s{0.5, 1.0};
+constexpr double kHeldShare = 0.995;
+
 constexpr int kBlockFrames = 200;        // 10 s: two blocks have little to do with each other
 constexpr double kAllowedBeyond = 0.03;  // share of frames; what is asked for is 0.05
 constexpr double kMaxWidening = 1.0;
@@ -65,7 +70,7 @@ Eigen::MatrixXd joint_vectors(const std::vector<Episode>& episodes) {
   return all;
 }
 
-/// Ranges of measured pressures, set points and rates of one episode, added to those of `region`.
+/// Ranges of measured pressures and set points of one episode, added to those of `region`.
 void widen_pressures(LearntRegion& region, const Episode& episode) {
   for (int t = 0; t < episode.frame_count(); ++t) {
     if (!episode.was_tracked(t)) {
@@ -75,13 +80,55 @@ void widen_pressures(LearntRegion& region, const Episode& episode) {
       region.low_kpa = region.low_kpa.cwiseMin(kpa->row(t).transpose());
       region.high_kpa = region.high_kpa.cwiseMax(kpa->row(t).transpose());
     }
-    if (t > 0 && episode.was_tracked(t - 1)) {
-      const auto period_s = static_cast<float>(episode.time_s[t] - episode.time_s[t - 1]);
-      const Pressures rate =
-          (episode.pressure_kpa.row(t) - episode.pressure_kpa.row(t - 1)).transpose() / period_s;
-      region.steepest_rise_kpa_per_s = region.steepest_rise_kpa_per_s.cwiseMax(rate);
-      region.steepest_fall_kpa_per_s = region.steepest_fall_kpa_per_s.cwiseMax(-rate);
+  }
+}
+
+/// Without single frames that lie outside of both neighbours: sensors' spikes.
+Eigen::VectorXf without_spikes(const FrameMatrix& pressures, Eigen::Index segment) {
+  Eigen::VectorXf values = pressures.col(segment);
+  for (Eigen::Index t = 1; t + 1 < values.size(); ++t) {
+    const float before = pressures(t - 1, segment);
+    const float after = pressures(t + 1, segment);
+    values[t] = std::clamp(pressures(t, segment), std::min(before, after), std::max(before, after));
+  }
+  return values;
+}
+
+/// Changes of a segment's pressure over so many seconds, per second, in all tracked frames; over
+/// whole episodes where they are shorter.
+std::vector<double> changes_of(const std::vector<Episode>& episodes, Eigen::Index segment,
+                               double span_s) {
+  std::vector<double> changes;
+  for (const Episode& episode : episodes) {
+    const int last = episode.frame_count() - 1;
+    if (last < 1) {
+      continue;
     }
+    const double period_s = (episode.time_s[last] - episode.time_s[0]) / last;
+    const int frames = std::clamp(static_cast<int>(std::lround(span_s / period_s)), 1, last);
+    const Eigen::VectorXf values = without_spikes(episode.pressure_kpa, segment);
+    for (int t = frames; t <= last; ++t) {
+      if (episode.was_tracked(t - frames) && episode.was_tracked(t)) {
+        changes.push_back(double(values[t] - values[t - frames]) / (frames * period_s));
+      }
+    }
+  }
+  return changes;
+}
+
+/// Widens the steepest rates to what the episodes held for a while.
+void widen_rates(LearntRegion& region, const std::vector<Episode>& episodes) {
+  for (Eigen::Index i = 0; i < region.low_kpa.size(); ++i) {
+    double rise = std::numeric_limits<double>::infinity();
+    double fall = rise;
+    for (const double span_s : kRateSpans_s) {
+      std::vector<double> changes = changes_of(episodes, i, span_s);
+      changes.push_back(0.0);
+      rise = std::min(rise, std::max(0.0, quantile(changes, kHeldShare)));
+      fall = std::min(fall, std::max(0.0, -quantile(changes, 1.0 - kHeldShare)));
+    }
+    region.steepest_rise_kpa_per_s[i] = std::max(region.steepest_rise_kpa_per_s[i], float(rise));
+    region.steepest_fall_kpa_per_s[i] = std::max(region.steepest_fall_kpa_per_s[i], float(fall));
   }
 }
 
@@ -172,6 +219,7 @@ LearntRegion learnt_region_of(const std::vector<Episode>& episodes) {
   for (const Episode& episode : episodes) {
     widen_pressures(region, episode);
   }
+  widen_rates(region, episodes);
   const Eigen::MatrixXd along = along_axes(region, joint);
   widen_axes(region, along, needed_widening(along));
   return region;
@@ -181,6 +229,7 @@ LearntRegion widened_by(LearntRegion region, const std::vector<Episode>& episode
   for (const Episode& episode : episodes) {
     widen_pressures(region, episode);
   }
+  widen_rates(region, episodes);
   widen_axes(region, along_axes(region, joint_vectors(episodes)), kAxisWidening);
   return region;
 }

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/statistics.hpp"
@@ -247,6 +248,9 @@ YardstickReport measure_yardsticks(const ArmDescription& arm, const ForwardModel
   require_episodes_of(episodes, arm);
   require_episodes_of(fit_to, arm, "training data");
   YardstickReport report;
+  for (const Episode& episode : episodes) {
+    report.episode_names.push_back(episode_name(std::ssize(report.episode_names), episode.log));
+  }
   Measurement measurement(episodes, report);
   measurement.add_model("no_load", "no load", no_load, jobs);
   if (network != nullptr) {

@@ -74,8 +74,6 @@ TEST(ArmIdentity, NamesEveryKeyThatDiffersWithBothValues) {
          "segments[0].width_m: 0.05 there, 0.06 here");
   expect([](ArmDescription& a) { a.segments[0].gaps = 7; }, "segments[0].gaps: 3 there, 7 here");
   expect([](ArmDescription& a) { a.frame_rate_hz = 40.0; }, "frame_rate_hz: 20 there, 40 here");
-  expect([](ArmDescription& a) { a.pressure_rate_limit_kpa_per_s = 50.0; },
-         "pressure_rate_limit_kpa_per_s: 100 there, 50 here");
   expect([](ArmDescription& a) { a.actuator_radius_m = 0.0; },
          "actuator_radius_m: 0.006 there, 0 here");
   expect([](ArmDescription& a) { a.segments.pop_back(); }, "segments: 2 there, 1 here");

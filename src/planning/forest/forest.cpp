@@ -128,6 +128,16 @@ ArmIdentity arm_of(const Forest& forest) {
   return {"", forest.key.arm_hash, forest.arm_description};
 }
 
+/// Its motions change set points as fast as the arm of then allowed.
+std::string why_another_rate(const Forest& forest, const ArmDescription& arm) {
+  const std::optional<double> rate = rate_limit_of(arm_of(forest), "the forest");
+  return !rate || *rate == arm.pressure_rate_limit_kpa_per_s
+             ? std::string()
+             : fmt::format(
+                   "the forest was grown for {0} {2}/s, and '{3}' allows {1} {2}/s: grow it again",
+                   *rate, arm.pressure_rate_limit_kpa_per_s, arm.command.unit, arm.name);
+}
+
 std::string bytes_of(const float* values, Eigen::Index count) {
   return {reinterpret_cast<const char*>(values), static_cast<std::size_t>(count) * sizeof(float)};
 }
@@ -150,7 +160,8 @@ void Forest::complete() {
 bool is_grown_for(const Forest& forest, const ArmDescription& arm, const ForestKey& key) {
   ForestKey same_arm = key;
   same_arm.arm_hash = forest.key.arm_hash;
-  return forest.key == same_arm && why_another_arm(arm_of(forest), arm, "the forest").empty();
+  return forest.key == same_arm && why_another_arm(arm_of(forest), arm, "the forest").empty() &&
+         why_another_rate(forest, arm).empty();
 }
 
 void require_forest_of(const Forest& forest, const ArmDescription& arm,
@@ -159,6 +170,9 @@ void require_forest_of(const Forest& forest, const ArmDescription& arm,
   if (!why.empty()) {
     throw InputError(fmt::format(
         "the forest was grown for another arm than '{}': {}. Grow it again", arm.name, why));
+  }
+  if (const std::string rate = why_another_rate(forest, arm); !rate.empty()) {
+    throw InputError(rate);
   }
   const ForestKey key = forest_key(arm, forest.key.model_hash, valves, start);
   if (!is_grown_for(forest, arm, key)) {

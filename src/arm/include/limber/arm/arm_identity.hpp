@@ -1,6 +1,7 @@
 #pragma once
 // For everyone.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,9 +26,14 @@ ArmIdentity identity_of(const ArmDescription& arm);
 inline constexpr double kSameNumber = 1e-6;
 
 /// Keys in which the arms differ with both values, "segments[0].length_m: 0.235 there, 0.24 here";
-/// empty if they are the same arm. Names and virtual-arm parameters do not count. Strain
+/// empty if they are the same arm. Names, virtual-arm parameters and the rate limit do not count:
+/// how fast an arm may be asked to move changes nothing of what it does when asked. Strain
 /// polynomials agree where their strains do, within kSameStrain over the pressure range.
 std::vector<std::string> arm_differences(const ArmDescription& there, const ArmDescription& here);
+
+/// The arm's rate limit when the file was made [kPa/s]; none where the file holds a hash alone.
+/// @throws InputError if the file's description is not an arm.
+std::optional<double> rate_limit_of(const ArmIdentity& made_for, const std::string& file);
 
 /// Why `arm` is not the one that a file was made for, as the end of a sentence that names both;
 /// empty if it is: equal hashes, or keys without a difference. A file that holds a hash alone is

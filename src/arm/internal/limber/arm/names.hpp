@@ -45,8 +45,10 @@ inline std::string motion_name(Eigen::Index motion) {
 }
 
 /// Of a recording.
-inline std::string episode_name(Eigen::Index episode) {
-  return fmt::format("episode {}", episode);
+/// @param log  that it was imported from; empty: of none
+inline std::string episode_name(Eigen::Index episode, const std::string& log = {}) {
+  return log.empty() ? fmt::format("episode {}", episode)
+                     : fmt::format("episode {} ({})", episode, log);
 }
 
 /// Of a CSV file.

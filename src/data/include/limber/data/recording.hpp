@@ -46,6 +46,9 @@ struct Episode {
   /// who want to know read it; no network ever does.
   std::string physics;
 
+  /// File name of the log that it was imported from; empty: of none. Messages name it.
+  std::string log;
+
   int frame_count() const { return static_cast<int>(time_s.size()); }
   int untracked_count() const;
   /// Whether the backbone of frame `t` was tracked. @pre 0 ≤ t < frame_count()

@@ -35,12 +35,14 @@ struct Suspicion {
   std::string what;  ///< "a heading that jumps by a full turn: is it wrapped?"
   std::int64_t count = 0;
   int episode = 0;  ///< of the first one
+  std::string log;  ///< that this episode came from; empty: of none
   int frame = 0;
   std::string first;  ///< the numbers of the first one
 };
 
 /// How far the tip is from where the simple model, fitted to all episodes, expects it.
 struct EpisodeError {
+  std::string name;          ///< "episode 7", with the log that it came from
   double tip_cm = 0.0;       ///< mean over the tracked frames; NaN where there are none
   double correlation = 0.0;  ///< of levels: turns with what the commands say, mean over segments
   bool moves = false;        ///< or should, by what it was told; one that rests is not judged
@@ -50,7 +52,8 @@ struct EpisodeError {
 
 /// The simple model's error in every episode. One that is far above the others' was broken, and so
 /// was one that errs more than the middle one and does nothing of what it was told: a log of
-/// another trial, a tracker that lost its bodies, a tube that came off.
+/// another trial, a tracker that lost its bodies, a tube that came off. So was one that moves as if
+/// its columns were exchanged, one of them had the other sign, or its commands came late or early.
 struct EpisodeErrors {
   std::vector<EpisodeError> episodes;
   double median_cm = 0.0;

@@ -15,6 +15,7 @@ inline Episode slice(const Episode& episode, int first, int count) {
   part.setpoint_kpa = episode.setpoint_kpa.middleRows(first, count);
   part.setpoints_only = episode.setpoints_only;
   part.physics = episode.physics;
+  part.log = episode.log;
   part.backbone = episode.backbone.middleRows(first, count);
   part.motion_index.assign(episode.motion_index.begin() + first,
                            episode.motion_index.begin() + first + count);

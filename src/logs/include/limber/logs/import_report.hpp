@@ -76,8 +76,6 @@ struct ImportReport {
   /// tracked.
   std::optional<EpisodeErrors> episode_errors;
 
-  /// The log that an episode of the recording came from.
-  const std::string& log_of(int episode) const;
   std::int64_t episodes() const;
   std::int64_t frames() const;
   std::int64_t frames_not_tracked() const;

@@ -24,7 +24,8 @@ struct Command;
 struct LearntRegion {
   Pressures low_kpa;   ///< n, lowest measured pressure or set point
   Pressures high_kpa;  ///< n, the highest
-  /// n, of measured pressures from frame to frame, ≥ 0. Set points jump: their rates say nothing.
+  /// n, ≥ 0: of measured pressures, held for half a second and for a second. Set points jump: their
+  /// rates say nothing.
   Pressures steepest_fall_kpa_per_s;
   Pressures steepest_rise_kpa_per_s;
   Eigen::VectorXf joint_offset;  ///< n + 3(m − 1)

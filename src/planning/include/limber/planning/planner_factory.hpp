@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,8 @@ std::unique_ptr<Planner> make_planner(const std::string& name, int jobs = 0,
 struct PlanSettings {
   AskedRoom room;                      ///< in place of the error that the model states
   std::vector<PressureLimits> within;  ///< PlanningProblem::limits
+  /// In place of the arm's, > 0 and at most that [the command's unit per second].
+  std::optional<double> rate_limit_kpa_per_s;
   bool stay_recorded = false;       ///< whether plans keep to set points, rates and shapes recorded
   std::string planner = "default";  ///< of make_planner, as jobs and forest
   int jobs = 0;

@@ -39,6 +39,7 @@ struct YardstickReport {
   std::string fitted_to;            ///< what those that are fitted were fitted to, in words
   std::vector<int> horizon_frames;  ///< 1, 2, 4, … and the longest episode: frames between restarts
   std::vector<PredictorCurve> curves;
+  std::vector<std::string> episode_names;  ///< "episode 7", with the log that it came from
 };
 
 /// Holds the pose; holds the velocity; a line from commands to poses; a linear model of one step,
