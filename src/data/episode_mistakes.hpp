@@ -15,7 +15,7 @@ namespace limber {
 ///
 /// The simple model predicts the segments' turns under the commands as they are and as they would
 /// be. A mistake is one that leaves less than kExplained of the error. On logs of stand-ins nothing
-/// leaves less than 1.07 in whole ones, and the true mistake 0.10 to 0.56 in others (docs/training.md).
+/// leaves less than 1.07 in whole ones, and the true mistake 0.10 to 0.56 in broken ones.
 /// @param judged  one for each episode: whether it moves, or should
 std::vector<std::string> likely_mistakes(const SimpleModel& model, const ArmDescription& arm,
                                          const std::vector<Episode>& episodes,

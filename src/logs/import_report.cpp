@@ -175,8 +175,8 @@ std::string episodes_to_text(const EpisodeErrors& errors) {
       "simple model: its error at the tip is {:.2f} cm in the median episode\n", errors.median_cm);
   for (const int number : errors.outliers()) {
     const EpisodeError& episode = errors.episodes[static_cast<std::size_t>(number)];
-    text += fmt::format("  {} is broken: {}. limber train leaves it out\n", episode.name,
-                        episode.why);
+    text +=
+        fmt::format("  {} is broken: {}. limber train leaves it out\n", episode.name, episode.why);
   }
   return text;
 }

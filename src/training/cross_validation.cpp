@@ -29,7 +29,7 @@ namespace {
 constexpr double kMaxHours = 1.0;  // with more, a tenth held back costs less than it tells
 constexpr std::array<int, 3> kEpochs{100, 300, 600};
 constexpr int kLittleWindowFrames = 32;
-constexpr double kFirstFramesPower = 1.0;
+constexpr double kFirstFramesPower = 1.5;
 constexpr std::uint64_t kFoldStream = 0x666f6c6473;
 constexpr int kMinPartFrames = 100;  // a rollout over less says little
 
@@ -118,6 +118,7 @@ class CrossValidator {
       if (found.tried.size() == 1 || found.tried.back().score_cm() < best.score_cm()) {
         found.chosen = static_cast<int>(found.tried.size()) - 1;
         found.prediction_error = errors.result(arm_.frame_period_s());
+        found.tube = errors.tube(arm_.length_m());
       }
     }
     if (!std::isfinite(found.tried[static_cast<std::size_t>(found.chosen)].score_cm())) {
@@ -207,6 +208,7 @@ TrainingResult train_on_everything(const ArmDescription& arm, const std::vector<
     result.model.learnt = learnt_region_of(data);
     if (result.status == TrainingStatus::finished && result.best_epoch == found.epochs()) {
       result.model.prediction_error = found.prediction_error;
+      result.model.tube = found.tube;
     }
     note_shapes(arm, result.model, episodes, settings.jobs);
   }
@@ -217,7 +219,8 @@ nlohmann::ordered_json to_json(const CrossValidation& found) {
   nlohmann::ordered_json json = {{"folds", found.folds},
                                  {"epochs", found.epochs()},
                                  {"tried", nlohmann::ordered_json::array()},
-                                 {"prediction_error", nullptr}};
+                                 {"prediction_error", nullptr},
+                                 {"tube", nullptr}};
   for (const EpochsTried& tried : found.tried) {
     json["tried"].push_back({{"epochs", tried.epochs},
                              {"one_step_cm", json_number(tried.one_step_cm)},
@@ -227,6 +230,9 @@ nlohmann::ordered_json to_json(const CrossValidation& found) {
   if (found.prediction_error) {
     json["prediction_error"] =
         nlohmann::ordered_json::parse(prediction_error_to_metadata(*found.prediction_error));
+  }
+  if (found.tube) {
+    json["tube"] = nlohmann::ordered_json::parse(tube_to_metadata(*found.tube));
   }
   return json;
 }
@@ -256,6 +262,9 @@ CrossValidation read_cross_validation(const std::string& text, const std::string
   if (const JsonReader error = root.at("prediction_error"); !error.is_null()) {
     found.prediction_error = read_prediction_error(
         YamlReader::from_text(error.value().dump(), where + ": prediction_error"));
+  }
+  if (const JsonReader tube = root.at("tube"); !tube.is_null()) {
+    found.tube = read_tube(YamlReader::from_text(tube.value().dump(), where + ": tube"));
   }
   return found;
 }

@@ -1,13 +1,27 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/data/recording.hpp"
 #include "limber/network/compensation_model.hpp"
+#include "limber/network/tube_shape.hpp"
 
 namespace limber {
+
+/// Share of its room that a plate has where it starts: 1 is a tube that does not grow.
+inline constexpr std::array kStartShares{0.4, 0.7, 1.0};
+
+/// The growth of such a tube; as far as usual_growth.
+RoomGrowth growth_of(std::size_t candidate, double arm_length_m);
+
+/// A run's errors as tubes see them that grow by each of kStartShares.
+struct GrowingErrors {
+  std::array<MotionErrors, kStartShares.size()> of;
+  std::array<double, kStartShares.size()> tip_share{};  ///< mean over frames of what the tip has
+};
 
 /// What PredictionError is made of: the errors of runs, also of several models.
 class RunErrors {
@@ -16,13 +30,22 @@ class RunErrors {
   /// @return whether all predictions are finite; where they are not, nothing was added
   bool add(const ArmDescription& arm, const CompensationModel& model,
            const std::vector<Episode>& unseen, int jobs);
-  /// One frame's error of a run ends it; `frames` are those after its first.
-  void add(double max_m, double off_path_m, double end_m, double end_rad, int frames);
+  /// `frames` are those after the run's first.
+  void add(double max_m, double off_path_m, const GrowingErrors& errors, int frames);
   /// None without a run.
   std::optional<PredictionError> result(double frame_period_s) const;
+  /// A tube that holds the plates of 95 % of the runs, its shape by the first half of them and its
+  /// factor by the second; tip and heading at the end, of 95 % too, by themselves. None of too few
+  /// for a quantile. It grows from where plates start as makes it narrowest at the tip.
+  std::optional<Tube> tube(double arm_length_m) const;
 
  private:
-  std::vector<double> max_m_, off_path_m_, end_m_, end_rad_;
+  double quantile_of(double MotionErrors::*value) const;
+  Tube tube_that_grows(std::size_t candidate, double arm_length_m) const;
+  double tip_share(std::size_t candidate) const;
+
+  std::vector<double> max_m_, off_path_m_;
+  std::vector<GrowingErrors> motions_;
   double frames_ = 0.0;
 };
 

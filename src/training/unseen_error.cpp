@@ -20,7 +20,9 @@ namespace {
 
 constexpr int kPathFrames = 8;  // before and after: a delay up to this is still the same path
 constexpr int kWholeEpisodes = std::numeric_limits<int>::max();
-constexpr int kPathParts = 4;  // points checked from one frame to the next
+constexpr int kPathParts = 4;                // points checked from one frame to the next
+constexpr std::size_t kMinTubeRuns = 39;     // 95 % of fewer is their largest, or nearly so
+constexpr double kQuantileConfidence = 0.5;  // a measured quantile is too small as often as not
 
 /// The pieces as episodes, their pressures those that the model's valves make of the set points.
 /// @param leads  for each, 1 if it begins with the frame before the piece, which says how fast the
@@ -48,43 +50,75 @@ std::vector<Episode> runs_of(const ArmDescription& arm, const CompensationModel&
 struct RunError {
   double max_position_m = 0.0;
   double off_path_m = 0.0;
-  double end_position_m = 0.0;
-  double end_orientation_rad = 0.0;
+  GrowingErrors errors;  // of plates off their path
 };
 
-/// From the shape in frame `t` to the nearest predicted for about then, between frames too.
-double off_path_m(const FrameMatrix& predicted, const Episode& run, int t) {
+/// The predicted shape nearest to that of frame `t`, of about then, between frames too.
+Backbone nearest_shape(const FrameMatrix& predicted, const Episode& run, int t) {
   const int first = std::max(0, t - kPathFrames);
   const int last = std::min(run.frame_count() - 1, t + kPathFrames);
   const Eigen::Map<const Backbone> shape = backbone_at(run.backbone, t);
-  double nearest = largest_plate_distance_m(backbone_at(predicted, t), shape);
+  Backbone nearest = backbone_at(predicted, t);
+  double distance_m = largest_plate_distance_m(nearest, shape);
   for (int k = first; k < last; ++k) {
     for (int part = 0; part < kPathParts; ++part) {
       const float fraction = float(part) / float(kPathParts);
       const Backbone between =
           (1.0F - fraction) * backbone_at(predicted, k) + fraction * backbone_at(predicted, k + 1);
-      nearest = std::min(nearest, largest_plate_distance_m(between, shape));
+      if (const double there_m = largest_plate_distance_m(between, shape); there_m < distance_m) {
+        distance_m = there_m;
+        nearest = between;
+      }
     }
   }
   return nearest;
 }
 
+/// Adds a frame to the largest errors of each plate.
+void add_plates(const Backbone& predicted, const Eigen::Ref<const Backbone>& seen,
+                const Eigen::Ref<const Backbone>& start, double arm_length_m,
+                GrowingErrors& errors) {
+  for (std::size_t g = 0; g < kStartShares.size(); ++g) {
+    const RoomGrowth growth = growth_of(g, arm_length_m);
+    std::vector<double>& largest_m = errors.of[g].plate_m;
+    largest_m.resize(static_cast<std::size_t>(predicted.rows()), 0.0);
+    double share = 1.0;
+    for (Eigen::Index plate = 0; plate < predicted.rows(); ++plate) {
+      const auto place = predicted.row(plate).head<2>();
+      share = growth.share_after(double((place - start.row(plate).head<2>()).norm()));
+      double& largest = largest_m[static_cast<std::size_t>(plate)];
+      largest = std::max(largest, double((place - seen.row(plate).head<2>()).norm()) / share);
+    }
+    errors.tip_share[g] += share;
+  }
+}
+
 /// None if the arm was tracked in no frame after the first.
-std::optional<RunError> error_of(const FrameMatrix& predicted, const Episode& run) {
+std::optional<RunError> error_of(const FrameMatrix& predicted, const Episode& run,
+                                 double arm_length_m) {
   std::optional<RunError> error;
+  int frames = 0;
   for (int t = 1; t < run.frame_count(); ++t) {
     if (!run.was_tracked(t)) {
       continue;
     }
+    ++frames;
+    error = error.value_or(RunError{});
+    const Eigen::Map<const Backbone> seen = backbone_at(run.backbone, t);
     const Eigen::RowVector3d tip_apart =
         (predicted.row(t).tail<kPoseSize>() - run.backbone.row(t).tail<kPoseSize>()).cast<double>();
-    error = error.value_or(RunError{});
     error->max_position_m =
-        std::max(error->max_position_m,
-                 largest_plate_distance_m(backbone_at(predicted, t), backbone_at(run.backbone, t)));
-    error->off_path_m = std::max(error->off_path_m, off_path_m(predicted, run, t));
-    error->end_position_m = tip_apart.head<2>().norm();
-    error->end_orientation_rad = std::abs(tip_apart[2]);
+        std::max(error->max_position_m, largest_plate_distance_m(backbone_at(predicted, t), seen));
+    const Backbone nearest = nearest_shape(predicted, run, t);
+    error->off_path_m = std::max(error->off_path_m, largest_plate_distance_m(nearest, seen));
+    add_plates(nearest, seen, backbone_at(predicted, 0), arm_length_m, error->errors);
+    for (MotionErrors& errors : error->errors.of) {
+      errors.end_m = tip_apart.head<2>().norm();
+      errors.end_heading_rad = std::abs(tip_apart[2]);
+    }
+  }
+  for (std::size_t g = 0; error && g < kStartShares.size(); ++g) {
+    error->errors.tip_share[g] /= frames;
   }
   return error;
 }
@@ -142,18 +176,19 @@ PredictedRuns predict_error_runs(const ArmDescription& arm, const CompensationMo
   return predict_runs(arm, model, unseen, pieces, jobs);
 }
 
-void add_all(const PredictedRuns& all, RunErrors& errors) {
+void add_all(const ArmDescription& arm, const PredictedRuns& all, RunErrors& errors) {
   for (std::size_t i = 0; i < all.runs.size(); ++i) {
-    if (const std::optional<RunError> error = error_of(all.predicted[i], all.runs[i])) {
-      errors.add(error->max_position_m, error->off_path_m, error->end_position_m,
-                 error->end_orientation_rad, all.runs[i].frame_count() - 1);
+    if (const std::optional<RunError> error =
+            error_of(all.predicted[i], all.runs[i], arm.length_m())) {
+      errors.add(error->max_position_m, error->off_path_m, error->errors,
+                 all.runs[i].frame_count() - 1);
     }
   }
 }
 
 std::optional<PredictionError> error_of(const ArmDescription& arm, const PredictedRuns& all) {
   RunErrors errors;
-  add_all(all, errors);
+  add_all(arm, all, errors);
   return errors.result(arm.frame_period_s());
 }
 
@@ -177,16 +212,23 @@ bool RunErrors::add(const ArmDescription& arm, const CompensationModel& model,
   if (!all.are_finite()) {
     return false;
   }
-  add_all(all, *this);
+  add_all(arm, all, *this);
   return true;
 }
 
-void RunErrors::add(double max_m, double off_path_m, double end_m, double end_rad, int frames) {
+void RunErrors::add(double max_m, double off_path_m, const GrowingErrors& errors, int frames) {
   max_m_.push_back(max_m);
   off_path_m_.push_back(off_path_m);
-  end_m_.push_back(end_m);
-  end_rad_.push_back(end_rad);
+  motions_.push_back(errors);
   frames_ += frames;
+}
+
+double RunErrors::quantile_of(double MotionErrors::*value) const {
+  std::vector<double> values;
+  for (const GrowingErrors& motion : motions_) {
+    values.push_back(motion.of.front().*value);
+  }
+  return conformal_quantile(std::move(values));
 }
 
 std::optional<PredictionError> RunErrors::result(double frame_period_s) const {
@@ -198,9 +240,65 @@ std::optional<PredictionError> RunErrors::result(double frame_period_s) const {
   result.run_s = frames_ / result.runs * frame_period_s;
   result.max_position_m = conformal_quantile(max_m_);
   result.off_path_m = conformal_quantile(off_path_m_);
-  result.end_position_m = conformal_quantile(end_m_);
-  result.end_orientation_rad = conformal_quantile(end_rad_);
+  result.end_position_m = quantile_of(&MotionErrors::end_m);
+  result.end_orientation_rad = quantile_of(&MotionErrors::end_heading_rad);
   return result;
+}
+
+RoomGrowth growth_of(std::size_t candidate, double arm_length_m) {
+  return {kStartShares[candidate], usual_growth(arm_length_m).full_after_m};
+}
+
+double RunErrors::tip_share(std::size_t candidate) const {
+  double sum = 0.0;
+  for (const GrowingErrors& motion : motions_) {
+    sum += motion.tip_share[candidate];
+  }
+  return sum / double(motions_.size());
+}
+
+Tube RunErrors::tube_that_grows(std::size_t candidate, double arm_length_m) const {
+  const auto half = motions_.begin() + static_cast<std::ptrdiff_t>(motions_.size() / 2);
+  std::vector<MotionErrors> first;
+  for (auto motion = motions_.begin(); motion != half; ++motion) {
+    first.push_back(motion->of[candidate]);
+  }
+  Tube tube = tube_shape(first, growth_of(candidate, arm_length_m));
+  std::vector<double> scores;
+  for (auto motion = half; motion != motions_.end(); ++motion) {
+    scores.push_back(score_of(motion->of[candidate].plate_m, tube.plate_scale_m));
+  }
+  TubeLevel level;
+  level.level = Tube::kDefaultLevel;
+  level.factor = conformal_quantile(scores, level.level);
+  level.runs = static_cast<int>(scores.size());
+  level.outside = static_cast<int>(
+      std::ranges::count_if(scores, [&](double score) { return score > level.factor; }));
+  level.confidence = kQuantileConfidence;
+  tube.levels = {level};
+  // The end has quantiles of its own, as in PredictionError: the goal asks for them, not obstacles.
+  tube.end_scale_m = std::max(kMinScaleM, quantile_of(&MotionErrors::end_m)) / level.factor;
+  tube.end_heading_scale_rad =
+      std::max(kMinScaleRad, quantile_of(&MotionErrors::end_heading_rad)) / level.factor;
+  tube.source = "recorded motions that networks had not learnt from, off their path";
+  return tube;
+}
+
+std::optional<Tube> RunErrors::tube(double arm_length_m) const {
+  if (motions_.size() / 2 < kMinTubeRuns) {
+    return std::nullopt;
+  }
+  std::optional<Tube> narrowest;
+  double least_m = std::numeric_limits<double>::infinity();
+  for (std::size_t g = 0; g < kStartShares.size(); ++g) {
+    Tube tube = tube_that_grows(g, arm_length_m);
+    const double mean_m = tube.levels.front().factor * tube.plate_scale_m.back() * tip_share(g);
+    if (mean_m < least_m) {
+      least_m = mean_m;
+      narrowest = std::move(tube);
+    }
+  }
+  return narrowest;
 }
 
 std::optional<PredictionError> measure_prediction_error(const ArmDescription& arm,

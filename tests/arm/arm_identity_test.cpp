@@ -60,6 +60,16 @@ TEST(ArmIdentity, ASecondsRealFitIsAnotherArm) {
                           HasSubstr("segments[1].strain_polynomial")));
 }
 
+TEST(ArmIdentity, LeavesTheRateLimitOutAndKeepsIt) {
+  const ArmDescription arm = arm_of(2);
+  ArmDescription slow = arm;
+  slow.pressure_rate_limit_kpa_per_s = 50.0;
+  EXPECT_THAT(arm_differences(arm, slow), testing::IsEmpty());
+  EXPECT_EQ(why_another_arm(identity_of(slow), arm, "the plan"), "");
+  EXPECT_EQ(rate_limit_of(identity_of(slow), "the plan"), 50.0);
+  EXPECT_EQ(rate_limit_of({"a", "hash", ""}, "the plan"), std::nullopt);
+}
+
 TEST(ArmIdentity, NamesEveryKeyThatDiffersWithBothValues) {
   const ArmDescription arm = arm_of(2);
   const auto expect = [&](const std::function<void(ArmDescription&)>& change,

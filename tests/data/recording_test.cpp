@@ -56,6 +56,14 @@ TEST_F(RecordingFile, ReturnsEveryNumberAndAttributeAsWritten) {
   EXPECT_DOUBLE_EQ(read.duration_s(), 0.5);
 }
 
+TEST_F(RecordingFile, KeepsTheNameOfAnEpisodesLog) {
+  Recording imported = test_recording();
+  imported.episodes.back().log = "été 3.csv";
+  write_recording(path_, imported);
+  EXPECT_EQ(read_recording(path_).episodes.front().log, "");
+  EXPECT_EQ(read_recording(path_).episodes.back().log, "été 3.csv");
+}
+
 TEST_F(RecordingFile, KeepsWhatWasDrawnForAnEpisodeAndWritesNothingWhereNothingWas) {
   Recording varied = test_recording();
   varied.episodes[1].physics = "{\"tip_load_kg\": 0.05}";

@@ -267,6 +267,33 @@ TEST(EpisodeErrors, OfEpisodesThatRestSayNothingOfWhatIsUsual) {
   EXPECT_EQ(episodes.size(), 39U);
 }
 
+// None of them errs by so much that the error alone would stand out.
+TEST(EpisodeErrors, SayWhatALogMovesLike) {
+  const ArmDescription arm = sample_arm(3);
+  std::vector<Episode> episodes = episodes_of(some_model(), arm, 40, 2e-3);
+  episodes[5].pressure_kpa.col(0).swap(episodes[5].pressure_kpa.col(2));
+  episodes[9].pressure_kpa.col(1) *= -1.0F;
+  constexpr int kLate = 30;  // frames, 1.5 s
+  const FrameMatrix in_time = episodes[20].pressure_kpa;
+  for (int t = 0; t < episodes[20].frame_count(); ++t) {
+    episodes[20].pressure_kpa.row(t) = in_time.row(std::max(0, t - kLate));
+  }
+  const EpisodeErrors errors = episode_errors(arm, episodes);
+  EXPECT_THAT(errors.outliers(), ::testing::ElementsAre(5, 9, 20));
+  EXPECT_EQ(errors.episodes[5].why, "moves as if the columns of segments 0 and 2 were exchanged");
+  EXPECT_EQ(errors.episodes[9].why, "moves as if segment 1's column had the other sign");
+  EXPECT_EQ(errors.episodes[20].why, "moves as if its commands were logged about 1.5 s too late");
+}
+
+TEST(EpisodeErrors, NameTheLogThatAnEpisodeCameFrom) {
+  const ArmDescription arm = sample_arm(3);
+  std::vector<Episode> episodes = episodes_of(some_model(), arm, 40, 2e-3);
+  episodes[17].backbone = episodes[18].backbone;
+  episodes[17].log = "trial_17.csv";
+  EXPECT_THAT(to_text(episode_errors(arm, episodes)),
+              ::testing::StartsWith("episode 17 (trial_17.csv): "));
+}
+
 TEST(EpisodeErrors, FlagNoneOfTooFew) {
   const ArmDescription arm = sample_arm(3);
   std::vector<Episode> episodes = episodes_of(some_model(), arm, 4);

@@ -20,6 +20,7 @@ TEST_F(CsvImport, GivesThePosesOfTheLogAtTheArmsRate) {
   const ImportResult result = import(log(), mapping());
   ASSERT_THAT(result.recording.episodes, SizeIs(1));
   const Episode& episode = result.recording.episodes[0];
+  EXPECT_EQ(episode.log, result.report.runs[0].name);
   EXPECT_EQ(result.recording.rate_hz, 20.0);
   EXPECT_EQ(episode.frame_count(), 120);  // 5.99 s
   EXPECT_NEAR(episode.time_s[7], 0.35, 1e-12);

@@ -228,6 +228,11 @@ TEST(Forest, OfAnotherArmOrStartIsRefused) {
   forest.key.arm_hash = longer.hash();
   forest.arm_description = arm_keys_to_yaml(longer);
   refusal("another arm than 'three_segment': segments[1].length_m: 0.3 there, 0.235 here");
+  ArmDescription faster = s.arm;
+  faster.pressure_rate_limit_kpa_per_s = 150.0;
+  forest.key.arm_hash = faster.hash();
+  forest.arm_description = arm_keys_to_yaml(faster);
+  refusal("grown for 150 kPa/s, and 'three_segment' allows 100 kPa/s");
   forest.arm_description.clear();
   refusal("grown for another arm");
   EXPECT_THAT([&] { (void)make_planner("paper", 1, &forest); },

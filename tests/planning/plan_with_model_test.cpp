@@ -1,6 +1,7 @@
 // The library's front door, `plan`: what `limber plan` does by default.
 #include <gmock/gmock.h>
 
+#include "limber/arm/arm_identity.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
@@ -61,6 +62,30 @@ TEST(PlanWithModel, IsThePlanOfTheProblemThatKeepsTheModelsRoomBehindItsValves) 
       problem_with_room(s.arm, model, s.environment, error_room(forward)), s.limits, 3);
   ASSERT_TRUE(by_hand.plan);
   EXPECT_EQ(bytes_of(*result.plan, folder), bytes_of(*by_hand.plan, folder));
+}
+
+TEST(PlanWithModel, MovesNoFasterThanAskedAndStaysAPlanOfTheArm) {
+  const Trained s;
+  constexpr double kRate = 25.0;  // [kPa/s], a quarter of the arm's
+  PlanSettings slow;
+  slow.rate_limit_kpa_per_s = kRate;
+  const PlanResult result = s.plan(slow);
+  ASSERT_TRUE(result.plan) << result.reason;
+  float steepest = 0.0F;
+  for (std::size_t k = 1; k < result.plan->frames.size(); ++k) {
+    steepest = std::max(
+        steepest, (result.plan->frames[k].setpoint_kpa - result.plan->frames[k - 1].setpoint_kpa)
+                      .cwiseAbs()
+                      .maxCoeff());
+  }
+  EXPECT_LE(steepest * s.arm.frame_rate_hz, kRate * (1.0 + 1e-5));
+  EXPECT_NO_THROW(require_plan_of(*result.plan, s.arm, "the plan"));
+  EXPECT_EQ(rate_limit_of(result.plan->arm(), "the plan"), kRate);
+  for (const double wrong : {0.0, -1.0, 101.0}) {
+    slow.rate_limit_kpa_per_s = wrong;
+    EXPECT_THAT([&] { (void)s.plan(slow); },
+                ThrowsMessage<InputError>(HasSubstr("at most the arm's 100")));
+  }
 }
 
 TEST(PlanWithModel, KeepsTheErrorThatTheModelStates) {

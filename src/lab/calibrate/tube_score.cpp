@@ -1,7 +1,6 @@
 #include "limber/lab/tube_score.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -15,15 +14,6 @@ namespace limber {
 namespace {
 
 using Eigen::Vector2d;
-
-constexpr double kShareInside = 0.99;  // of the runs, below the shape
-/// The same for the last third of the plates and for the end, where a wide tube costs plans most.
-constexpr double kShareAtTip = 0.95;
-constexpr double kTipPlates = 1.0 / 3.0;
-constexpr double kStartShare = 0.4;       // what arms are off in their first frames
-constexpr double kFullAfterShare = 0.15;  // of the arm's length
-constexpr double kMinScaleM = 1e-4;       // as the certificate's deviation: nothing is known better
-constexpr double kMinScaleRad = 1e-3;     // the same
 
 Vector2d at(const Eigen::Ref<const Backbone>& backbone, Eigen::Index plate) {
   return {double(backbone(plate, 0)), double(backbone(plate, 1))};
@@ -126,10 +116,6 @@ double tube_score(const Plan& plan, const Episode& run, const Tube& shape) {
   return std::max(score, end_score);
 }
 
-RoomGrowth usual_growth(double arm_length_m) {
-  return {kStartShare, kFullAfterShare * arm_length_m};
-}
-
 double mean_tip_radius_m(const Plan& plan, const Tube& tube, const TubeLevel& level) {
   const Moved moved(plan.frames.front().backbone);
   double sum = 0.0;
@@ -138,31 +124,6 @@ double mean_tip_radius_m(const Plan& plan, const Tube& tube, const TubeLevel& le
     sum += tube.radius_m(level, static_cast<std::size_t>(tip), moved(frame.backbone, tip));
   }
   return sum / plan.frame_count();
-}
-
-Tube tube_shape(const std::vector<MotionErrors>& runs, const RoomGrowth& growth) {
-  assert(!runs.empty());
-  Tube tube;
-  tube.growth = growth;
-  const auto below = [&](double share, auto&& value) {
-    std::vector<double> values;
-    for (const MotionErrors& run : runs) {
-      values.push_back(value(run));
-    }
-    return conformal_quantile(std::move(values), share);
-  };
-  const std::size_t plates = runs.front().plate_m.size();
-  for (std::size_t plate = 0; plate < plates; ++plate) {
-    const bool is_inside = double(plate) < (1.0 - kTipPlates) * double(plates);
-    tube.plate_scale_m.push_back(
-        std::max(kMinScaleM, below(is_inside ? kShareInside : kShareAtTip,
-                                   [&](const MotionErrors& run) { return run.plate_m[plate]; })));
-  }
-  tube.end_scale_m =
-      std::max(kMinScaleM, below(kShareAtTip, [](const MotionErrors& r) { return r.end_m; }));
-  tube.end_heading_scale_rad = std::max(
-      kMinScaleRad, below(kShareInside, [](const MotionErrors& r) { return r.end_heading_rad; }));
-  return tube;
 }
 
 }  // namespace limber

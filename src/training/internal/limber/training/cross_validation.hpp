@@ -35,6 +35,7 @@ struct CrossValidation {
   std::vector<EpochsTried> tried;
   int chosen = 0;                                   ///< index in `tried`
   std::optional<PredictionError> prediction_error;  ///< of the chosen networks' runs
+  std::optional<Tube> tube;                         ///< of the same runs
   int epochs() const { return tried[static_cast<std::size_t>(chosen)].epochs; }
   bool operator==(const CrossValidation&) const = default;
 };
