@@ -28,7 +28,7 @@ const char* status_of(const TrainingResult& result) {
 /// How large the model's error is on motions that it has not seen, or why that is not known.
 std::string error_line(const CompensationModel& model, bool has_unseen) {
   if (model.prediction_error) {
-    return to_text(*model.prediction_error);
+    return to_text(*model.prediction_error) + (model.tube ? "\n" + to_text(*model.tube) : "");
   }
   return has_unseen ? "the model's error could not be measured: its predictions diverge, or the "
                       "arm was not tracked often enough"
@@ -74,6 +74,7 @@ nlohmann::ordered_json json_of(const CommonFlags& flags, const Command& command,
   if (result.model.prediction_error) {
     json["prediction_error"] = to_json(*result.model.prediction_error);
   }
+  json["tube"] = result.model.tube ? to_json(*result.model.tube) : nlohmann::ordered_json();
   if (result.model.learnt) {
     json["learnt"] = to_json(*result.model.learnt, command);
   }

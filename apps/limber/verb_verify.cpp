@@ -40,8 +40,7 @@ class VerifyVerb final : public Verb {
         ->required();
     app.add_option("--also", also_,
                    "Other networks of the same arm, to run the plan's set points on as well: where "
-                   "they end, and whether they touch anything. One that misses or touches: exit 1")
-        ->allow_extra_args(false);
+                   "they end, and whether they touch anything. One that misses or touches: exit 1");
   }
 
   int run(const CommonFlags& flags) override {

@@ -23,6 +23,7 @@ constexpr double kTurn = 2.0 * M_PI;
 constexpr double kLongestChord = 1.2;   // over the length at rest; noise and stretch leave less
 constexpr double kShortestChord = 0.2;  // an arc of 4.6 rad has this
 constexpr double kNotedLength = 0.03;
+constexpr double kMaxHeadingOff_rad = 2.0;  // of the middle one; arms bend by less between points
 constexpr double kShortestArc = 0.05;  // chord over length; beyond, the points are no neighbours
 
 // ---- missing points
@@ -186,6 +187,31 @@ void chord_directions(const PointTracks& tracks, Eigen::Index t, std::vector<dou
   }
 }
 
+/// Measured headings point from base to tip, as the plates' line does. Bodies that are defined the
+/// other way round would make an arm that grows out of its base backwards.
+void require_headings_along(const std::string& log, const std::vector<bool>& tracked,
+                            const PointTracks& tracks) {
+  std::vector<double> off_rad;
+  std::vector<double> directions;
+  for (Eigen::Index t = 0; t < tracks.row_count(); ++t) {
+    if (!tracked[std::size_t(t)]) {
+      continue;
+    }
+    chord_directions(tracks, t, directions);
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      off_rad.push_back(
+          std::abs(std::remainder(tracks.theta_rad(t, Eigen::Index(i)) - directions[i], kTurn)));
+    }
+  }
+  if (const double usual_rad = median(std::move(off_rad)); usual_rad > kMaxHeadingOff_rad) {
+    throw InputError(fmt::format(
+        "{}: the headings are {:.0f} degrees off the line from each point to the next, in the "
+        "middle; expected along it, from base to tip. Turn the tracked bodies, or leave the "
+        "headings out with 'headings: tangent' in the mapping's backbone",
+        log, usual_rad * 180.0 / M_PI));
+  }
+}
+
 /// A measured heading, modulo a full turn, is the one nearest to where an arc from the point before
 /// would lead: twice the chord's direction less that point's heading.
 void unwrap_along_arm(PointTracks& tracks) {
@@ -346,6 +372,9 @@ BackboneTrack build_backbone(const std::string& log, PointTracks tracks,
   RowState state = fill_short_gaps(log, mapping.longest_gap_s, tracks, report);
   // Before looking for the base: a wrong unit or order would cause a stranger message there.
   require_distances(log, state.tracked, mapping, arm, tracks, report);
+  if (tracks.has_headings()) {
+    require_headings_along(log, state.tracked, tracks);
+  }
   align_base(log, state.tracked, mapping.alignment, arm, tracks, report);
   if (tracks.has_headings()) {
     unwrap_along_arm(tracks);

@@ -17,9 +17,9 @@
 #include "limber/common/yaml_reader.hpp"
 #include "limber/data/episode_slice.hpp"
 #include "limber/data/recording_inspection.hpp"
+#include "limber/training/run_errors.hpp"
 #include "limber/training/unseen_error.hpp"
 #include "rollout.hpp"
-#include "run_errors.hpp"
 #include "shuffle.hpp"
 
 namespace limber {

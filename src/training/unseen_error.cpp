@@ -11,8 +11,8 @@
 #include "limber/data/valve_identification.hpp"
 #include "limber/data/valve_simulation.hpp"
 #include "limber/training/learnt_region_fit.hpp"
+#include "limber/training/run_errors.hpp"
 #include "rollout.hpp"
-#include "run_errors.hpp"
 
 namespace limber {
 

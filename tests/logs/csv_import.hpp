@@ -39,7 +39,8 @@ class CsvImport : public ::testing::Test {
                       length_scale_ * (shift_m_[1] + s * b(p, 0) + c * b(p, 1)));
       if (headings_) {
         // As trackers give it: wrapped.
-        text += fmt::format(",{:.8f}", std::remainder(b(p, 2) + turn_rad_, 2.0 * M_PI));
+        text += fmt::format(",{:.8f}",
+                            std::remainder(b(p, 2) + turn_rad_ + heading_off_rad_, 2.0 * M_PI));
       }
     }
     return text;
@@ -136,6 +137,7 @@ class CsvImport : public ::testing::Test {
   double length_scale_ = 1.0;
   double pressure_scale_ = 1.0;
   double turn_rad_ = 0.0;
+  double heading_off_rad_ = 0.0;
   Eigen::Vector2d shift_m_ = Eigen::Vector2d::Zero();
 };
 

@@ -26,6 +26,15 @@ TEST_F(LogImportFaults, FindsConstantPressures) {
   expect_refusal(log(), mapping(), {"no pressure ever changes by more than 2 %", "is it in MPa?"});
 }
 
+TEST_F(LogImportFaults, FindsBodiesThatPointBackwards) {
+  headings_ = true;
+  EXPECT_NO_THROW(import(log(), mapping()));
+  heading_off_rad_ = M_PI;
+  expect_refusal(log(), mapping(),
+                 {"run.csv: the headings are", "off the line from each point to the next",
+                  "'headings: tangent'"});
+}
+
 TEST_F(LogImportFaults, FindsThreeFrames) {
   rows_ = 15;
   expect_refusal(log(), mapping(), {"nothing is left", "A longer recording is needed"});

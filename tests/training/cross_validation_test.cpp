@@ -99,6 +99,8 @@ TEST(CrossValidation, OneNetworkThenLearnsFromEverythingForThatLong) {
 TEST(CrossValidation, ItsFileSaysTheSame) {
   CrossValidation found = found_once();
   found.tried.back().window_600_cm = std::numeric_limits<double>::infinity();
+  found.tube =
+      Tube{{1e-4, 0.02}, 0.03, 0.1, {0.4, 0.1}, "motions", {{0.95, 1.1, 90, 4, 0.5, 0, 0}}};
   const std::string text = to_json(found).dump();
   EXPECT_EQ(read_cross_validation(text, "f.json"), found);
   EXPECT_THAT([] { (void)read_cross_validation("{\"folds\": 9}", "f.json"); },
