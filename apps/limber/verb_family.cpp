@@ -89,7 +89,8 @@ class FamilyVerb final : public Verb {
       sources += fmt::format("{}{} {}", sources.empty() ? "" : ", ", share.name,
                              content_hash(read_file(recording_path(share))));
     }
-    const TrainingData data = hold_back_arms(std::move(episodes), arms, kHeldBackShare, flags.seed);
+    TrainingData data = hold_back_arms(std::move(episodes), arms, kHeldBackShare, flags.seed);
+    add_mirrored_arms(arm, data);
     TrainingResult result = train(arm, data, settings(flags));
     if (result.status != TrainingStatus::finished) {
       say(flags, "{}; the same command with --resume goes on", result.message);
@@ -174,7 +175,7 @@ class FamilyVerb final : public Verb {
   double hours_ = 18.0;
   int size_ = 16;
   std::vector<int> hidden_ = {160, 160, 160};  // an arm that varies in 20 ways takes more than one
-  int epochs_ = 500;
+  int epochs_ = 250;
   std::string variation_ = "wide";
   bool resume_ = false;
 };

@@ -13,6 +13,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/data/episode_slice.hpp"
+#include "limber/data/mirrored_episode.hpp"
 #include "shuffle.hpp"
 #include "training_run.hpp"
 
@@ -153,6 +154,20 @@ void add_arms_of(const Recording& recording, std::vector<int>& arms) {
   for (const Episode& episode : recording.episodes) {
     const int next = first + static_cast<int>(numbers.size());
     arms.push_back(numbers.try_emplace(episode.physics, next).first->second);
+  }
+}
+
+void add_mirrored_arms(const ArmDescription& arm, TrainingData& data) {
+  if (data.arms.empty() || !std::ranges::all_of(arm.segments, [](const Segment& segment) {
+        return segment.pressure_limit_kpa.is_symmetric();
+      })) {
+    return;
+  }
+  const int arms = 1 + std::ranges::max(data.arms);
+  const std::size_t episodes = data.training.size();
+  for (std::size_t i = 0; i < episodes; ++i) {
+    data.training.push_back(mirrored(data.training[i]));
+    data.arms.push_back(arms + data.arms[i]);
   }
 }
 

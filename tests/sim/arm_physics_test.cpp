@@ -195,16 +195,31 @@ INSTANTIATE_TEST_SUITE_P(Arms, ArmPhysicsOf,
                            return file.substr(0, file.find('_')) + "Segments";
                          });
 
-TEST(ArmPhysics, MirrorsWithIdenticalActuators) {
-  ArmDescription arm = sample_arm(3);
-  change_virtual_arm(arm, [&](VirtualArmParameters& p) { p.strength_spread = 0.0; });
+// What families learn from twice (add_mirrored_arms): the sides change places, and the table tilts
+// the other way.
+TEST(ArmPhysics, MirroredArmsMoveAsMirrorImages) {
+  const auto tilted = [](int weak_side, double downhill_rad) {
+    ArmDescription arm = sample_arm(3);
+    change_virtual_arm(arm, [&](VirtualArmParameters& p) {
+      p.strength_spread = 0.0;
+      p.weak_side_loss = 0.2;
+      p.weak_side = weak_side;
+      p.table_tilt_rad = 0.1;
+      p.table_downhill_rad = downhill_rad;
+      p.tip_load_kg = 0.05;
+    });
+    return arm;
+  };
+  const ArmDescription arm = tilted(2, 0.8);
   VirtualArm right(arm);
-  VirtualArm left(arm);
-  right.settle(uniform(arm, 0.7), 3.0);
-  left.settle(uniform(arm, -0.7), 3.0);
-  BackboneD mirrored = left.true_backbone();
-  mirrored.rightCols(2) *= -1.0;
-  EXPECT_LT((mirrored - right.true_backbone()).cwiseAbs().maxCoeff(), 1e-9);
+  VirtualArm left(tilted(3, -0.8));
+  for (const double share : {0.7, -0.3, 0.5}) {
+    right.settle(uniform(arm, share), 1.0);
+    left.settle(uniform(arm, -share), 1.0);
+    BackboneD mirrored = left.true_backbone();
+    mirrored.rightCols(2) *= -1.0;
+    EXPECT_LT((mirrored - right.true_backbone()).cwiseAbs().maxCoeff(), 1e-9);
+  }
 }
 
 TEST(ArmPhysics, NoTwoActuatorsAreAlike) {

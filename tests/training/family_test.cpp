@@ -225,5 +225,36 @@ TEST(HoldBackArms, WholeArmsGo) {
       << "nine arms are too few";
 }
 
+TEST(AddMirroredArms, EveryArmGetsAnImageThatDoesWhatItDoesLeftForRight) {
+  const ArmDescription arm = three_segment_arm();
+  TrainingData data;
+  data.training = {toy_episode(arm, 1, 10, 1), toy_episode(arm, 1, 10, 2),
+                   toy_episode(arm, 1, 10, 3)};
+  data.arms = {0, 0, 1};
+  add_mirrored_arms(arm, data);
+  EXPECT_EQ(data.arms, (std::vector{0, 0, 1, 2, 2, 3}));
+  ASSERT_EQ(data.training.size(), 6U);
+  const Episode& one = data.training[2];
+  const Episode& image = data.training[5];
+  EXPECT_EQ(image.pressure_kpa, -one.pressure_kpa);
+  EXPECT_EQ(image.setpoint_kpa, -one.setpoint_kpa);
+  for (int t = 0; t < one.frame_count(); ++t) {
+    Backbone expected = backbone_at(one.backbone, t);
+    expected.rightCols(2) *= -1.0F;
+    EXPECT_EQ(backbone_at(image.backbone, t), expected);
+  }
+}
+
+TEST(AddMirroredArms, NoneWhereTheImageWouldExceedTheLimits) {
+  ArmDescription arm = three_segment_arm();
+  TrainingData data;
+  data.training = {toy_episode(arm, 1, 10, 1)};
+  data.arms = {0};
+  arm.segments[1].pressure_limit_kpa = {-50.0, 100.0};
+  add_mirrored_arms(arm, data);
+  EXPECT_EQ(data.training.size(), 1U);
+  EXPECT_EQ(data.arms.size(), 1U);
+}
+
 }  // namespace
 }  // namespace limber

@@ -56,6 +56,11 @@ inline constexpr int kMinArmsToHoldBack = 10;
 /// are of one, but virtual arms that vary from episode to episode (Episode::physics).
 void add_arms_of(const Recording& recording, std::vector<int>& arms);
 
+/// For a family: the mirror image of every training arm, left for right, is an arm of the family
+/// too, and costs no motion. Adds none where an arm's pressure limits differ from side to side: the
+/// image would go beyond them.
+void add_mirrored_arms(const ArmDescription& arm, TrainingData& data);
+
 /// One row of the learning curve.
 struct LearningCurvePoint {
   int epoch = 0;  ///< from 1
