@@ -54,7 +54,7 @@ void add_source(std::string& sources, const std::filesystem::path& path) {
 std::string find_family_file(const std::string& name_or_path) {
   return find_own_file(name_or_path, "families", ".safetensors",
                        "--model {}: no such file, and none of limber's own families has that name "
-                       "(three_segment, two_segment)");
+                       "(three_segment, three_segment_small, two_segment)");
 }
 
 }  // namespace limber
