@@ -10,11 +10,16 @@ fail() {
 
 # packages_of SECTION…: the packages that packages.txt lists there for this machine, one a line.
 packages_of() {
-  local section architecture
+  local section architecture package condition
   architecture=$(dpkg --print-architecture 2>/dev/null || echo unknown)
   for section in "$@"; do
-    sed -n "/^\[$section\]/,/^\[/p" "$root/packages.txt" | sed -e 's/#.*//' -e '/^\[/d' |
-      awk -v here="@$architecture" '$1 != "" && ($2 == "" || $2 == here) { print $1 }'
+    sed -n "/^\[$section\]/,/^\[/p" "$root/packages.txt" | sed -e 's/#.*//' -e '/^\[/d' -e '/^ *$/d' |
+      while read -r package condition; do
+        case $condition in
+          '' | "@$architecture") printf '%s\n' "$package" ;;
+          '?'*) command -v "${condition#?}" >/dev/null || printf '%s\n' "$package" ;;
+        esac
+      done
   done
 }
 
