@@ -235,6 +235,10 @@ class TrainVerb final : public Verb {
     }
     record_origin(result.model, sources, settings, choice);
     result.model.training["cross_validation"] = to_text(found);
+    if (!found.widest_where.empty()) {
+      result.model.training["widest_where"] = found.widest_where;
+      say(flags, "{}", found.widest_where);
+    }
     write(result);
     return finish(flags, arm, result, std::nullopt, choice, {std::nullopt, found});
   }

@@ -544,6 +544,9 @@ class Episode:
     def physics(self) -> str:
         """JSON of what a varied virtual arm has other than its file (limber collect --vary-physics); '' otherwise."""
     @property
+    def log(self) -> str:
+        """File name of the log that it was imported from; '' where there is none."""
+    @property
     def frame_count(self) -> int:
         """T: number of frames."""
     @property
@@ -2303,8 +2306,8 @@ def note_unseen(arm: ArmDescription, model: CompensationModel, unseen: Iterable[
 def paper_preset() -> TrainingSettings:
     """The TrainingSettings of the paper: windows of 32 frames, SGD, 6000 epochs. For comparison."""
 
-def plan(arm: ArmDescription, model: str | os.PathLike[str] | CompensationModel | MotionModel, environment: Environment, limits: PlannerLimits = ..., seed: int = 1, *, callback: Callable[[PlannerProgress], bool | None] | None = None, planner: str = 'default', jobs: int = 0, margin_m: float | None = None, goal_margin_m: float | None = None, goal_margin_rad: float | None = None, tube_level: float | None = None, stay_recorded: bool = False, limits_kpa: Sequence[tuple[float, float]] = ...) -> PlanResult:
-    """What `limber plan` does, and the same plan: it keeps the tube that the model carries, or the error that it states, stands behind the valves that it was trained with, and is certified. model: the file of one, which the plan then names; a CompensationModel; or a MotionModel, with valves of its own or without a network. limits: by default 10 s. The others as Planner.plan, make_planner, error_room and PlanningProblem have them; stay_recorded: with set points, rates and shapes like those recorded alone. No plan is no error: PlanResult.status and reason say why, warnings what is doubtful."""
+def plan(arm: ArmDescription, model: str | os.PathLike[str] | CompensationModel | MotionModel, environment: Environment, limits: PlannerLimits = ..., seed: int = 1, *, callback: Callable[[PlannerProgress], bool | None] | None = None, planner: str = 'default', jobs: int = 0, margin_m: float | None = None, goal_margin_m: float | None = None, goal_margin_rad: float | None = None, tube_level: float | None = None, stay_recorded: bool = False, limits_kpa: Sequence[tuple[float, float]] = ..., rate_limit_kpa_per_s: float | None = None) -> PlanResult:
+    """What `limber plan` does, and the same plan: it keeps the tube that the model carries, or the error that it states, stands behind the valves that it was trained with, and is certified. model: the file of one, which the plan then names; a CompensationModel; or a MotionModel, with valves of its own or without a network. limits: by default 10 s. The others as Planner.plan, make_planner, error_room and PlanningProblem have them; rate_limit_kpa_per_s: in place of the arm's, at most that; stay_recorded: with set points, rates and shapes like those recorded alone. No plan is no error: PlanResult.status and reason say why, warnings what is doubtful."""
 
 def plan_along(problem: PlanningProblem, waypoints_kpa: npt.ArrayLike, planner: str, seed: int = 0) -> PlanResult:
     """The motion that a planner of your own proposes, from the start straight to each of the waypoints (w, n) [kPa]: simulated, held and certified. Not certified: best_partial is the motion, reason what is wrong with it."""

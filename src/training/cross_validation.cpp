@@ -119,6 +119,7 @@ class CrossValidator {
         found.chosen = static_cast<int>(found.tried.size()) - 1;
         found.prediction_error = errors.result(arm_.frame_period_s());
         found.tube = errors.tube(arm_.length_m());
+        found.widest_where = errors.widest_where(arm_.command.unit);
       }
     }
     if (!std::isfinite(found.tried[static_cast<std::size_t>(found.chosen)].score_cm())) {
@@ -220,7 +221,8 @@ nlohmann::ordered_json to_json(const CrossValidation& found) {
                                  {"epochs", found.epochs()},
                                  {"tried", nlohmann::ordered_json::array()},
                                  {"prediction_error", nullptr},
-                                 {"tube", nullptr}};
+                                 {"tube", nullptr},
+                                 {"widest_where", found.widest_where}};
   for (const EpochsTried& tried : found.tried) {
     json["tried"].push_back({{"epochs", tried.epochs},
                              {"one_step_cm", json_number(tried.one_step_cm)},
@@ -263,6 +265,7 @@ CrossValidation read_cross_validation(const std::string& text, const std::string
     found.prediction_error = read_prediction_error(
         YamlReader::from_text(error.value().dump(), where + ": prediction_error"));
   }
+  found.widest_where = root.at("widest_where").text();
   if (const JsonReader tube = root.at("tube"); !tube.is_null()) {
     found.tube = read_tube(YamlReader::from_text(tube.value().dump(), where + ": tube"));
   }

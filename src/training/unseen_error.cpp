@@ -20,9 +20,7 @@ namespace {
 
 constexpr int kPathFrames = 8;  // before and after: a delay up to this is still the same path
 constexpr int kWholeEpisodes = std::numeric_limits<int>::max();
-constexpr int kPathParts = 4;                // points checked from one frame to the next
-constexpr std::size_t kMinTubeRuns = 39;     // 95 % of fewer is their largest, or nearly so
-constexpr double kQuantileConfidence = 0.5;  // a measured quantile is too small as often as not
+constexpr int kPathParts = 4;  // points checked from one frame to the next
 
 /// The pieces as episodes, their pressures those that the model's valves make of the set points.
 /// @param leads  for each, 1 if it begins with the frame before the piece, which says how fast the
@@ -181,7 +179,8 @@ void add_all(const ArmDescription& arm, const PredictedRuns& all, RunErrors& err
     if (const std::optional<RunError> error =
             error_of(all.predicted[i], all.runs[i], arm.length_m())) {
       errors.add(error->max_position_m, error->off_path_m, error->errors,
-                 all.runs[i].frame_count() - 1);
+                 all.runs[i].frame_count() - 1,
+                 all.runs[i].pressure_kpa.colwise().mean().transpose());
     }
   }
 }
@@ -214,91 +213,6 @@ bool RunErrors::add(const ArmDescription& arm, const CompensationModel& model,
   }
   add_all(arm, all, *this);
   return true;
-}
-
-void RunErrors::add(double max_m, double off_path_m, const GrowingErrors& errors, int frames) {
-  max_m_.push_back(max_m);
-  off_path_m_.push_back(off_path_m);
-  motions_.push_back(errors);
-  frames_ += frames;
-}
-
-double RunErrors::quantile_of(double MotionErrors::*value) const {
-  std::vector<double> values;
-  for (const GrowingErrors& motion : motions_) {
-    values.push_back(motion.of.front().*value);
-  }
-  return conformal_quantile(std::move(values));
-}
-
-std::optional<PredictionError> RunErrors::result(double frame_period_s) const {
-  if (max_m_.empty()) {
-    return std::nullopt;
-  }
-  PredictionError result;
-  result.runs = static_cast<int>(max_m_.size());
-  result.run_s = frames_ / result.runs * frame_period_s;
-  result.max_position_m = conformal_quantile(max_m_);
-  result.off_path_m = conformal_quantile(off_path_m_);
-  result.end_position_m = quantile_of(&MotionErrors::end_m);
-  result.end_orientation_rad = quantile_of(&MotionErrors::end_heading_rad);
-  return result;
-}
-
-RoomGrowth growth_of(std::size_t candidate, double arm_length_m) {
-  return {kStartShares[candidate], usual_growth(arm_length_m).full_after_m};
-}
-
-double RunErrors::tip_share(std::size_t candidate) const {
-  double sum = 0.0;
-  for (const GrowingErrors& motion : motions_) {
-    sum += motion.tip_share[candidate];
-  }
-  return sum / double(motions_.size());
-}
-
-Tube RunErrors::tube_that_grows(std::size_t candidate, double arm_length_m) const {
-  const auto half = motions_.begin() + static_cast<std::ptrdiff_t>(motions_.size() / 2);
-  std::vector<MotionErrors> first;
-  for (auto motion = motions_.begin(); motion != half; ++motion) {
-    first.push_back(motion->of[candidate]);
-  }
-  Tube tube = tube_shape(first, growth_of(candidate, arm_length_m));
-  std::vector<double> scores;
-  for (auto motion = half; motion != motions_.end(); ++motion) {
-    scores.push_back(score_of(motion->of[candidate].plate_m, tube.plate_scale_m));
-  }
-  TubeLevel level;
-  level.level = Tube::kDefaultLevel;
-  level.factor = conformal_quantile(scores, level.level);
-  level.runs = static_cast<int>(scores.size());
-  level.outside = static_cast<int>(
-      std::ranges::count_if(scores, [&](double score) { return score > level.factor; }));
-  level.confidence = kQuantileConfidence;
-  tube.levels = {level};
-  // The end has quantiles of its own, as in PredictionError: the goal asks for them, not obstacles.
-  tube.end_scale_m = std::max(kMinScaleM, quantile_of(&MotionErrors::end_m)) / level.factor;
-  tube.end_heading_scale_rad =
-      std::max(kMinScaleRad, quantile_of(&MotionErrors::end_heading_rad)) / level.factor;
-  tube.source = "recorded motions that networks had not learnt from, off their path";
-  return tube;
-}
-
-std::optional<Tube> RunErrors::tube(double arm_length_m) const {
-  if (motions_.size() / 2 < kMinTubeRuns) {
-    return std::nullopt;
-  }
-  std::optional<Tube> narrowest;
-  double least_m = std::numeric_limits<double>::infinity();
-  for (std::size_t g = 0; g < kStartShares.size(); ++g) {
-    Tube tube = tube_that_grows(g, arm_length_m);
-    const double mean_m = tube.levels.front().factor * tube.plate_scale_m.back() * tip_share(g);
-    if (mean_m < least_m) {
-      least_m = mean_m;
-      narrowest = std::move(tube);
-    }
-  }
-  return narrowest;
 }
 
 std::optional<PredictionError> measure_prediction_error(const ArmDescription& arm,

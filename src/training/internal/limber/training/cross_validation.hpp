@@ -36,6 +36,7 @@ struct CrossValidation {
   int chosen = 0;                                   ///< index in `tried`
   std::optional<PredictionError> prediction_error;  ///< of the chosen networks' runs
   std::optional<Tube> tube;                         ///< of the same runs
+  std::string widest_where;                         ///< RunErrors::widest_where of them
   int epochs() const { return tried[static_cast<std::size_t>(chosen)].epochs; }
   bool operator==(const CrossValidation&) const = default;
 };

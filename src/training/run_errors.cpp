@@ -1,0 +1,143 @@
+#include "limber/training/run_errors.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "limber/arm/names.hpp"
+#include "limber/common/units.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr std::size_t kMinTubeRuns = 39;     // 95 % of fewer is their largest, or nearly so
+constexpr double kQuantileConfidence = 0.5;  // a measured quantile is too small as often as not
+constexpr int kParts = 3;         // of a segment's range, to look for where errors are large
+constexpr double kLarger = 1.25;  // times the error of all runs: worth a sentence
+
+}  // namespace
+
+void RunErrors::add(double max_m, double off_path_m, const GrowingErrors& errors, int frames,
+                    const Pressures& mean_kpa) {
+  max_m_.push_back(max_m);
+  off_path_m_.push_back(off_path_m);
+  motions_.push_back(errors);
+  frames_ += frames;
+  mean_kpa_.push_back(mean_kpa);
+}
+
+double RunErrors::quantile_of(double MotionErrors::*value) const {
+  std::vector<double> values;
+  for (const GrowingErrors& motion : motions_) {
+    values.push_back(motion.of.front().*value);
+  }
+  return conformal_quantile(std::move(values));
+}
+
+std::optional<PredictionError> RunErrors::result(double frame_period_s) const {
+  if (max_m_.empty()) {
+    return std::nullopt;
+  }
+  PredictionError result;
+  result.runs = static_cast<int>(max_m_.size());
+  result.run_s = frames_ / result.runs * frame_period_s;
+  result.max_position_m = conformal_quantile(max_m_);
+  result.off_path_m = conformal_quantile(off_path_m_);
+  result.end_position_m = quantile_of(&MotionErrors::end_m);
+  result.end_orientation_rad = quantile_of(&MotionErrors::end_heading_rad);
+  return result;
+}
+
+RoomGrowth growth_of(std::size_t candidate, double arm_length_m) {
+  return {kStartShares[candidate], usual_growth(arm_length_m).full_after_m};
+}
+
+double RunErrors::tip_share(std::size_t candidate) const {
+  double sum = 0.0;
+  for (const GrowingErrors& motion : motions_) {
+    sum += motion.tip_share[candidate];
+  }
+  return sum / double(motions_.size());
+}
+
+Tube RunErrors::tube_that_grows(std::size_t candidate, double arm_length_m) const {
+  const auto half = motions_.begin() + static_cast<std::ptrdiff_t>(motions_.size() / 2);
+  std::vector<MotionErrors> first;
+  for (auto motion = motions_.begin(); motion != half; ++motion) {
+    first.push_back(motion->of[candidate]);
+  }
+  Tube tube = tube_shape(first, growth_of(candidate, arm_length_m));
+  std::vector<double> scores;
+  for (auto motion = half; motion != motions_.end(); ++motion) {
+    scores.push_back(score_of(motion->of[candidate].plate_m, tube.plate_scale_m));
+  }
+  TubeLevel level;
+  level.level = Tube::kDefaultLevel;
+  level.factor = conformal_quantile(scores, level.level);
+  level.runs = static_cast<int>(scores.size());
+  level.outside = static_cast<int>(
+      std::ranges::count_if(scores, [&](double score) { return score > level.factor; }));
+  level.confidence = kQuantileConfidence;
+  tube.levels = {level};
+  // The end has quantiles of its own, as in PredictionError: the goal asks for them, not obstacles.
+  tube.end_scale_m = std::max(kMinScaleM, quantile_of(&MotionErrors::end_m)) / level.factor;
+  tube.end_heading_scale_rad =
+      std::max(kMinScaleRad, quantile_of(&MotionErrors::end_heading_rad)) / level.factor;
+  tube.source = "recorded motions that networks had not learnt from, off their path";
+  return tube;
+}
+
+std::optional<Tube> RunErrors::tube(double arm_length_m) const {
+  if (motions_.size() / 2 < kMinTubeRuns) {
+    return std::nullopt;
+  }
+  std::optional<Tube> narrowest;
+  double least_m = std::numeric_limits<double>::infinity();
+  for (std::size_t g = 0; g < kStartShares.size(); ++g) {
+    Tube tube = tube_that_grows(g, arm_length_m);
+    const double mean_m = tube.levels.front().factor * tube.plate_scale_m.back() * tip_share(g);
+    if (mean_m < least_m) {
+      least_m = mean_m;
+      narrowest = std::move(tube);
+    }
+  }
+  return narrowest;
+}
+
+std::string RunErrors::widest_where(const std::string& unit) const {
+  std::string found;
+  if (off_path_m_.empty()) {
+    return found;
+  }
+  const double all_m = conformal_quantile(off_path_m_);
+  double largest_m = kLarger * all_m;
+  for (Eigen::Index i = 0; i < mean_kpa_.front().size(); ++i) {
+    const auto of_segment = [&](const Pressures& a, const Pressures& b) { return a[i] < b[i]; };
+    const auto [lowest, highest] = std::ranges::minmax_element(mean_kpa_, of_segment);
+    const float low = (*lowest)[i];
+    const float width = ((*highest)[i] - low) / kParts;
+    for (int part = 0; part < kParts; ++part) {
+      const float from = low + width * float(part);
+      std::vector<double> there_m;
+      for (std::size_t run = 0; run < off_path_m_.size(); ++run) {
+        if (mean_kpa_[run][i] >= from && mean_kpa_[run][i] <= from + width) {
+          there_m.push_back(off_path_m_[run]);
+        }
+      }
+      if (there_m.size() < kMinTubeRuns / 2 || conformal_quantile(there_m) <= largest_m) {
+        continue;
+      }
+      largest_m = conformal_quantile(there_m);
+      found = fmt::format(
+          "errors are largest with {} at {:.3g} to {:.3g} {}: {:.1f} cm off the path in {} of {} "
+          "motions, {:.1f} cm over all; more motions there would narrow the tube",
+          segment_name(i), from, from + width, unit, kCmPerM * largest_m, there_m.size(),
+          off_path_m_.size(), kCmPerM * all_m);
+    }
+  }
+  return found;
+}
+
+}  // namespace limber
