@@ -23,18 +23,6 @@ namespace limber {
 
 namespace {
 
-void add_common_flags(CLI::App& app, CommonFlags& flags) {
-  app.add_flag("--json", flags.json,
-               "Print one JSON object on standard output, and nothing else there");
-  app.add_flag("--quiet", flags.quiet, "No messages, no progress");
-  app.add_flag("--force", flags.force, "Replace files that exist");
-  app.add_option("--jobs", flags.jobs, "Threads to use, 0 for one per core; never changes a result")
-      ->check(CLI::Range(0, 1024));
-  app.add_option("--seed", flags.seed, "Seed of everything that is random")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-}
-
 int report(int code, const std::string& message) {
   print_error(message);
   return code;
@@ -91,6 +79,18 @@ int run_guarded(Verb& verb, const CLI::App& command, const CommonFlags& flags) {
 }
 
 }  // namespace
+
+void add_common_flags(CLI::App& app, CommonFlags& flags) {
+  app.add_flag("--json", flags.json,
+               "Print one JSON object on standard output, and nothing else there");
+  app.add_flag("--quiet", flags.quiet, "No messages, no progress");
+  app.add_flag("--force", flags.force, "Replace files that exist");
+  app.add_option("--jobs", flags.jobs, "Threads to use, 0 for one per core; never changes a result")
+      ->check(CLI::Range(0, 1024));
+  app.add_option("--seed", flags.seed, "Seed of everything that is random")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+}
 
 int run_command_line(int argc, char** argv) {
   open_missing_standard_streams();

@@ -1,4 +1,5 @@
-#include <filesystem>
+#include <algorithm>
+#include <iterator>
 
 #include "cost_threshold_flag.hpp"
 #include "forest_flags.hpp"
@@ -20,8 +21,6 @@ namespace limber {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 class ExperimentVerb final : public Verb {
  public:
   const char* name() const override { return "experiment"; }
@@ -39,7 +38,13 @@ class ExperimentVerb final : public Verb {
                    "Network model to compare with the no-load model")
         ->required();
     app.add_option("--environments", environments_,
-                   "Folder of environment files; limber's own eight by default");
+                   "Folder of environment files, or one; repeat for more; limber's own eight by "
+                   "default")
+        ->allow_extra_args(false);
+    app.add_option("--join", settings_.parts,
+                   "Run nothing: one table of the experiments in these folders, one for each of "
+                   "--environments, in their order")
+        ->allow_extra_args(false);
     app.add_option("--trials", settings_.trials, "Plans of each model in each environment")
         ->capture_default_str();
     app.add_option("--planner", settings_.planners,
@@ -75,9 +80,13 @@ class ExperimentVerb final : public Verb {
 
   int run(const CommonFlags& flags) override {
     settings_.arm = load_asked_arm(arm_);
-    settings_.environments = environments_in(
-        environments_.empty() ? data_folder() / "environments" : fs::path(environments_),
-        settings_.arm);
+    if (environments_.empty()) {
+      environments_.push_back((data_folder() / "environments").string());
+    }
+    for (const std::string& name : environments_) {
+      std::ranges::move(environments_in(name, settings_.arm),
+                        std::back_inserter(settings_.environments));
+    }
     settings_.limits = settings_.limits.or_default();
     settings_.seed = flags.seed;
     settings_.jobs = flags.jobs;
@@ -126,7 +135,7 @@ class ExperimentVerb final : public Verb {
   }
 
   std::string arm_ = "three_segment";
-  std::string environments_;
+  std::vector<std::string> environments_;
   bool network_only_ = false;
   ModelFlags valves_;
   RoomFlags room_;

@@ -20,6 +20,7 @@ std::vector<std::unique_ptr<Verb>> all_verbs() {
   verbs.push_back(make_verify_verb());
   verbs.push_back(make_execute_verb());
   verbs.push_back(make_experiment_verb());
+  verbs.push_back(make_campaign_verb());
   verbs.push_back(make_improve_verb());
   verbs.push_back(make_export_verb());
   verbs.push_back(make_driver_verb());

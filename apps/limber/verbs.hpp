@@ -13,6 +13,7 @@ std::vector<std::unique_ptr<Verb>> all_verbs();
 std::unique_ptr<Verb> make_adapt_verb();
 std::unique_ptr<Verb> make_bench_verb();
 std::unique_ptr<Verb> make_calibrate_verb();
+std::unique_ptr<Verb> make_campaign_verb();
 std::unique_ptr<Verb> make_collect_verb();
 std::unique_ptr<Verb> make_demo_verb();
 std::unique_ptr<Verb> make_doctor_verb();

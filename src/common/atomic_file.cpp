@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "limber/common/file_error.hpp"
+#include "limber/common/large_file.hpp"
 #include "temporary_file.hpp"
 
 namespace limber {
@@ -141,11 +142,7 @@ bool rename_to_new(const fs::path& from, const fs::path& to) {
   throw InputError(fmt::format("{}: exists already; --force replaces it", path.string()));
 }
 
-void write_and_rename(const fs::path& temporary, const fs::path& path, std::string_view content) {
-  Descriptor file(temporary, O_WRONLY | O_CREAT | O_EXCL);
-  if (!file.is_open() || !write_all(file.get(), content) || !sync(file.get()) || !file.close()) {
-    throw_fault(path, "can't be written", errno);
-  }
+void rename_into_place(const fs::path& temporary, const fs::path& path) {
   if (missing_files().has(path)) {
     if (!rename_to_new(temporary, path)) {
       keep_beside(temporary, path);
@@ -235,6 +232,15 @@ void refuse_to_replace(const fs::path& path, const fs::file_status& status) {
 }  // namespace
 
 void write_file_atomically(const fs::path& path, std::string_view content) {
+  make_file_atomically(path, [&](const fs::path& temporary) {
+    Descriptor file(temporary, O_WRONLY | O_CREAT | O_EXCL);
+    if (!file.is_open() || !write_all(file.get(), content) || !sync(file.get()) || !file.close()) {
+      throw_fault(path, "can't be written", errno);
+    }
+  });
+}
+
+void make_file_atomically(const fs::path& path, const std::function<void(const fs::path&)>& make) {
   const fs::path folder = folder_of(path);
   std::error_code error;
   refuse_to_replace(path, fs::symlink_status(path, error));
@@ -245,7 +251,8 @@ void write_file_atomically(const fs::path& path, std::string_view content) {
   remove_abandoned_files_once(folder);
   const fs::path temporary = folder / temporary_name(path.filename().string());
   try {
-    write_and_rename(temporary, path, content);
+    make(temporary);
+    rename_into_place(temporary, path);
   } catch (...) {
     ::unlink(temporary.c_str());
     throw;
@@ -254,6 +261,13 @@ void write_file_atomically(const fs::path& path, std::string_view content) {
   // A folder that may be written to, but not read, can't be synced.
   if (parent.is_open() ? !sync(parent.get()) : errno != EACCES) {
     throw_fault(folder, "can't be synced to disk", errno);
+  }
+}
+
+void sync_file(const fs::path& path) {
+  Descriptor file(path, O_WRONLY);
+  if (!file.is_open() || !sync(file.get()) || !file.close()) {
+    throw_fault(path, "can't be written", errno);
   }
 }
 

@@ -1,15 +1,20 @@
 #include <algorithm>
 #include <new>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "episode_path.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/large_file.hpp"
 #include "limber/common/version.hpp"
+#include "limber/data/join_recordings.hpp"
 #include "recording_hdf5.hpp"
 
 namespace limber {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -17,6 +22,7 @@ constexpr hsize_t kChunkFrames = 1024;
 constexpr std::size_t kMemoryStep = std::size_t{1} << 20U;  // by which a file in memory grows
 // HDF5 wants a name and checks whether such a file exists; none can exist below a device.
 constexpr const char* kNoFile = "/dev/null/recording";
+constexpr std::uintmax_t kSpareBytes = std::uintmax_t{64} << 20U;  // structure, and other writers
 constexpr int kDeflateLevel = 1;  // level 1 after shuffle: half the size at 4× level 6's speed
 
 constexpr std::size_t kLongestAttribute = 64'000;  // bytes; HDF5 keeps 64 kB with name and type
@@ -119,7 +125,8 @@ void write_episode(const H5::Group& group, const Episode& episode, const Recordi
   }
 }
 
-void write_all(const H5::H5File& file, const Recording& recording) {
+/// All but the episodes.
+void write_header(const H5::H5File& file, const Recording& recording) {
   write_text(file, "schema", kRecordingSchema);
   write_text(file, "arm_name", recording.arm_name);
   write_text(file, "arm_hash", recording.arm_hash);
@@ -141,9 +148,23 @@ void write_all(const H5::H5File& file, const Recording& recording) {
   write_number(file, "points", H5::PredType::NATIVE_INT, recording.point_count);
   write_number(file, "seed", H5::PredType::NATIVE_UINT64, recording.seed);
   make_group(file, "episodes");
-  for (std::size_t i = 0; i < recording.episodes.size(); ++i) {
-    write_episode(make_group(file, episode_path(i)), recording.episodes[i], recording);
+}
+
+/// @return the number of the next episode
+std::size_t write_episodes(const H5::H5File& file, const Recording& recording, std::size_t first) {
+  for (const Episode& episode : recording.episodes) {
+    write_episode(make_group(file, episode_path(first++)), episode, recording);
   }
+  return first;
+}
+
+/// HDF5 believes what a file says of its own structure, and crashes where that is damaged. In this
+/// format every piece of it has a checksum.
+void use_checksums(H5::FileAccPropList& access) {
+  access.setLibverBounds(H5F_LIBVER_V110, H5F_LIBVER_V110);
+  // No space is set aside: what HDF5 gives back as it closes the file would be left behind its end.
+  H5Pset_meta_block_size(access.getId(), 0);
+  H5Pset_small_data_block_size(access.getId(), 0);
 }
 
 /// Gives HDF5 the memory of a text to keep its file in. @return null where there is no more
@@ -182,15 +203,11 @@ std::string file_image(const Recording& recording) {
   if (H5Pset_file_image_callbacks(in_memory.getId(), &memory) < 0) {
     throw H5::FileIException("file_image", "H5Pset_file_image_callbacks failed");
   }
-  // HDF5 believes what a file says of its own structure, and crashes where that is damaged. In this
-  // format every piece of it has a checksum.
-  in_memory.setLibverBounds(H5F_LIBVER_V110, H5F_LIBVER_V110);
-  // No space is set aside: what HDF5 gives back as it closes the file would be left behind its end.
-  H5Pset_meta_block_size(in_memory.getId(), 0);
-  H5Pset_small_data_block_size(in_memory.getId(), 0);
+  use_checksums(in_memory);
   const auto how = without_times(H5::FileCreatPropList());
   H5::H5File file(kNoFile, H5F_ACC_TRUNC, how, in_memory);
-  write_all(file, recording);
+  write_header(file, recording);
+  write_episodes(file, recording, 0);
   file.flush(H5F_SCOPE_GLOBAL);
   const ssize_t size = H5Fget_file_image(file.getId(), nullptr, 0);
   if (size <= 0) {
@@ -199,6 +216,29 @@ std::string file_image(const Recording& recording) {
   file.close();
   image.resize(static_cast<std::size_t>(size));  // HDF5 took its memory by steps
   return image;
+}
+
+/// What recordings have in common that may be joined.
+std::string origin_of(const Recording& recording) {
+  return fmt::format("arm {} {}, {} segments, {} points, {} Hz, {} [{}], {}, {}",
+                     recording.arm_name, recording.arm_hash, recording.segment_count,
+                     recording.point_count, recording.rate_hz, recording.command.name,
+                     recording.command.unit, commands_are(recording.setpoints_only()),
+                     recording.source);
+}
+
+/// After a full disk HDF5 can't close its file, nor end the process: so it never meets one.
+void require_space(const fs::path& folder, const std::vector<fs::path>& parts) {
+  std::uintmax_t bytes = kSpareBytes;
+  for (const fs::path& part : parts) {
+    bytes += fs::file_size(part);
+  }
+  std::error_code error;
+  const fs::space_info space = fs::space(folder, error);
+  if (!error && space.available < bytes) {
+    throw SystemFault(fmt::format("{}: {} bytes are free; joining {} recordings takes {}",
+                                  folder.string(), space.available, parts.size(), bytes));
+  }
 }
 
 }  // namespace
@@ -216,6 +256,46 @@ void write_recording(const std::filesystem::path& path, const Recording& recordi
     }
   }
   write_file_atomically(path, image);
+}
+
+void join_recordings(const std::filesystem::path& path, const std::vector<fs::path>& parts,
+                     std::uint64_t seed) {
+  make_file_atomically(path, [&](const fs::path& temporary) {
+    require_space(temporary.parent_path(), parts);
+    try {
+      H5::FileAccPropList access;
+      use_checksums(access);
+      std::optional<H5::H5File> file;
+      std::string origin;
+      std::size_t episodes = 0;
+      for (const fs::path& part : parts) {
+        Recording recording = read_recording(part);
+        const std::string own = origin_of(recording);
+        if (!file) {
+          origin = own;
+          recording.seed = seed;
+        } else if (own != origin) {
+          throw InputError(
+              fmt::format("{}: {}; {} is of {}: expected recordings of one arm, made "
+                          "in one way",
+                          part.string(), own, parts.front().string(), origin));
+        }
+        const Hdf5Section section;
+        if (!file) {
+          file.emplace(temporary.string(), H5F_ACC_EXCL, without_times(H5::FileCreatPropList()),
+                       access);
+          write_header(*file, recording);
+        }
+        episodes = write_episodes(*file, recording, episodes);
+      }
+      const Hdf5Section section;
+      file->close();
+    } catch (const H5::Exception& error) {
+      throw SystemFault(fmt::format("{}: can't be written: {} ({})", path.string(),
+                                    error.getDetailMsg(), error.getFuncName()));
+    }
+    sync_file(temporary);
+  });
 }
 
 }  // namespace limber

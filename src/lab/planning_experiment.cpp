@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <optional>
+#include <set>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -81,7 +82,9 @@ class Experiment {
   Json run() {
     list_tasks();
     prepare_folder();
-    run_tasks();
+    if (settings_.parts.empty()) {
+      run_tasks();
+    }
     throw_if_interrupted();
     return write_results();
   }
@@ -123,11 +126,23 @@ class Experiment {
   /// Whether the experiment that is resumed had no closed loop so far.
   bool adds_replanning() const { return replans() && !known_motion_queries(settings_); }
 
-  /// What a trial is one of: trials in closed loop depend on its budget too.
-  std::string hash_for(const std::string& controller) const {
+  /// What a trial is one of: trials in closed loop depend on its budget too. Those of a part are of
+  /// an experiment in their environment alone.
+  std::string hash_for(const std::string& controller, const EnvironmentCase& item) const {
+    Json identity = identity_;
+    if (!settings_.parts.empty()) {
+      identity["environments"] = {{item.id, environment_hash(item.environment)}};
+    }
     return content_hash(controller == "replan"
-                            ? fmt::format("{} {}", identity_.dump(), settings_.motion_queries)
-                            : identity_.dump());
+                            ? fmt::format("{} {}", identity.dump(), settings_.motion_queries)
+                            : identity.dump());
+  }
+
+  /// Where the trials of an environment lie.
+  const fs::path& folder_of(const EnvironmentCase& item) const {
+    return settings_.parts.empty()
+               ? settings_.folder
+               : settings_.parts[static_cast<std::size_t>(&item - settings_.environments.data())];
   }
 
   /// Finished trials are only read.
@@ -138,7 +153,7 @@ class Experiment {
                                  "planner_arena/" + item.id + ".log"});
     }
     for (const Task& task : tasks_) {
-      if (!has_trial(settings_.folder, task.key.id)) {
+      if (!has_trial(folder_of(*task.environment), task.key.id)) {
         const std::vector<std::string> files = trial_files(task.key.id);
         names.insert(names.end(), files.begin(), files.end());
       }
@@ -168,7 +183,7 @@ class Experiment {
     if (!model.has_network() && (!settings_.with_no_load || is_closed)) {
       return;
     }
-    key.experiment = hash_for(key.controller);
+    key.experiment = hash_for(key.controller, item);
     key.environment = item.id;
     key.environment_hash = environment_hash(item.environment);
     key.model = model.has_network() ? "network" : "no_load";
@@ -213,8 +228,8 @@ class Experiment {
   }
 
   PlanTrial read(const Task& task) const {
-    PlanTrial trial =
-        read_trial(settings_.folder, task.key, settings_.arm, task.environment->environment);
+    PlanTrial trial = read_trial(folder_of(*task.environment), task.key, settings_.arm,
+                                 task.environment->environment);
     output_->require_unchanged(trial_files(task.key.id));
     return trial;
   }
@@ -327,6 +342,16 @@ void require_usable(const ExperimentSettings& settings) {
   }
   if (settings.environments.empty()) {
     throw InputError("no environments to plan in");
+  }
+  std::set<std::string> names;
+  for (const EnvironmentCase& item : settings.environments) {
+    if (!names.insert(item.id).second) {
+      throw InputError(fmt::format("two environments are called {}; rename a file", item.id));
+    }
+  }
+  if (!settings.parts.empty() && settings.parts.size() != settings.environments.size()) {
+    throw InputError(fmt::format("--join: {} folders for {} environments; expected one for each",
+                                 settings.parts.size(), settings.environments.size()));
   }
   if (fs::exists(settings.folder / kExperimentFile) && !settings.resume && !settings.force) {
     throw InputError(

@@ -11,6 +11,9 @@ namespace limber {
 namespace fs = std::filesystem;
 
 std::vector<EnvironmentCase> environments_in(const fs::path& folder, const ArmDescription& arm) {
+  if (fs::is_regular_file(folder)) {
+    return {{folder.stem().string(), load_environment(folder, arm)}};
+  }
   if (!fs::is_directory(folder)) {
     throw InputError(fmt::format("{}: no folder", folder.string()));
   }

@@ -27,6 +27,9 @@ struct ExperimentSettings {
   /// Valves in every prediction, whatever its model; with ideal ones, pressures are the set points.
   ValveParameters valves;
   std::vector<EnvironmentCase> environments;
+  /// Folders of finished experiments that differ in their environment alone, one for each of
+  /// `environments`: their trials are read, and none is run. Empty: all are run here.
+  std::vector<std::filesystem::path> parts;
   int trials = 20;  ///< of each environment and model, ≥ 1; trial k has the same seed everywhere
   std::vector<std::string> planners = {"default"};
   bool with_no_load = true;  ///< false: the network alone, to compare planners
@@ -74,7 +77,7 @@ std::optional<std::uint64_t> known_motion_queries(const ExperimentSettings& sett
 /// Interrupted after Ctrl-C: finished trials are kept.
 nlohmann::ordered_json run_experiment(const ExperimentSettings& settings);
 
-/// Every *.yaml of a folder, sorted by name.
+/// Every *.yaml of a folder, sorted by name; or one such file.
 /// @throws InputError naming the folder where it is none or has no such file, or the file that
 ///   can't be read.
 std::vector<EnvironmentCase> environments_in(const std::filesystem::path& folder,

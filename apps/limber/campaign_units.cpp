@@ -1,0 +1,275 @@
+#include "campaign_units.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <iterator>
+#include <sstream>
+
+#include <CLI/CLI.hpp>
+
+#include "command_line.hpp"
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/file_error.hpp"
+#include "limber/common/interrupt.hpp"
+#include "limber/common/json_reader.hpp"
+#include "limber/lab/campaign_report.hpp"
+#include "verbs.hpp"
+
+namespace limber {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kLevelVariable = "LIMBER_CPU";
+constexpr const char* kLibraryVariable = "GLIBC_TUNABLES";
+constexpr const char* kArm = "arm";
+constexpr const char* kArmParameter = "arm.";
+constexpr const char* kEnvironments = "environments";
+constexpr mode_t kNewFile = 0666;
+
+/// glibc's sin, exp and the like have versions with FMA that round otherwise.
+const char* library_setting(CpuLevel level) {
+  return level == CpuLevel::baseline ? "glibc.cpu.hwcaps=-AVX,-AVX2,-FMA,-FMA4"
+                                     : "glibc.cpu.hwcaps=-FMA4";
+}
+
+/// Standard output and error of the whole process in files, as long as this lives.
+class Redirected {
+ public:
+  Redirected(const fs::path& output, const fs::path& error)
+      : output_(STDOUT_FILENO, output), error_(STDERR_FILENO, error) {}
+
+ private:
+  class One {
+   public:
+    One(int stream, const fs::path& path) : stream_(stream), kept_(flushed_copy(stream)) {
+      const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, kNewFile);
+      if (file < 0) {
+        throw_fault(path, "can't be written", errno);
+      }
+      ::dup2(file, stream_);
+      ::close(file);
+    }
+    ~One() {
+      std::fflush(nullptr);
+      ::dup2(kept_, stream_);
+      ::close(kept_);
+    }
+    One(const One&) = delete;
+    One& operator=(const One&) = delete;
+
+   private:
+    static int flushed_copy(int stream) {
+      std::fflush(nullptr);
+      return ::fcntl(stream, F_DUPFD_CLOEXEC, 0);
+    }
+    int stream_;
+    int kept_;
+  };
+  One output_;
+  One error_;
+};
+
+/// As main and exec take them.
+std::vector<char*> pointers_to(std::vector<std::string>& words) {
+  std::vector<char*> pointers;
+  std::ranges::transform(words, std::back_inserter(pointers),
+                         [](std::string& word) { return word.data(); });
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+int run(const std::vector<std::string>& command) {
+  std::vector<std::string> words = command;
+  words.insert(words.begin(), "limber");
+  return run_command_line(static_cast<int>(words.size()), pointers_to(words).data());
+}
+
+/// This process's command line, as the system has it: each word ends with a zero.
+std::vector<std::string> own_command() {
+  std::vector<std::string> words;
+  std::istringstream text(read_file("/proc/self/cmdline"));
+  for (std::string word; std::getline(text, word, '\0');) {
+    words.push_back(word);
+  }
+  return words;
+}
+
+void add_flag(std::vector<std::string>& command, const std::string& name,
+              const FlagValues& values) {
+  for (const std::string& value : values) {
+    command.push_back("--" + name);
+    if (value == "false") {
+      command.pop_back();
+    } else if (value != "true") {
+      command.push_back(value);
+    }
+  }
+}
+
+bool is_arm_parameter(const std::string& name) {
+  return name.rfind(kArmParameter, 0) == 0;
+}
+
+const FlagValues* values_in(const Flags& flags, const char* name) {
+  const auto found =
+      std::ranges::find_if(flags, [&](const auto& flag) { return flag.first == name; });
+  return found == flags.end() ? nullptr : &found->second;
+}
+
+Flags arm_parameters(const CampaignUnit& unit) {
+  Flags parameters;
+  for (const auto& [name, values] : unit.flags) {
+    if (is_arm_parameter(name)) {
+      parameters.emplace_back(name.substr(std::string(kArmParameter).size()), values);
+    }
+  }
+  return parameters;
+}
+
+std::string arm_of(const CampaignUnit& unit) {
+  const FlagValues* arm = values_in(unit.flags, kArm);
+  return arm != nullptr ? arm->front() : "three_segment";
+}
+
+const char* out_name(const Campaign& campaign, const CampaignUnit& unit) {
+  if (campaign.verb == "collect") {
+    return kUnitRecording;
+  }
+  if (campaign.verb == "experiment") {
+    return kUnitExperiment;
+  }
+  const bool makes_model =
+      campaign.verb == "train" ||
+      (campaign.verb == "calibrate" && values_in(unit.flags, "check") == nullptr);
+  return makes_model ? kUnitModel : nullptr;
+}
+
+}  // namespace
+
+void use_cpu_level(const Campaign& campaign) {
+  const char* level = to_string(campaign.cpu);
+  const std::vector<CpuLevel> available = available_cpu_levels();
+  if (std::ranges::find(available, campaign.cpu) == available.end()) {
+    throw InputError(fmt::format(
+        "the campaign runs at CPU level {}, which this machine lacks; its units would differ",
+        level));
+  }
+  const char* is = std::getenv(kLibraryVariable);
+  const char* wanted = library_setting(campaign.cpu);
+  ::setenv(kLevelVariable, level, 1);
+  if (is == nullptr || std::string(is) != wanted) {
+    ::setenv(kLibraryVariable, wanted, 1);
+    std::vector<std::string> words = own_command();
+    ::execv("/proc/self/exe", pointers_to(words).data());
+    throw SystemFault(fmt::format("the program can't be started again: {}", std::strerror(errno)));
+  }
+}
+
+std::vector<std::string> unit_command(const Campaign& campaign, const CampaignUnit& unit,
+                                      const fs::path& folder, int jobs) {
+  std::vector<std::string> command = {campaign.verb};
+  const bool has_own_arm = !arm_parameters(unit).empty();
+  for (const auto& [name, values] : unit.flags) {
+    if (!is_arm_parameter(name) && !(has_own_arm && name == kArm)) {
+      add_flag(command, name, values);
+    }
+  }
+  if (has_own_arm) {
+    add_flag(command, kArm, {(folder / "arm.yaml").string()});
+  }
+  if (const char* name = out_name(campaign, unit)) {
+    add_flag(command, "out", {(folder / name).string()});
+  }
+  const bool goes_on = campaign.verb == "train" &&
+                       fs::exists(folder / (std::string(kUnitModel) + ".checkpoint"));
+  for (const std::string& word : {std::string(goes_on ? "--resume" : "--force"),
+                                  std::string("--json"), std::string("--jobs"),
+                                  std::to_string(jobs)}) {
+    command.push_back(word);
+  }
+  return command;
+}
+
+void require_known_flags(const Campaign& campaign, const CampaignUnit& unit) {
+  CommonFlags flags;
+  for (const std::unique_ptr<Verb>& verb : all_verbs()) {
+    if (verb->name() != campaign.verb) {
+      continue;
+    }
+    CLI::App app(verb->summary(), verb->name());
+    add_common_flags(app, flags);
+    verb->add_flags(app);
+    std::vector<std::string> command = unit_command(campaign, unit, "unit", 1);
+    command.erase(command.begin());
+    std::ranges::reverse(command);  // as CLI11 takes a vector
+    try {
+      app.parse(command);
+    } catch (const CLI::ParseError& error) {
+      throw InputError(fmt::format("unit {}: limber {}: {}", unit.index, campaign.verb,
+                                   error.what()));
+    }
+  }
+}
+
+bool run_unit(const Campaign& campaign, const CampaignUnit& unit, CampaignFolder& folder,
+              int jobs) {
+  const auto begin = std::chrono::steady_clock::now();
+  const fs::path own = folder.unit_folder(unit.index);
+  const fs::path output = own / "result.json";
+  int code = kExitFault;
+  folder.begin(unit);
+  {
+    const Redirected redirected(output, own / "log.txt");
+    try {
+      if (const Flags parameters = arm_parameters(unit); !parameters.empty()) {
+        write_file_atomically(own / "arm.yaml",
+                              arm_with(find_arm_file(arm_of(unit)), parameters));
+      }
+      code = run(unit_command(campaign, unit, own, jobs));
+    } catch (const std::exception& error) {
+      print_error(error.what());
+    }
+  }
+  if (interrupt_requested()) {
+    return true;
+  }
+  if (code != kExitDone) {
+    folder.fail(unit, code);
+    return false;
+  }
+  const nlohmann::ordered_json result =
+      nlohmann::ordered_json::parse(read_file(output));
+  fs::remove(output);
+  folder.finish(
+      unit, result,
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+  return true;
+}
+
+int join_experiments(const Campaign& campaign, CampaignFolder& folder) {
+  std::vector<std::string> command = {campaign.verb};
+  const CampaignUnit first = campaign_unit(campaign, 0);
+  for (const auto& [name, values] : first.flags) {
+    if (name != kEnvironments) {
+      add_flag(command, name, values);
+    }
+  }
+  for (std::size_t i = 0; i < unit_count(campaign); ++i) {
+    add_flag(command, kEnvironments, *values_in(campaign_unit(campaign, i).flags, kEnvironments));
+    add_flag(command, "join", {(folder.unit_folder(i) / kUnitExperiment).string()});
+  }
+  add_flag(command, "out", {(folder.path() / "experiment").string()});
+  command.insert(command.end(), {"--force", "--quiet"});
+  return run(command);
+}
+
+}  // namespace limber

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "limber/lab/campaign_folder.hpp"
+
+namespace limber {
+
+/// The campaign's CPU level, for this process and all that it runs: its kernels, and the C library's
+/// functions, which would give other last digits on another CPU. Starts the program again where
+/// that has to be decided before it begins.
+/// @throws InputError where this machine lacks the level.
+void use_cpu_level(const Campaign& campaign);
+
+/// The unit's command, as one would type it: verb, flags, and files in `folder`.
+/// @param jobs  threads; as --jobs
+std::vector<std::string> unit_command(const Campaign& campaign, const CampaignUnit& unit,
+                                      const std::filesystem::path& folder, int jobs);
+
+/// @throws InputError what the verb says of flags that it does not have, or that lack values.
+void require_known_flags(const Campaign& campaign, const CampaignUnit& unit);
+
+/// Runs a unit in this process and leaves its marker; none where Ctrl-C cut it short. Standard
+/// output and error go to its folder meanwhile. @return whether it was not a failure
+bool run_unit(const Campaign& campaign, const CampaignUnit& unit, CampaignFolder& folder, int jobs);
+
+/// The table that one process would have made, of units that ran `experiment`.
+/// @return the exit code of that verb
+int join_experiments(const Campaign& campaign, CampaignFolder& folder);
+
+}  // namespace limber

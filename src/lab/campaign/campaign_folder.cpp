@@ -1,0 +1,181 @@
+#include "limber/lab/campaign_folder.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <numeric>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/content_hash.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/json_reader.hpp"
+#include "limber/common/version.hpp"
+
+namespace limber {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+constexpr std::size_t kFan = 1000;           // entries of a folder
+constexpr std::size_t kIdentityDigits = 16;  // of a marker's name
+constexpr std::streamoff kEnd = std::streamoff{1} << 16;  // bytes of a file's beginning and end
+constexpr const char* kCheckpoint = "model.safetensors.checkpoint";
+
+std::string host_name() {
+  char name[256] = {};
+  return ::gethostname(name, sizeof name - 1) == 0 ? name : "unknown";
+}
+
+/// Of size, beginning and end: thousands of units may read a recording of gigabytes.
+std::string fingerprint_of(const fs::path& path) {
+  std::error_code error;
+  const std::uintmax_t size = fs::file_size(path, error);
+  std::ifstream file(path, std::ios::binary);
+  std::string ends(2 * static_cast<std::size_t>(kEnd), '\0');
+  file.read(ends.data(), kEnd);
+  file.clear();
+  file.seekg(-std::min<std::streamoff>(kEnd, static_cast<std::streamoff>(size)), std::ios::end);
+  file.read(ends.data() + kEnd, kEnd);
+  return content_hash(fmt::format("{} {}", size, ends));
+}
+
+Json description(const Campaign& campaign) {
+  Json factors = Json::object();
+  for (const CampaignFactor& factor : campaign.factors) {
+    if (factor.range) {
+      factors[factor.name] = {{"from", factor.range->from},
+                              {"to", factor.range->to},
+                              {"scale", static_cast<int>(factor.range->scale)}};
+    } else {
+      factors[factor.name] = factor.choices;
+    }
+  }
+  return {{"schema", "limber/campaign_folder/1"}, {"verb", campaign.verb},
+          {"seed", campaign.seed},                {"cpu", to_string(campaign.cpu)},
+          {"flags", flags_to_json(campaign.flags)},     {"factors", factors},
+          {"repeat", campaign.repeat},            {"random_count", campaign.random_count}};
+}
+
+}  // namespace
+
+CampaignFolder::CampaignFolder(fs::path folder, const Campaign& campaign)
+    : folder_(std::move(folder)), campaign_(campaign) {}
+
+void CampaignFolder::prepare(bool force) const {
+  const fs::path file = folder_ / "campaign.json";
+  const Json wanted = description(campaign_);
+  if (fs::exists(file)) {
+    if (Json(read_json_object(file)) != wanted && !force) {
+      throw InputError(fmt::format(
+          "{}: of another campaign: choose another --out; or, where the file was changed on "
+          "purpose, --force keeps the units that are still the same and makes the others",
+          file.string()));
+    }
+  } else if (fs::exists(folder_) && (!fs::is_directory(folder_) || !fs::is_empty(folder_))) {
+    // Other shards may be making it just now.
+    if (!fs::exists(folder_ / "units") && !force) {
+      throw InputError(fmt::format("{}: holds something else; choose another --out",
+                                   folder_.string()));
+    }
+  }
+  if (!fs::exists(file) || force) {
+    write_file_atomically(file, wanted.dump(1) + "\n");
+  }
+}
+
+fs::path CampaignFolder::unit_folder(std::size_t index) const {
+  return folder_ / "units" / fmt::format("{:03}", index / kFan) /
+         fmt::format("{:03}", index % kFan);
+}
+
+UnitState CampaignFolder::state(const CampaignUnit& unit) {
+  if (fs::exists(marker(unit, "done"))) {
+    return UnitState::done;
+  }
+  if (fs::exists(marker(unit, "failed"))) {
+    return UnitState::failed;
+  }
+  return fs::exists(marker(unit, "started")) ? UnitState::started : UnitState::waiting;
+}
+
+void CampaignFolder::begin(const CampaignUnit& unit) {
+  const fs::path folder = unit_folder(unit.index);
+  const bool goes_on = campaign_.verb == "train" && fs::exists(folder / kCheckpoint) &&
+                       fs::exists(marker(unit, "started"));
+  if (!goes_on) {
+    fs::remove_all(folder);
+  }
+  fs::remove(marker(unit, "failed"));
+  const Json json = {{"host", host_name()}, {"process", ::getpid()}};
+  write_file_atomically(marker(unit, "started"), json.dump() + "\n");
+}
+
+void CampaignFolder::finish(const CampaignUnit& unit, const Json& result, double wall_time_s) {
+  const Json json = {{"schema", "limber/campaign_unit/1"},
+                     {"unit", unit.index},
+                     {"varied", flags_to_json(unit.varied)},
+                     {"result", result},
+                     {"run", {{"host", host_name()}, {"wall_time_s", wall_time_s}}}};
+  write_file_atomically(marker(unit, "done"), json.dump(1) + "\n");
+  fs::remove(marker(unit, "started"));
+}
+
+void CampaignFolder::fail(const CampaignUnit& unit, int code) {
+  write_file_atomically(marker(unit, "failed"), Json{{"code", code}}.dump() + "\n");
+}
+
+nlohmann::json CampaignFolder::result(const CampaignUnit& unit) {
+  return read_json_object(marker(unit, "done"));
+}
+
+fs::path CampaignFolder::marker(const CampaignUnit& unit, const char* state) {
+  return unit_folder(unit.index) / fmt::format("{}_{}.json", state, identity(unit));
+}
+
+std::string CampaignFolder::identity(const CampaignUnit& unit) {
+  Json inputs = Json::object();
+  for (const auto& [name, values] : unit.flags) {
+    for (const std::string& value : values) {
+      if (const std::string& found = fingerprint(value); !found.empty()) {
+        inputs[value] = found;
+      }
+    }
+  }
+  const Json json = {{"verb", campaign_.verb},
+                     {"cpu", to_string(campaign_.cpu)},
+                     {"version", version()},
+                     {"flags", unit.flags},
+                     {"inputs", inputs}};
+  return content_hash(json.dump()).substr(0, kIdentityDigits);
+}
+
+const std::string& CampaignFolder::fingerprint(const std::string& path) {
+  const auto [found, is_new] = fingerprints_.try_emplace(path);
+  std::error_code error;
+  if (is_new && fs::is_regular_file(path, error)) {
+    found->second = fingerprint_of(path);
+  }
+  return found->second;
+}
+
+std::vector<std::size_t> missing_units(const Campaign& campaign, CampaignFolder& folder) {
+  std::vector<std::pair<double, std::size_t>> missing;
+  for (std::size_t i = 0; i < unit_count(campaign); ++i) {
+    const CampaignUnit unit = campaign_unit(campaign, i);
+    if (folder.state(unit) != UnitState::done) {
+      missing.emplace_back(-unit.cost, i);
+    }
+  }
+  std::ranges::sort(missing);
+  std::vector<std::size_t> order(missing.size());
+  std::ranges::transform(missing, order.begin(), [](const auto& item) { return item.second; });
+  return order;
+}
+
+}  // namespace limber
