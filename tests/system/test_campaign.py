@@ -170,7 +170,8 @@ class Campaigns(InFolder):
         arms = [(path / "arm.yaml").read_text(encoding="utf-8") for path in (self.folder / "c/units/000").iterdir()]
         self.assertNotEqual(*arms)
         self.campaign("--collect")
-        rows = list(csv.DictReader((self.folder / "c" / "table.csv").open(encoding="utf-8")))
+        with (self.folder / "c" / "table.csv").open(encoding="utf-8") as table:
+            rows = list(csv.DictReader(table))
         self.assertTrue(all(0.1 <= float(row["arm.friction_coefficient"]) <= 0.4 for row in rows))
 
     def test_the_verbs_that_need_a_model(self):

@@ -25,6 +25,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kFan = 1000;           // entries of a folder
 constexpr std::size_t kIdentityDigits = 16;  // of a marker's name
 constexpr std::streamoff kEnd = std::streamoff{1} << 16;  // bytes of a file's beginning and end
+constexpr const char* kCampaignFile = "campaign.json";
 constexpr const char* kCheckpoint = "model.safetensors.checkpoint";
 
 std::string host_name() {
@@ -62,27 +63,42 @@ Json description(const Campaign& campaign) {
           {"repeat", campaign.repeat},            {"random_count", campaign.random_count}};
 }
 
+/// Whether it is no folder, or holds what no campaign left. Other shards may be making it just now:
+/// their temporary files begin with a dot.
+bool holds_other_files(const fs::path& folder) {
+  if (!fs::is_directory(folder)) {
+    return true;
+  }
+  bool is_foreign = false;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name == kCampaignFile || name == "units") {
+      return false;
+    }
+    is_foreign = is_foreign || name.front() != '.';
+  }
+  return is_foreign;
+}
+
 }  // namespace
 
 CampaignFolder::CampaignFolder(fs::path folder, const Campaign& campaign)
     : folder_(std::move(folder)), campaign_(campaign) {}
 
 void CampaignFolder::prepare(bool force) const {
-  const fs::path file = folder_ / "campaign.json";
+  const fs::path file = folder_ / kCampaignFile;
   const Json wanted = description(campaign_);
   if (fs::exists(file)) {
-    if (Json(read_json_object(file)) != wanted && !force) {
+    // The order of keys says nothing.
+    if (read_json_object(file) != nlohmann::json(wanted) && !force) {
       throw InputError(fmt::format(
           "{}: of another campaign: choose another --out; or, where the file was changed on "
           "purpose, --force keeps the units that are still the same and makes the others",
           file.string()));
     }
-  } else if (fs::exists(folder_) && (!fs::is_directory(folder_) || !fs::is_empty(folder_))) {
-    // Other shards may be making it just now.
-    if (!fs::exists(folder_ / "units") && !force) {
-      throw InputError(fmt::format("{}: holds something else; choose another --out",
-                                   folder_.string()));
-    }
+  } else if (fs::exists(folder_) && !force && holds_other_files(folder_)) {
+    throw InputError(
+        fmt::format("{}: holds something else; choose another --out", folder_.string()));
   }
   if (!fs::exists(file) || force) {
     write_file_atomically(file, wanted.dump(1) + "\n");
