@@ -265,6 +265,9 @@ class CampaignVerb final : public Verb {
     int code = missing == 0 ? kExitDone : kExitNoSolution;
     if (campaign.verb == "experiment" && missing == 0) {
       code = join_experiments(campaign, folder);
+      if (code != kExitDone) {
+        return code;  // it has said why
+      }
       json["files"].push_back((folder.path() / "experiment" / "table.json").string());
     }
     std::string text = fmt::format("{} units joined", status.done);

@@ -131,7 +131,8 @@ class Experiment {
   std::string hash_for(const std::string& controller, const EnvironmentCase& item) const {
     Json identity = identity_;
     if (!settings_.parts.empty()) {
-      identity["environments"] = {{item.id, environment_hash(item.environment)}};
+      identity["environments"] = Json::object();
+      identity["environments"][item.id] = environment_hash(item.environment);
     }
     return content_hash(controller == "replan"
                             ? fmt::format("{} {}", identity.dump(), settings_.motion_queries)

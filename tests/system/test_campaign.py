@@ -179,7 +179,7 @@ class Campaigns(InFolder):
         self.campaign("--out", "family")
         self.campaign("--out", "family", "--collect")
         self.write("train.yaml", "schema: limber/campaign/1\nverb: train\n"
-                   "flags: {arm: two_segment, data: family/recording.h5, epochs: 2}\n"
+                   "flags: {arm: two_segment, data: family/recording.h5, epochs: 4, keep-broken: true}\n"
                    "grid: {hidden: [[8, 8], [12, 12, 12]]}\n")
         self.run_limber("campaign", "train.yaml")
         self.run_limber("campaign", "train.yaml", "--collect")
@@ -190,7 +190,7 @@ class Campaigns(InFolder):
                    "grid: {data: {files: family/units/000/001/*.h5}}\n")
         self.run_limber("campaign", "evaluate.yaml")
         self.run_limber("campaign", "evaluate.yaml", "--collect")
-        self.run_limber("train", "--arm", "three_segment", *self.three_segment_data(), "--epochs", 2,
+        self.run_limber("train", "--arm", "three_segment", *self.three_segment_data(), "--epochs", 4,
                         "--out", "m.safetensors")
         budget = ("--model", "m.safetensors", "--trials", 2, "--max-queries", 500)
         places = [ROOT / "environments" / name for name in ("01_pillar.yaml", "03_gap_in_a_wall.yaml")]

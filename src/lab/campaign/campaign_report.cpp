@@ -191,6 +191,9 @@ std::size_t write_campaign_table(const Campaign& campaign, CampaignFolder& folde
     }
     ++done;
   });
+  for (const auto& [name, values] : campaign_unit(campaign, 0).varied) {
+    columns.erase(name);  // it has a column already
+  }
   std::vector<ChartData> charts;
   for (const CampaignChart& chart : charts_of(campaign)) {
     charts.emplace_back(chart);
