@@ -147,9 +147,8 @@ const char* out_name(const Campaign& campaign, const CampaignUnit& unit) {
   if (campaign.verb == "experiment") {
     return kUnitExperiment;
   }
-  const bool makes_model =
-      campaign.verb == "train" ||
-      (campaign.verb == "calibrate" && values_in(unit.flags, "check") == nullptr);
+  const bool makes_model = campaign.verb == "train" || (campaign.verb == "calibrate" &&
+                                                        values_in(unit.flags, "check") == nullptr);
   return makes_model ? kUnitModel : nullptr;
 }
 
@@ -189,11 +188,11 @@ std::vector<std::string> unit_command(const Campaign& campaign, const CampaignUn
   if (const char* name = out_name(campaign, unit)) {
     add_flag(command, "out", {(folder / name).string()});
   }
-  const bool goes_on = campaign.verb == "train" &&
-                       fs::exists(folder / (std::string(kUnitModel) + ".checkpoint"));
-  for (const std::string& word : {std::string(goes_on ? "--resume" : "--force"),
-                                  std::string("--json"), std::string("--jobs"),
-                                  std::to_string(jobs)}) {
+  const bool goes_on =
+      campaign.verb == "train" && fs::exists(folder / (std::string(kUnitModel) + ".checkpoint"));
+  for (const std::string& word :
+       {std::string(goes_on ? "--resume" : "--force"), std::string("--json"), std::string("--jobs"),
+        std::to_string(jobs)}) {
     command.push_back(word);
   }
   return command;
@@ -214,8 +213,8 @@ void require_known_flags(const Campaign& campaign, const CampaignUnit& unit) {
     try {
       app.parse(command);
     } catch (const CLI::ParseError& error) {
-      throw InputError(fmt::format("unit {}: limber {}: {}", unit.index, campaign.verb,
-                                   error.what()));
+      throw InputError(
+          fmt::format("unit {}: limber {}: {}", unit.index, campaign.verb, error.what()));
     }
   }
 }
@@ -231,8 +230,7 @@ bool run_unit(const Campaign& campaign, const CampaignUnit& unit, CampaignFolder
     const Redirected redirected(output, own / "log.txt");
     try {
       if (const Flags parameters = arm_parameters(unit); !parameters.empty()) {
-        write_file_atomically(own / "arm.yaml",
-                              arm_with(find_arm_file(arm_of(unit)), parameters));
+        write_file_atomically(own / "arm.yaml", arm_with(find_arm_file(arm_of(unit)), parameters));
       }
       code = run(unit_command(campaign, unit, own, jobs));
     } catch (const std::exception& error) {
@@ -246,12 +244,10 @@ bool run_unit(const Campaign& campaign, const CampaignUnit& unit, CampaignFolder
     folder.fail(unit, code);
     return false;
   }
-  const nlohmann::ordered_json result =
-      nlohmann::ordered_json::parse(read_file(output));
+  const nlohmann::ordered_json result = nlohmann::ordered_json::parse(read_file(output));
   fs::remove(output);
-  folder.finish(
-      unit, result,
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+  folder.finish(unit, result,
+                std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
   return true;
 }
 

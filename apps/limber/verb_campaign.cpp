@@ -96,8 +96,8 @@ class CampaignVerb final : public Verb {
     const auto of =
         slash < shard_.size() ? number_in<std::size_t>(shard_.substr(slash + 1)) : std::nullopt;
     if (!number || !of || *number >= *of) {
-      throw InputError(fmt::format(
-          "--shard {}: expected I/N, I from 0 to N - 1, such as 0/{}", shard_, std::min<std::size_t>(count, 16)));
+      throw InputError(fmt::format("--shard {}: expected I/N, I from 0 to N - 1, such as 0/{}",
+                                   shard_, std::min<std::size_t>(count, 16)));
     }
     return {*number, *of};
   }
@@ -197,10 +197,9 @@ class CampaignVerb final : public Verb {
   static int print_status(const Campaign& campaign, CampaignFolder& folder,
                           const CommonFlags& flags) {
     const CampaignStatus status = look(campaign, folder);
-    std::string text =
-        fmt::format("{} units: {} done, {} running or cut short, {} failed, {} waiting",
-                    unit_count(campaign), status.done, status.started, status.failed,
-                    status.waiting);
+    std::string text = fmt::format(
+        "{} units: {} done, {} running or cut short, {} failed, {} waiting", unit_count(campaign),
+        status.done, status.started, status.failed, status.waiting);
     if (const std::optional<double> left_s = status.left_s(); left_s && *left_s > 0.0) {
       text += fmt::format("; {} of one process's time are left", format_duration(*left_s));
       if (status.started > 1) {
@@ -224,16 +223,16 @@ class CampaignVerb final : public Verb {
     nlohmann::ordered_json json = to_json(status);
     json["cost_unit"] = cost_unit(campaign.verb);
     json["units"] = nlohmann::ordered_json::array();
-    std::string text = fmt::format("{} units of limber {}, of which {} are done; {:.4g} {}", count,
-                                   campaign.verb, status.done,
-                                   status.left_cost + status.done_cost, cost_unit(campaign.verb));
+    std::string text =
+        fmt::format("{} units of limber {}, of which {} are done; {:.4g} {}", count, campaign.verb,
+                    status.done, status.left_cost + status.done_cost, cost_unit(campaign.verb));
     if (const std::optional<double> left_s = status.left_s()) {
       text += fmt::format("; {} of one process's time are left", format_duration(*left_s));
     }
     for (std::size_t i = 0; i < count; ++i) {
       const CampaignUnit unit = campaign_unit(campaign, i);
-      const std::string line = fmt::format(
-          "{}", fmt::join(unit_command(campaign, unit, folder.unit_folder(i), 1), " "));
+      const std::string line =
+          fmt::format("{}", fmt::join(unit_command(campaign, unit, folder.unit_folder(i), 1), " "));
       json["units"].push_back({{"unit", i}, {"cost", unit.cost}, {"command", line}});
       if (i < kShown) {
         text += fmt::format("\n{}: {:.4g}: limber {}", i, unit.cost, line);

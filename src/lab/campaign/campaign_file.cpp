@@ -194,8 +194,8 @@ Campaign read_campaign(const fs::path& path) {
   if (root.has("seed")) {
     const auto seed = number_in<std::uint64_t>(root.at("seed").text());
     if (!seed) {
-      root.at("seed").refuse(fmt::format("{} found; expected a whole number, at least 0",
-                                         root.at("seed").found()));
+      root.at("seed").refuse(
+          fmt::format("{} found; expected a whole number, at least 0", root.at("seed").found()));
     }
     campaign.seed = *seed;
   }

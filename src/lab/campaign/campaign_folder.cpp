@@ -22,8 +22,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-constexpr std::size_t kFan = 1000;           // entries of a folder
-constexpr std::size_t kIdentityDigits = 16;  // of a marker's name
+constexpr std::size_t kFan = 1000;                        // entries of a folder
+constexpr std::size_t kIdentityDigits = 16;               // of a marker's name
 constexpr std::streamoff kEnd = std::streamoff{1} << 16;  // bytes of a file's beginning and end
 constexpr const char* kCampaignFile = "campaign.json";
 constexpr const char* kCheckpoint = "model.safetensors.checkpoint";
@@ -57,10 +57,14 @@ Json description(const Campaign& campaign) {
       factors[factor.name] = factor.choices;
     }
   }
-  return {{"schema", "limber/campaign_folder/1"}, {"verb", campaign.verb},
-          {"seed", campaign.seed},                {"cpu", to_string(campaign.cpu)},
-          {"flags", flags_to_json(campaign.flags)},     {"factors", factors},
-          {"repeat", campaign.repeat},            {"random_count", campaign.random_count}};
+  return {{"schema", "limber/campaign_folder/1"},
+          {"verb", campaign.verb},
+          {"seed", campaign.seed},
+          {"cpu", to_string(campaign.cpu)},
+          {"flags", flags_to_json(campaign.flags)},
+          {"factors", factors},
+          {"repeat", campaign.repeat},
+          {"random_count", campaign.random_count}};
 }
 
 /// Whether it is no folder, or holds what no campaign left. Other shards may be making it just now:

@@ -153,9 +153,10 @@ std::vector<CampaignChart> charts_of(const Campaign& campaign) {
 
 void write_page(const Campaign& campaign, const fs::path& path, std::size_t done,
                 const std::vector<ChartData>& charts) {
-  ReportPage page("limber campaign", fmt::format("{} of {} units of limber {}, CPU level {}, seed {}",
-                                                 done, unit_count(campaign), campaign.verb,
-                                                 to_string(campaign.cpu), campaign.seed));
+  ReportPage page(
+      "limber campaign",
+      fmt::format("{} of {} units of limber {}, CPU level {}, seed {}", done, unit_count(campaign),
+                  campaign.verb, to_string(campaign.cpu), campaign.seed));
   page.heading("Charts").paragraph(
       "Each point is the mean of the units that share a value of x, the band or bar one standard "
       "deviation of them. Every figure is a column of table.csv.");

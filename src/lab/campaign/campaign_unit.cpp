@@ -33,8 +33,7 @@ std::string drawn(const CampaignFactor::Range& range, RandomStream& random) {
   using Scale = CampaignFactor::Range::Scale;
   switch (range.scale) {
     case Scale::logarithmic:
-      return fmt::format(
-          "{}", std::exp(random.uniform(std::log(range.from), std::log(range.to))));
+      return fmt::format("{}", std::exp(random.uniform(std::log(range.from), std::log(range.to))));
     case Scale::integer:
       return fmt::format("{:.0f}", std::floor(random.uniform(range.from, range.to + 1.0)));
     case Scale::linear:
@@ -62,8 +61,9 @@ Flags random_flags(const Campaign& campaign, std::size_t index) {
     if (factor.range) {
       varied.emplace_back(factor.name, FlagValues{drawn(*factor.range, random)});
     } else {
-      varied.emplace_back(factor.name, factor.choices[random.index(static_cast<std::uint32_t>(
-                                           factor.choices.size()))]);
+      varied.emplace_back(
+          factor.name,
+          factor.choices[random.index(static_cast<std::uint32_t>(factor.choices.size()))]);
     }
   }
   return varied;
@@ -118,8 +118,8 @@ double cost(const std::string& verb, const Flags& flags) {
            flag_number(flags, "count", kAllTransitions) * flag_number(flags, "hold-s", 3.0);
   }
   if (verb == "train") {
-    return flag_number(flags, "epochs", 1.0) * network_size(flags) * flag_number(flags, "ensemble", 1.0) *
-           megabytes(flags, "data");
+    return flag_number(flags, "epochs", 1.0) * network_size(flags) *
+           flag_number(flags, "ensemble", 1.0) * megabytes(flags, "data");
   }
   if (verb == "experiment") {
     return flag_number(flags, "trials", 20.0) *

@@ -1,4 +1,4 @@
-// Units handed out over MPI, longest first, to whichever rank is free. The only file that knows MPI;
+// Units handed out over MPI, longest first, to whichever rank is free. No other file knows MPI;
 // a module of its own, so that the program does not need it (lab/rank_work.hpp).
 //
 // Rank 0 works as the others do, on a thread of its own: its first thread answers. It sleeps between
@@ -21,10 +21,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kAsk = 1;     // tags
+constexpr int kAsk = 1;  // tags
 constexpr int kAnswer = 2;
 constexpr long long kNoMore = -1;
-constexpr std::chrono::microseconds kLook{300};  // between looks for questions: 1 ms is allowed
+constexpr std::chrono::microseconds kLook{300};   // between looks for questions: 1 ms is allowed
 constexpr std::chrono::milliseconds kEndLook{5};  // while others still work
 
 double seconds_since(Clock::time_point begin) {

@@ -41,10 +41,10 @@ struct Campaign {
   std::string verb;
   std::uint64_t seed = 1;
   CpuLevel cpu = CpuLevel::baseline;
-  Flags flags;                         ///< of every unit
+  Flags flags;                          ///< of every unit
   std::vector<CampaignFactor> factors;  ///< of a grid, the last is the fastest
-  std::size_t repeat = 1;              ///< of a grid: units of each combination
-  std::size_t random_count = 0;        ///< units of a random design; 0: a grid
+  std::size_t repeat = 1;               ///< of a grid: units of each combination
+  std::size_t random_count = 0;         ///< units of a random design; 0: a grid
   std::vector<CampaignChart> charts;
 };
 
