@@ -15,7 +15,7 @@ namespace {
 constexpr double kRoundingKpa = 1e-3;  // between two sums of the same plan's steps
 
 std::string reason_of_solution(const PlannerBudget& budget) {
-  return budget.limit() || budget.stopped_by_callback()
+  return budget.limit() || budget.was_stopped()
              ? budget.reason()
              : "improving the plan has ended, or it is as cheap as was asked for";
 }

@@ -80,6 +80,7 @@ PlanResult plan(const ArmDescription& asked_arm, const MotionModel& model,
   PlanningProblem problem = problem_with_room(arm, model, environment, room);
   problem.stay_within = region ? &*region : nullptr;
   problem.limits = settings.within;
+  problem.on_plan = settings.on_plan;
   PlanResult result = make_planner(settings.planner, settings.jobs, settings.forest)
                           ->plan(problem, limits.or_default(), seed, settings.callback);
   warn_first(room.note, result);

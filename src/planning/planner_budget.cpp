@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
 
 namespace limber {
 
@@ -34,7 +35,8 @@ PlannerBudget::PlannerBudget(const PlannerLimits& limits, const PlannerCallback&
       callback_(callback),
       now_(std::move(now)),
       start_(now_()),
-      reserve_s_(kReserveS) {
+      reserve_s_(kReserveS),
+      stop_(stop_of_thread()) {
   if (!limits.time_s && !limits.iterations && !limits.queries) {
     throw InputError("a planner needs a limit of time, iterations or queries; none is set");
   }
@@ -50,11 +52,11 @@ double PlannerBudget::elapsed_s() const {
 }
 
 bool PlannerBudget::out_of_time() const {
-  return stopped_ || (limits_.time_s && elapsed_s() >= share() * *limits_.time_s - reserve_s_);
+  return was_stopped() || (limits_.time_s && elapsed_s() >= share() * *limits_.time_s - reserve_s_);
 }
 
 bool PlannerBudget::is_overdue() const {
-  return limits_.time_s && elapsed_s() >= *limits_.time_s + kGraceS;
+  return is_asked_to_stop() || (limits_.time_s && elapsed_s() >= *limits_.time_s + kGraceS);
 }
 
 void PlannerBudget::keep_for_the_end(double seconds) {
@@ -73,7 +75,7 @@ void PlannerBudget::note(const PlannerProgress& progress) {
 
 bool PlannerBudget::spent(const PlannerProgress& progress, double bytes) {
   note(progress);
-  if (limit_ || stopped_) {
+  if (limit_ || was_stopped()) {
     return true;
   }
   if (limits_.iterations && double(progress.iterations) >= share() * double(*limits_.iterations)) {
@@ -89,11 +91,11 @@ bool PlannerBudget::spent(const PlannerProgress& progress, double bytes) {
     next_call_s_ = progress.time_s + kCallPeriodS;
     stopped_ = !callback_(progress);
   }
-  return limit_ || stopped_;
+  return limit_ || was_stopped();
 }
 
 std::string PlannerBudget::reason() const {
-  if (stopped_) {
+  if (was_stopped()) {
     return "stopped by the user";
   }
   if (!limit_) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <functional>
 #include <optional>
@@ -21,10 +22,11 @@ class PlannerBudget {
 
   double elapsed_s() const;
 
-  /// True if the time is up or the callback has asked to stop; checked inside long steps.
+  /// True if the time is up, or the callback or the StopScope of the thread that made the budget
+  /// has asked to stop; checked inside long steps, on any thread.
   bool out_of_time() const;
 
-  /// True if the time limit has passed by more than an ending may take.
+  /// True if the time limit has passed by more than an ending may take, or StopScope says stop.
   bool is_overdue() const;
 
   /// The last plan's certificate takes about this long, so the search ends that much earlier.
@@ -41,7 +43,7 @@ class PlannerBudget {
 
   /// The limit that ended the search, if one did.
   std::optional<PlanLimit> limit() const { return limit_; }
-  bool stopped_by_callback() const { return stopped_; }
+  bool was_stopped() const { return stopped_ || is_asked_to_stop(); }
   /// True if the best cost is at or below the threshold asked for.
   bool good_enough(const std::optional<double>& cost_kpa) const {
     return cost_kpa && limits_.cost_threshold_kpa && *cost_kpa <= *limits_.cost_threshold_kpa;
@@ -50,6 +52,7 @@ class PlannerBudget {
   std::string reason() const;
 
  private:
+  bool is_asked_to_stop() const { return stop_ != nullptr && stop_->load(); }
   /// Of the limits, that the search may have as it stands.
   double share() const { return has_plan_ ? 1.0 : limits_.patience; }
 
@@ -62,6 +65,7 @@ class PlannerBudget {
   bool has_plan_ = false;
   std::optional<PlanLimit> limit_;
   bool stopped_ = false;
+  const std::atomic<bool>* stop_;  // of the thread that made it; null without a StopScope
   std::vector<PlannerProgress> events_;
 };
 

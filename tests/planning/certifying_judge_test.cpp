@@ -61,6 +61,19 @@ TEST_F(Judge, RefusesAPlanThatEndsElsewhereAndSaysWhy) {
                                        "certificate, the cheapest for this: goal"));
 }
 
+TEST_F(Judge, PassesOnPlansThatHoldWithTheirFiguresAndNoOthers) {
+  std::vector<Plan> passed_on;
+  problem_.on_plan = [&](const Plan& plan) { passed_on.push_back(plan); };
+  Plan elsewhere = build({sound_kpa_.front(), sound_kpa_.front()});
+  EXPECT_EQ(judge_.judge(elsewhere, kNever), Verdict::refused);
+  EXPECT_TRUE(passed_on.empty());
+  Plan plan = build(sound_kpa_);
+  ASSERT_EQ(judge_.judge(plan, kNever), Verdict::holds);
+  ASSERT_EQ(passed_on.size(), 1U);
+  EXPECT_TRUE(passed_on.front().certified);
+  EXPECT_EQ(passed_on.front().waypoints_kpa, plan.waypoints_kpa);
+}
+
 TEST_F(Judge, WithoutTimeItIsNotFinished) {
   Plan plan = build(sound_kpa_);
   EXPECT_EQ(judge_.judge(plan, [] { return true; }), Verdict::unfinished);

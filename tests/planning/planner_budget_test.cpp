@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
 
 namespace limber {
 namespace {
@@ -51,6 +52,21 @@ TEST_F(Budget, TimeIsUpALittleBeforeTheLimitAndOverdueALittleAfter) {
     EXPECT_EQ(one.out_of_time(), time_s >= 2.0 - kReserveS) << time_s;
     EXPECT_EQ(one.is_overdue(), time_s >= 2.0 + kGraceS) << time_s;
   }
+}
+
+TEST_F(Budget, EndsAtOnceWhereItsThreadIsAskedToStop) {
+  limits_.time_s = 2.0;
+  std::atomic<bool> stop = false;
+  const StopScope scope(&stop);
+  PlannerBudget one = budget();
+  EXPECT_FALSE(one.out_of_time());
+  EXPECT_FALSE(one.spent(progress(1, 1), kAFewBytes));
+  stop = true;
+  EXPECT_TRUE(one.out_of_time());
+  EXPECT_TRUE(one.is_overdue());
+  EXPECT_TRUE(one.spent(progress(2, 2), kAFewBytes));
+  EXPECT_EQ(one.reason(), "stopped by the user");
+  EXPECT_FALSE(one.limit());
 }
 
 TEST_F(Budget, WithoutATimeLimitTimeIsNeverUp) {
@@ -155,7 +171,7 @@ TEST_F(Budget, AsksItsCallbackTenTimesASecondAndStopsWhenToldTo) {
     EXPECT_NEAR(calls_s[k] - calls_s[k - 1], 0.1, 0.011);
   }
   EXPECT_NEAR(turns, 31, 3);
-  EXPECT_TRUE(one.stopped_by_callback());
+  EXPECT_TRUE(one.was_stopped());
   EXPECT_TRUE(one.out_of_time()) << "long steps look there";
   EXPECT_FALSE(one.limit());
   EXPECT_EQ(one.reason(), "stopped by the user");

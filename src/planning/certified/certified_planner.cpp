@@ -6,6 +6,7 @@
 
 #include "certified_search.hpp"
 #include "goal_room.hpp"
+#include "limber/common/interrupt.hpp"
 #include "limber/common/units.hpp"
 #include "limber/planning/problem_check.hpp"
 #include "margin_yield.hpp"
@@ -62,7 +63,7 @@ class CertifiedPlanner final : public Planner {
     }
     PlanResult result = certified_search(*planner_, problem, shared, patient, seed, watched);
     result.warnings.insert(result.warnings.begin(), notes.begin(), notes.end());
-    if (!result.plan && !stopped) {
+    if (!result.plan && !stopped && !interrupt_requested()) {
       explain(
           problem, seed, [&] { return limits.time_s && seconds_since(start) > *limits.time_s; },
           result);

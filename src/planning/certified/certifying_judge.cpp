@@ -39,6 +39,9 @@ PlanJudge::Verdict CertifyingJudge::judge(Plan& plan, const std::function<bool()
     plan.certified = CertifiedFigures{certificate.clearance_m, certificate.max_deviation_m};
     held_ = std::move(certificate);
     held_plan_ = plan;
+    if (problem_.on_plan) {
+      problem_.on_plan(plan);
+    }
     return Verdict::holds;
   }
   if (!refused_ || plan.cost_kpa < refused_kpa_) {

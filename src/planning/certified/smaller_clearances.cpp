@@ -85,6 +85,7 @@ void try_smaller_clearances(const PlanningProblem& asked, AskedProblem& shared,
   const double max_m = asked.tube ? max_room_m(*asked.tube) : asked.margin_m;
   PlanningProblem problem = asked;
   problem.tube.reset();
+  problem.on_plan = {};  // these keep less than was asked for
   PlannerStatistics& spent = result.statistics;
   std::size_t tries = std::size(kSmallerClearances);
   for (const double share : kSmallerClearances) {

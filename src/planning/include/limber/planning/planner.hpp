@@ -23,6 +23,10 @@ namespace limber {
 
 class PlanJudge;
 
+/// Called on the planner's own thread with each plan that was certified while it searches: the
+/// first, and those notably better than the one before (docs/planning.md).
+using PlanCallback = std::function<void(const Plan&)>;
+
 /// The problem to solve. Borrowed: everything outlives the call that gets it.
 struct PlanningProblem {
   const ArmDescription& arm;
@@ -48,6 +52,7 @@ struct PlanningProblem {
   bool goal_has_room = true;
   /// Kept free beside the margin. `goal_inside` is left to the planner.
   std::optional<PlanTube> tube = std::nullopt;
+  PlanCallback on_plan = {};
 };
 
 /// The problem, its plans keeping `room`.

@@ -35,6 +35,7 @@ struct PlanSettings {
   int jobs = 0;
   const Forest* forest = nullptr;
   PlannerCallback callback = {};
+  PlanCallback on_plan = {};  ///< PlanningProblem::on_plan
 };
 
 /// What `limber plan` does, and the same plan: plans keep the tube that the model carries, or the
