@@ -25,6 +25,7 @@ std::vector<std::unique_ptr<Verb>> all_verbs() {
   verbs.push_back(make_export_verb());
   verbs.push_back(make_driver_verb());
   verbs.push_back(make_virtual_arm_verb());
+  verbs.push_back(make_studio_verb());
   verbs.push_back(make_doctor_verb());
   return verbs;
 }

@@ -16,6 +16,7 @@ std::unique_ptr<Verb> make_calibrate_verb();
 std::unique_ptr<Verb> make_campaign_verb();
 std::unique_ptr<Verb> make_collect_verb();
 std::unique_ptr<Verb> make_demo_verb();
+std::unique_ptr<Verb> make_studio_verb();
 std::unique_ptr<Verb> make_doctor_verb();
 std::unique_ptr<Verb> make_evaluate_verb();
 std::unique_ptr<Verb> make_family_verb();

@@ -1,0 +1,73 @@
+#include <chrono>
+#include <thread>
+
+#include "limber/common/interrupt.hpp"
+#include "limber/studio/studio.hpp"
+#include "verbs.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr std::chrono::milliseconds kSignalPoll{100};
+constexpr int kMaxPort = 65535;
+
+class StudioVerb final : public Verb {
+ public:
+  const char* name() const override { return "studio"; }
+  const char* summary() const override {
+    return "Serve a page for browsers: see the arm, drag obstacles and goal, plan, play, drive";
+  }
+  const char* example() const override {
+    return "limber studio --project my_project --model my_project/model.safetensors";
+  }
+
+  void add_flags(CLI::App& app) override {
+    app.add_option("--project", settings_.project,
+                   "Folder whose arms, models and environments are offered, and where environments "
+                   "and plans are saved")
+        ->capture_default_str();
+    app.add_option("--arm", arm_, "Arm to show first: a file, or the name of one of limber's own")
+        ->capture_default_str();
+    app.add_option("--model", model_, "Network to plan with first; else the no-load model");
+    app.add_option("--port", settings_.port, "Port to listen at; 0: any that is free")
+        ->check(CLI::Range(0, kMaxPort))
+        ->capture_default_str();
+    app.add_option("--listen", settings_.listen,
+                   "Address or name of this machine to listen at. Whoever can read what is sent on "
+                   "the way can use the studio: prefer an SSH tunnel to the default")
+        ->capture_default_str();
+  }
+
+  int run(const CommonFlags& flags) override {
+    (void)load_asked_arm(arm_);
+    settings_.arm = find_arm_file(arm_);
+    settings_.model = model_;
+    Studio studio(settings_);
+    print_result(flags, {{"address", studio.address()}}, studio.address());
+    say(flags, "open this address in a browser; Ctrl-C ends the studio");
+    std::thread watch([&studio] {
+      while (!interrupt_requested()) {
+        std::this_thread::sleep_for(kSignalPoll);
+      }
+      studio.stop();
+    });
+    studio.serve();
+    request_interrupt();  // also where the server ended by itself
+    watch.join();
+    return kExitDone;
+  }
+
+ private:
+  StudioSettings settings_;
+  std::string arm_ = "three_segment";
+  std::string model_;
+};
+
+}  // namespace
+
+std::unique_ptr<Verb> make_studio_verb() {
+  return std::make_unique<StudioVerb>();
+}
+
+}  // namespace limber

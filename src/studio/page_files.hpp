@@ -1,0 +1,21 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace limber {
+
+/// web/dist inside the program: "/index.html", "/assets/index.js" → bytes.
+const std::map<std::string, std::string_view>& page_bytes();
+
+struct PageFile {
+  std::string_view bytes;
+  const char* media_type = "";
+};
+
+/// What the browser gets for `path`; "/" is the page itself. None: there is no such file.
+std::optional<PageFile> page_file(const std::string& path);
+
+}  // namespace limber

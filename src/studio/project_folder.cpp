@@ -1,0 +1,176 @@
+#include "project_folder.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include "limber/common/data_folder.hpp"
+#include "limber/common/error.hpp"
+
+namespace limber {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kOwn = "limber:";
+constexpr std::string_view kGiven = "given:";
+constexpr std::size_t kHead = 65536;  // a forest's header: four tensors, and its arm's keys
+constexpr std::size_t kMaxName = 100;
+
+const char* ending_of(ProjectItem kind) {
+  return kind == ProjectItem::model ? ".safetensors" : ".yaml";
+}
+
+std::string head_of(const fs::path& file) {
+  std::string head(kHead, '\0');
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream.gcount())));
+  return head;
+}
+
+/// What the beginning of a file says.
+bool is_of(ProjectItem kind, const fs::path& file) {
+  if (file.extension() != ending_of(kind)) {
+    return false;
+  }
+  const std::string head = head_of(file);
+  const auto says = [&](const char* schema) { return head.find(schema) != std::string::npos; };
+  switch (kind) {
+    case ProjectItem::arm:
+      return says("limber/arm/") && !says("limber/environment/");
+    case ProjectItem::environment:
+      return says("limber/environment/");
+    case ProjectItem::model:
+      return !says("limber/forest/");
+  }
+  return false;
+}
+
+fs::path own_folder(ProjectItem kind) {
+  constexpr std::array<const char*, 3> kFolders = {"arms", "families", "environments"};
+  return data_folder() / kFolders.at(static_cast<std::size_t>(kind));
+}
+
+bool is_plain_name(const std::string& name) {
+  return !name.empty() && name.size() <= kMaxName && name.front() != '.' &&
+         std::ranges::all_of(name, [](char c) {
+           return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                  c == '_' || c == '-' || c == '.' || c == ' ';
+         });
+}
+
+bool is_inside(const fs::path& folder, const fs::path& file) {
+  return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first ==
+         folder.end();
+}
+
+void add_sorted(std::vector<std::string>& names, std::vector<std::string> more) {
+  std::ranges::sort(more);
+  names.insert(names.end(), more.begin(), more.end());
+}
+
+[[noreturn]] void refuse_name(const std::string& name) {
+  throw InputError(fmt::format("'{}': no file of the project folder has that name", name));
+}
+
+}  // namespace
+
+ProjectFolder::ProjectFolder(const fs::path& folder) {
+  std::error_code error;
+  folder_ = fs::canonical(folder, error);
+  if (error || !fs::is_directory(folder_)) {
+    throw InputError(fmt::format("--project {}: no such folder", folder.string()));
+  }
+}
+
+std::string ProjectFolder::give(ProjectItem kind, const fs::path& file) {
+  const fs::path whole = fs::canonical(file);
+  if (is_inside(folder_, whole)) {
+    return name_of(whole);
+  }
+  if (is_inside(data_folder(), whole) && kind != ProjectItem::model) {
+    return std::string(kOwn) + whole.stem().string();
+  }
+  const std::string name = std::string(kGiven) + whole.filename().string();
+  given_[static_cast<std::size_t>(kind)][name] = whole;
+  return name;
+}
+
+std::string ProjectFolder::name_of(const fs::path& file) const {
+  return file.lexically_relative(folder_).generic_string();
+}
+
+std::vector<std::string> ProjectFolder::names(ProjectItem kind) const {
+  std::vector<std::string> result;
+  for (const auto& [name, path] : given_[static_cast<std::size_t>(kind)]) {
+    result.push_back(name);
+  }
+  std::vector<std::string> found;
+  std::error_code error;
+  int looked_at = 0;
+  fs::recursive_directory_iterator entry(folder_, fs::directory_options::skip_permission_denied,
+                                         error);
+  for (; !error && entry != fs::recursive_directory_iterator() && looked_at < kMaxEntries;
+       entry.increment(error), ++looked_at) {
+    if (entry->path().filename().string().front() == '.' || entry.depth() >= kMaxDepth) {
+      entry.disable_recursion_pending();
+    } else if (entry->is_regular_file(error) && is_of(kind, entry->path())) {
+      found.push_back(name_of(entry->path()));
+    }
+  }
+  add_sorted(result, std::move(found));
+  if (kind != ProjectItem::model) {  // a family is no arm's model before `limber adapt`
+    std::vector<std::string> own;
+    for (const auto& file : fs::directory_iterator(own_folder(kind), error)) {
+      if (is_of(kind, file.path())) {
+        own.push_back(std::string(kOwn) + file.path().stem().string());
+      }
+    }
+    add_sorted(result, std::move(own));
+  }
+  return result;
+}
+
+fs::path ProjectFolder::find(ProjectItem kind, const std::string& name) const {
+  const auto& given = given_[static_cast<std::size_t>(kind)];
+  if (const auto found = given.find(name); found != given.end()) {
+    return found->second;
+  }
+  std::error_code error;
+  if (name.starts_with(kOwn)) {
+    const std::string own = name.substr(kOwn.size());
+    const fs::path file = own_folder(kind) / (own + ending_of(kind));
+    if (!is_plain_name(own) || !fs::is_regular_file(file, error)) {
+      refuse_name(name);
+    }
+    return file;
+  }
+  const bool has_null = name.find('\0') != std::string::npos;
+  const fs::path whole = has_null ? fs::path() : fs::canonical(folder_ / name, error);
+  if (name.empty() || has_null || error || fs::path(name).is_absolute() ||
+      !is_inside(folder_, whole) || whole.extension() != ending_of(kind) ||
+      !fs::is_regular_file(whole, error)) {
+    refuse_name(name);
+  }
+  return whole;
+}
+
+fs::path ProjectFolder::to_save(const std::string& subfolder, const std::string& name,
+                                const std::string& ending) const {
+  if (!is_plain_name(name)) {
+    throw InputError(
+        "name: expected 1 to 100 letters, digits, spaces and any of _ - ., the first no point");
+  }
+  fs::path folder = folder_ / subfolder;
+  std::error_code error;
+  if (fs::exists(folder, error) && !is_inside(folder_, fs::canonical(folder, error))) {
+    throw InputError(fmt::format("{}: leads out of the project folder", subfolder));
+  }
+  return folder / (name.ends_with(ending) ? name : name + ending);
+}
+
+}  // namespace limber

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace limber {
+
+enum class ProjectItem { arm, model, environment };
+
+/// Files that the studio offers: those of a project folder by their path in it
+/// ("environments/mine.yaml"), limber's own by their name ("limber:01_pillar"), and files that the
+/// command line named ("given:NAME"). Names come from requests: none leads out of the folder.
+/// Threads: constant after `give`.
+class ProjectFolder {
+ public:
+  /// @throws InputError if it is no folder.
+  explicit ProjectFolder(const std::filesystem::path& folder);
+
+  /// Offers a file from anywhere. @return its name
+  std::string give(ProjectItem kind, const std::filesystem::path& file);
+
+  /// Names of all files of a kind: given ones, the project's, limber's own. Looks kMaxDepth folders
+  /// deep, at kMaxEntries files and folders.
+  std::vector<std::string> names(ProjectItem kind) const;
+
+  /// @throws InputError if the name is none that could be offered, or there is no such file.
+  std::filesystem::path find(ProjectItem kind, const std::string& name) const;
+
+  /// Where a file of that name is saved: "mine" becomes FOLDER/subfolder/mine.yaml.
+  /// @throws InputError unless the name is made of letters, digits, "_", "-", "." and spaces.
+  std::filesystem::path to_save(const std::string& subfolder, const std::string& name,
+                                const std::string& ending) const;
+  /// What a file in the project is called in requests.
+  std::string name_of(const std::filesystem::path& file) const;
+
+  const std::filesystem::path& folder() const { return folder_; }
+
+  static constexpr int kMaxDepth = 3;
+  static constexpr int kMaxEntries = 5000;
+
+ private:
+  std::filesystem::path folder_;  // canonical
+  std::map<std::string, std::filesystem::path> given_[3];
+};
+
+}  // namespace limber

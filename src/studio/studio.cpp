@@ -1,0 +1,388 @@
+#include "limber/studio/studio.hpp"
+
+#include <sys/socket.h>
+
+#include <fmt/format.h>
+
+#include "connections.hpp"
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/json_reader.hpp"
+#include "limber/common/version.hpp"
+#include "page_files.hpp"
+#include "project_folder.hpp"
+#include "request_rules.hpp"
+#include "scene_json.hpp"
+#include "tabs.hpp"
+
+namespace limber {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using httplib::Request;
+using httplib::Response;
+using Outcome = httplib::Server::HandlerResponse;
+
+constexpr double kRequestsPerS = 400.0;  // a hand drags at the screen's rate, in up to five tabs
+constexpr double kRequestsAtOnce = 400.0;
+constexpr double kMaxTimeLimitS = 60.0;
+
+enum HttpStatus {
+  kSeeOther = 303,
+  kBadRequest = 400,
+  kForbidden = 403,
+  kNotFound = 404,
+  kConflict = 409,
+  kLengthRequired = 411,
+  kTooLarge = 413,
+  kUnsupportedMedia = 415,
+  kTooManyRequests = 429,
+  kInternalError = 500,
+};
+
+void answer(Response& response, const Json& json, int status = 200) {
+  response.status = status;
+  // What a file is called may be no UTF-8.
+  response.set_content(json.dump(-1, ' ', false, Json::error_handler_t::replace),
+                       "application/json");
+}
+
+Outcome refuse(Response& response, int status, const std::string& why) {
+  answer(response, {{"error", why}}, status);
+  return Outcome::Handled;
+}
+
+/// Only this machine's own program listens here: cpp-httplib would share the port with others.
+void reuse_address(socket_t socket) {
+  const int yes = 1;
+  setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+}
+
+SceneNames scene_of(const JsonReader& body) {
+  return {body.at("arm").text(), body.at("model").text()};
+}
+
+std::uint64_t request_of(const JsonReader& body) {
+  constexpr std::uint64_t kMaxRequest = std::uint64_t{1} << 53U;
+  return body.at("request").count(kMaxRequest);
+}
+
+}  // namespace
+
+class Studio::Server {
+ public:
+  explicit Server(const StudioSettings& settings)
+      : listen_(settings.listen),
+        project_(settings.project),
+        token_(make_token()),
+        tabs_(project_),
+        http_([this](const Request& request) { return shows_token(request); }) {
+    if (!settings.arm.empty()) {
+      first_arm_ = project_.give(ProjectItem::arm, settings.arm);
+    }
+    if (!settings.model.empty()) {
+      first_model_ = project_.give(ProjectItem::model, settings.model);
+    }
+    bind(settings);
+    cookie_ = fmt::format("limber_studio_{}", port_);
+    add_rules();
+    add_files();
+    add_work();
+    add_page();  // last: its pattern matches every path
+  }
+
+  int port() const { return port_; }
+  const std::string& token() const { return token_; }
+  std::string address() const {
+    const bool is_v6 = listen_.find(':') != std::string::npos;
+    return fmt::format("http://{}:{}/?token={}", is_v6 ? "[" + listen_ + "]" : listen_, port_,
+                       token_);
+  }
+  void serve() { http_.listen_after_bind(); }
+  void stop() {
+    stopping_ = true;
+    http_.close_all();
+  }
+
+ private:
+  void bind(const StudioSettings& settings) {
+    if (listen_ == "0.0.0.0" || listen_ == "::" || listen_.empty()) {
+      throw InputError(fmt::format(
+          "--listen '{}': expected one address or name of this machine, as browsers ask for it",
+          listen_));
+    }
+    http_.set_socket_options(reuse_address);
+    port_ = settings.port;
+    if (port_ == 0) {
+      port_ = http_.bind_to_any_port(listen_);
+    } else if (!http_.bind_to_port(listen_, port_)) {
+      port_ = -1;
+    }
+    if (port_ <= 0) {
+      throw InputError(
+          fmt::format("can't listen at {} port {}: it is taken, or not this machine's; "
+                      "--port 0 finds a free port",
+                      listen_, settings.port));
+    }
+  }
+
+  bool shows_token(const Request& request) const {
+    return is_same_secret(cookie_value(request.get_header_value("Cookie"), cookie_), token_);
+  }
+
+  /// Who may ask, and how much. What is refused here has no effect, and its body is never read.
+  Outcome admit(const Request& request, Response& response) {
+    const std::string host = request.get_header_value("Host");
+    const bool changes = request.method != "GET" && request.method != "HEAD";
+    if (request.get_header_value_count("Host") != 1 || !is_own_host(host, listen_)) {
+      return refuse(response, kForbidden, "Host: expected this machine");
+    }
+    if (!is_own_origin(request.get_header_value("Origin"), host, changes)) {
+      return refuse(response, kForbidden, "Origin: expected this page");
+    }
+    if (request.path == "/" && request.has_param("token")) {
+      return enter(request, response);
+    }
+    if (!shows_token(request)) {
+      return refuse(response, kForbidden, "open the address that limber studio printed");
+    }
+    {
+      const std::lock_guard lock(rate_mutex_);
+      if (!rate_.admits(RateLimit::Clock::now())) {
+        return refuse(response, kTooManyRequests, "too many requests");
+      }
+    }
+    return changes ? admit_body(request, response) : Outcome::Unhandled;
+  }
+
+  static Outcome admit_body(const Request& request, Response& response) {
+    if (request.has_header("Transfer-Encoding") || !request.has_header("Content-Length")) {
+      return refuse(response, kLengthRequired, "Content-Length: expected");
+    }
+    const std::string length = request.get_header_value("Content-Length");
+    constexpr std::size_t kMaxDigits = 9;
+    if (length.empty() || length.size() > kMaxDigits ||
+        length.find_first_not_of("0123456789") != std::string::npos ||
+        std::stoul(length) > GuardedServer::kMaxBody) {
+      return refuse(response, kTooLarge, "Content-Length: expected at most 262144");
+    }
+    if (!request.get_header_value("Content-Type").starts_with("application/json")) {
+      return refuse(response, kUnsupportedMedia, "Content-Type: expected application/json");
+    }
+    return Outcome::Unhandled;
+  }
+
+  /// The printed address: its token becomes a cookie, and leaves the address bar.
+  Outcome enter(const Request& request, Response& response) {
+    if (!is_same_secret(request.get_param_value("token"), token_)) {
+      return refuse(response, kForbidden, "open the address that limber studio printed last");
+    }
+    response.set_header("Set-Cookie",
+                        fmt::format("{}={}; HttpOnly; SameSite=Strict; Path=/", cookie_, token_));
+    response.set_redirect("/", kSeeOther);
+    return Outcome::Handled;
+  }
+
+  void add_rules() {
+    http_.set_pre_routing_handler([this](const Request& request, Response& response) {
+      response.set_header("Content-Security-Policy",
+                          "default-src 'self'; img-src 'self' data:; frame-ancestors 'none'; "
+                          "base-uri 'none'; form-action 'none'");
+      response.set_header("X-Content-Type-Options", "nosniff");
+      response.set_header("Referrer-Policy", "no-referrer");
+      response.set_header("Cache-Control", "no-store");
+      return admit(request, response);
+    });
+    http_.set_exception_handler([](const Request&, Response& response, std::exception_ptr thrown) {
+      try {
+        std::rethrow_exception(thrown);
+      } catch (const InputError& error) {
+        refuse(response, kBadRequest, error.what());
+      } catch (const std::exception& error) {
+        refuse(response, kInternalError, error.what());
+      }
+    });
+  }
+
+  void add_page() {
+    http_.Get(R"(/[\w.\-/]*)", [](const Request& request, Response& response) {
+      const std::optional<PageFile> file = page_file(request.path);
+      if (!file) {
+        refuse(response, kNotFound, "nothing is there");
+        return;
+      }
+      response.set_content(file->bytes.data(), file->bytes.size(), file->media_type);
+    });
+  }
+
+  /// The folder's files.
+  void add_files() {
+    get("/api/project", [this](const Request&, Response& response) {
+      answer(response, {{"version", version()},
+                        {"folder", project_.folder().filename().string()},
+                        {"arms", project_.names(ProjectItem::arm)},
+                        {"models", project_.names(ProjectItem::model)},
+                        {"environments", project_.names(ProjectItem::environment)},
+                        {"first_arm", first_arm_},
+                        {"first_model", first_model_}});
+    });
+    get("/api/arm", [this](const Request& request, Response& response) {
+      const ArmDescription arm = arm_named(request.get_param_value("name"));
+      Json json = arm_to_json(arm);
+      json["reach"] = reach_to_json(arm);
+      answer(response, json);
+    });
+    get("/api/environment", [this](const Request& request, Response& response) {
+      const ArmDescription arm = arm_named(request.get_param_value("arm"));
+      answer(response,
+             environment_to_json(load_environment(
+                 project_.find(ProjectItem::environment, request.get_param_value("name")), arm)));
+    });
+    post("/api/environment", [this](const JsonReader& body, Response& response) {
+      const ArmDescription arm = arm_named(body.at("arm").text());
+      const Environment environment = environment_from_json(body.at("environment").value(), arm);
+      save("environments", ".yaml", body, response, [&](const std::filesystem::path& path) {
+        write_file_atomically(path, environment_to_yaml(environment));
+      });
+    });
+    post("/api/plan/save", [this](const JsonReader& body, Response& response) {
+      std::optional<FoundPlan> found;
+      with_tab(body, response, [&](Tab& tab) { found = tab.found(); });
+      if (found) {
+        save("plans", ".json", body, response,
+             [&](const std::filesystem::path& path) { write_plan(path, found->plan); });
+      } else if (response.status == -1) {
+        refuse(response, kConflict, "there is no certified plan to save");
+      }
+    });
+  }
+
+  void add_work() {
+    get("/api/events", [this](const Request&, Response& response) { stream_events(response); });
+    post("/api/plan", [this](const JsonReader& body, Response& response) {
+      PlanJob job;
+      job.request = request_of(body);
+      job.scene = scene_of(body);
+      job.environment = body.at("environment").value();
+      job.time_limit_s = body.at("time_limit_s").number(0.01, kMaxTimeLimitS);
+      job.seed = body.at("seed").count(UINT32_MAX);
+      job.with_tree = body.at("tree").boolean();
+      with_tab(body, response, [&](Tab& tab) { tab.post(std::move(job)); });
+    });
+    post("/api/run", [this](const JsonReader& body, Response& response) {
+      const RunJob job{request_of(body)};
+      with_tab(body, response, [&](Tab& tab) {
+        if (tab.found()) {
+          tab.post(job);
+        } else {
+          refuse(response, kConflict, "there is no certified plan to run");
+        }
+      });
+    });
+    post("/api/drive", [this](const JsonReader& body, Response& response) {
+      const std::vector<double> kpa = body.at("setpoint_kpa").numbers(std::string::npos, "kPa");
+      const bool restart = body.at("restart").boolean();
+      const DriveJob job{request_of(body), scene_of(body)};
+      with_tab(body, response, [&](Tab& tab) {
+        tab.target().set(
+            Eigen::Map<const Eigen::VectorXd>(kpa.data(), Eigen::Index(kpa.size())).cast<float>());
+        if (restart) {
+          tab.post(job);
+        }
+      });
+    });
+    post("/api/stop", [this](const JsonReader& body, Response& response) {
+      with_tab(body, response, [](Tab& tab) { tab.stop(); });
+    });
+  }
+
+  void stream_events(Response& response) {
+    const std::string id = tabs_.open();
+    if (id.empty()) {
+      refuse(
+          response, kTooManyRequests,
+          fmt::format("{} studio tabs are open: close one, then load this one again", Tabs::kMax));
+      return;
+    }
+    response.set_chunked_content_provider(
+        "text/event-stream",
+        [this, id](std::size_t, httplib::DataSink& sink) {
+          const std::string event = tabs_.pop_event(id);
+          const std::string piece = event.empty() ? ":\n\n" : event;  // shows whether it is there
+          return !stopping_ && sink.write(piece.data(), piece.size());
+        },
+        [this, id](bool) { tabs_.close(id); });
+  }
+
+  using Get = std::function<void(const Request&, Response&)>;
+  void get(const char* path, Get handle) { http_.Get(path, std::move(handle)); }
+
+  using Post = std::function<void(const JsonReader&, Response&)>;
+  void post(const char* path, Post handle) {
+    http_.Post(path, [handle = std::move(handle)](const Request& request, Response& response) {
+      const nlohmann::json body = parse_json_object(request.body, "request");
+      handle(JsonReader(body, "request"), response);
+      if (response.status == -1) {
+        answer(response, Json::object());
+      }
+    });
+  }
+
+  template <class Use>
+  void with_tab(const JsonReader& body, Response& response, Use&& use) {
+    if (!tabs_.with(body.at("tab").text(), use)) {
+      refuse(response, kConflict, "tab: this page has lost its connection; load it again");
+    }
+  }
+
+  template <class Write>
+  void save(const char* folder, const char* ending, const JsonReader& body, Response& response,
+            Write&& write) {
+    const std::filesystem::path path = project_.to_save(folder, body.at("name").text(), ending);
+    if (std::filesystem::exists(path) && !body.at("overwrite").boolean()) {
+      refuse(response, kConflict, fmt::format("{} is there already", project_.name_of(path)));
+      return;
+    }
+    refuse_to_overwrite(path, true);
+    write(path);
+    answer(response, {{"name", project_.name_of(path)}});
+  }
+
+  ArmDescription arm_named(const std::string& name) const {
+    return load_arm(project_.find(ProjectItem::arm, name));
+  }
+
+  std::string listen_;
+  ProjectFolder project_;
+  std::string token_;
+  std::string first_arm_;
+  std::string first_model_;
+  int port_ = 0;
+  std::string cookie_;
+  std::mutex rate_mutex_;
+  RateLimit rate_{kRequestsPerS, kRequestsAtOnce};
+  std::atomic<bool> stopping_ = false;
+  Tabs tabs_;
+  GuardedServer http_;
+};
+
+Studio::Studio(const StudioSettings& settings) : server_(std::make_unique<Server>(settings)) {}
+Studio::~Studio() = default;
+int Studio::port() const {
+  return server_->port();
+}
+const std::string& Studio::token() const {
+  return server_->token();
+}
+std::string Studio::address() const {
+  return server_->address();
+}
+void Studio::serve() {
+  server_->serve();
+}
+void Studio::stop() {
+  server_->stop();
+}
+
+}  // namespace limber

@@ -1,0 +1,61 @@
+#include "studio_scene.hpp"
+
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/content_hash.hpp"
+#include "limber/network/arm_family.hpp"
+#include "limber/network/gap_bounds.hpp"
+#include "limber/sim/virtual_arm_parameters.hpp"
+
+namespace limber {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+ArmDescription checked_arm(const fs::path& file) {
+  ArmDescription arm = load_arm(file);
+  virtual_arm_parameters(arm);  // refuses what is wrong there
+  return arm;
+}
+
+ForwardModel forward_of(const ArmDescription& arm, const fs::path& model_file) {
+  if (model_file.empty()) {
+    return ForwardModel(arm);
+  }
+  CompensationModel network = read_model_of_one_arm(model_file);
+  require_bounded(network, model_file.filename().string());
+  return ForwardModel(arm, std::move(network));
+}
+
+ValveModel valves_of(const ArmDescription& arm, const ForwardModel& forward) {
+  return ValveModel(arm, forward.has_network()
+                             ? forward.compensation().valves.value_or(ValveParameters{})
+                             : ValveParameters{});
+}
+
+}  // namespace
+
+StudioScene::StudioScene(const ProjectFolder& project, SceneNames names)
+    : names_(std::move(names)),
+      arm_file_(project.find(ProjectItem::arm, names_.arm)),
+      model_file_(names_.model.empty() ? fs::path()
+                                       : project.find(ProjectItem::model, names_.model)),
+      arm_time_(fs::last_write_time(arm_file_)),
+      arm_(checked_arm(arm_file_)),
+      forward_(forward_of(arm_, model_file_)),
+      simple_(arm_),
+      motion_(forward_, valves_of(arm_, forward_)),
+      simple_motion_(simple_) {
+  if (!model_file_.empty()) {
+    model_time_ = fs::last_write_time(model_file_);
+    model_hash_ = content_hash(read_file(model_file_));
+  }
+}
+
+bool StudioScene::is_current(const SceneNames& names) const {
+  std::error_code error;
+  return names == names_ && fs::last_write_time(arm_file_, error) == arm_time_ &&
+         (model_file_.empty() || fs::last_write_time(model_file_, error) == model_time_);
+}
+
+}  // namespace limber

@@ -1,0 +1,43 @@
+#include "tabs.hpp"
+
+#include "request_rules.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr std::chrono::milliseconds kEventWait{200};  // how soon a closed page is noticed
+
+}  // namespace
+
+std::string Tabs::open() {
+  const std::lock_guard lock(mutex_);
+  if (tabs_.size() >= kMax) {
+    return "";
+  }
+  const std::string id = make_token();
+  auto tab = std::make_unique<Tab>(project_);
+  tab->events().push("tab", nlohmann::json{{"id", id}}.dump());
+  tabs_[id] = std::move(tab);
+  return id;
+}
+
+void Tabs::close(const std::string& id) {
+  std::unique_ptr<Tab> closed;  // joins its thread without the lock
+  {
+    const std::lock_guard lock(mutex_);
+    if (const auto found = tabs_.find(id); found != tabs_.end()) {
+      closed = std::move(found->second);
+      tabs_.erase(found);
+    }
+  }
+}
+
+/// Only its own stream closes a tab, so that it outlives this call.
+std::string Tabs::pop_event(const std::string& id) {
+  EventQueue* events = nullptr;
+  with(id, [&](Tab& tab) { events = &tab.events(); });
+  return events == nullptr ? "" : events->pop(kEventWait);
+}
+
+}  // namespace limber

@@ -1,0 +1,154 @@
+// What the server says (docs/studio_api.md). Keys are those of limber's files: kPa, m, rad, s.
+
+export type Circle = { circle: { x_m: number; y_m: number; radius_m: number } };
+export type Rectangle = {
+  rectangle: { x_m: number; y_m: number; width_m: number; height_m: number; angle_rad: number };
+};
+export type Polygon = { polygon: [number, number][] };
+export type Obstacle = Circle | Rectangle | Polygon;
+export type Goal = {
+  x_m: number;
+  y_m: number;
+  theta_rad?: number;
+  position_tolerance_m: number;
+  orientation_tolerance_rad?: number;
+};
+export type Environment = { name: string; obstacles: Obstacle[]; start: unknown; goal: Goal };
+
+export type Segment = {
+  length_m: number;
+  width_m: number;
+  gaps: number;
+  lower_kpa: number;
+  upper_kpa: number;
+};
+export type Arm = {
+  name: string;
+  command: { name: string; unit: string };
+  length_m: number;
+  actuator_radius_m: number;
+  segments: Segment[];
+  rest: number[];
+  reach: { cell_m: number; middles_m: number[] };
+};
+export type Project = {
+  version: string;
+  folder: string;
+  arms: string[];
+  models: string[];
+  environments: string[];
+  first_arm: string;
+  first_model: string;
+};
+export type Tube = {
+  level: number;
+  plate_radius_m: number[];
+  start_share: number;
+  full_after_m: number;
+};
+export type Plan = {
+  request: number;
+  time_s: number;
+  first_s: number;
+  cost_kpa: number;
+  duration_s: number;
+  frame_rate_hz: number;
+  clearance_m: number | null;
+  goal_distance_m: number;
+  tube: Tube | null;
+  setpoints_kpa: number[][];
+  pressures_kpa: number[][];
+  shapes: number[][];
+};
+export type Progress = {
+  request: number;
+  time_s: number;
+  nodes: number;
+  queries: number;
+  best_cost_kpa: number | null;
+  doubt: string;
+};
+export type Result = {
+  request: number;
+  status: string;
+  reason: string;
+  warnings: string[];
+  time_s: number;
+  queries: number;
+  nodes: number;
+  largest_clearance_cm: number | null;
+  tree: number[] | null;
+};
+export type TrackKey = 'simple' | 'network' | 'virtual_arm';
+export type Track = {
+  key: TrackKey;
+  outcome: string;
+  shapes: number[][];
+  pressures_kpa: number[][];
+};
+export type Run = {
+  request: number;
+  frame_rate_hz: number;
+  setpoints_kpa: number[][];
+  tracks: Track[];
+};
+export type Drive = { request: number; time_s: number; setpoint_kpa: number[] } & Record<
+  TrackKey,
+  number[] | null
+>;
+
+export type Events = {
+  tab: { id: string };
+  progress: Progress;
+  plan: Plan;
+  result: Result;
+  run: Run;
+  drive: Drive;
+  fault: { request: number; message: string };
+};
+
+/** What the server refused, in its words. */
+export class Refusal extends Error {
+  constructor(
+    readonly status: number,
+    message: string,
+  ) {
+    super(message);
+  }
+}
+
+async function read<T>(response: Response): Promise<T> {
+  const body = (await response.json()) as T & { error?: string };
+  if (!response.ok) {
+    throw new Refusal(response.status, body.error ?? response.statusText);
+  }
+  return body;
+}
+
+export async function get<T>(path: string, query: Record<string, string> = {}): Promise<T> {
+  return read<T>(await fetch(`/api/${path}?${new URLSearchParams(query)}`));
+}
+
+let lastPost: Promise<unknown> = Promise.resolve();
+
+/** One after another: what is asked for later arrives later. */
+export function post<T>(path: string, body: object): Promise<T> {
+  const request = { method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify(body) };
+  const answer = lastPost.then(async () => read<T>(await fetch(`/api/${path}`, request)));
+  lastPost = answer.catch(() => {});
+  return answer;
+}
+
+/** The page's own stream. A browser connects again by itself after a loss, as another tab. */
+export function listen(
+  handlers: { [Kind in keyof Events]: (event: Events[Kind]) => void },
+  lost: () => void,
+): void {
+  const source = new EventSource('/api/events');
+  for (const kind of Object.keys(handlers) as (keyof Events)[]) {
+    source.addEventListener(kind, (message) => {
+      (handlers[kind] as (event: unknown) => void)(JSON.parse((message as MessageEvent).data));
+    });
+  }
+  source.onerror = lost;
+}

@@ -1,0 +1,295 @@
+import { type Arm, type Environment, get, listen, type Plan, type Project, Refusal } from './api';
+import { toWorld } from './camera';
+import { byId } from './dom';
+import { DriveMode } from './drive_mode';
+import { added, dragged, type Handle, hit, newObstacle, type Point, removed, type Selection } from './environment';
+import { History } from './history';
+import { keyEdit } from './keys';
+import type { Scene } from './picture';
+import { PlanMode } from './plan_mode';
+import { LivePlanner } from './planner';
+import { PlayMode } from './play_mode';
+import { Stage } from './stage';
+
+/** One of the three things to do; each fills the panel and says what is shown. */
+export interface Mode {
+  enter(panel: HTMLElement): void;
+  leave(): void;
+  /** Something has changed: the panel follows. */
+  refresh(): void;
+  scene(): Partial<Scene>;
+  /** What stands for what on the stage: class of the swatch, and words. */
+  legend(): [string, string][];
+}
+
+type ModeName = 'plan' | 'play' | 'drive';
+
+/** Everything that modes share: the project, the document and its history, the search, the stage. */
+export class App {
+  project!: Project;
+  arm!: Arm;
+  armName = '';
+  model = '';
+  environmentName = '';
+  readonly history = new History<Environment>({
+    name: 'untitled', obstacles: [], start: 'rest',
+    goal: { x_m: 0.4, y_m: 0.2, position_tolerance_m: 0.02 },
+  });
+  selected: Selection = null;
+  tab = '';
+  live = true;
+  timeLimit_s = 5;
+  view = { tree: false, tube: false, reach: true };
+  readonly planner = new LivePlanner(() => this.tab, () => this.refresh());
+  readonly stage: Stage;
+  private readonly plan = new PlanMode(this);
+  private readonly play = new PlayMode(this);
+  private readonly drive = new DriveMode(this);
+  private readonly modes: Record<ModeName, Mode> = { plan: this.plan, play: this.play, drive: this.drive };
+  private mode: ModeName = 'plan';
+  private grip: { handle: Handle; from: Point; begin: Environment } | null = null;
+  private measured: Plan | null = null;
+
+  constructor() {
+    this.stage = new Stage(byId<HTMLCanvasElement>('canvas'), () => this.scene(), {
+      down: (at, reach, event) => this.down(at, reach, event),
+      drag: (at, event) => this.drag(at, event),
+      up: () => this.up(),
+    });
+    this.stage.painted = () => this.measure();
+  }
+
+  get environment(): Environment {
+    return this.history.now;
+  }
+  get unit(): string {
+    return this.arm.command.unit;
+  }
+
+  async start(): Promise<void> {
+    this.project = await get<Project>('project');
+    const at = new URLSearchParams(location.hash.slice(1));
+    byId('folder').textContent = `${this.project.folder} · limber ${this.project.version}`;
+    this.model = at.get('model') ?? this.project.first_model;
+    await this.openArm(at.get('arm') ?? this.project.first_arm);
+    const first = this.project.environments.find((name) => name.endsWith('01_pillar'));
+    await this.openEnvironment(at.get('environment') ?? first ?? this.project.environments[0]);
+    for (const name of Object.keys(this.modes) as ModeName[]) {
+      byId(`mode-${name}`).addEventListener('click', () => this.enter(name));
+    }
+    document.addEventListener('keydown', (event) => this.key(event));
+    this.enter('plan');
+    this.listen();
+  }
+
+  private listen(): void {
+    listen(
+      {
+        tab: ({ id }) => {
+          this.tab = id;
+          this.say('');
+          if (this.mode === 'plan') this.ask();
+          else this.enter(this.mode);
+        },
+        plan: (plan) => this.planner.onPlan(plan),
+        progress: (progress) => this.planner.onProgress(progress),
+        result: (result) => this.planner.onResult(result),
+        run: (run) => this.play.onRun(run),
+        drive: (drive) => this.drive.onDrive(drive),
+        fault: ({ request, message }) => {
+          if (this.mode === 'plan') this.planner.onFault(request, message);
+          else this.say(message);
+        },
+      },
+      () => {
+        this.tab = '';
+        this.say('The studio does not answer. Is limber studio still running, in fewer than six tabs?');
+      },
+    );
+  }
+
+  say(text: string): void {
+    byId('notice').textContent = text;
+  }
+  /** Runs what may be refused, and says why it was. */
+  async attempt(work: () => Promise<void>): Promise<void> {
+    try {
+      await work();
+      this.say('');
+    } catch (error) {
+      this.say(error instanceof Refusal ? error.message : 'The studio does not answer.');
+    }
+  }
+
+  async openArm(name: string): Promise<void> {
+    this.arm = await get<Arm>('arm', { name });
+    this.armName = name;
+    const { length_m } = this.arm;
+    this.stage.fit([-0.12 * length_m, -0.78 * length_m], [1.12 * length_m, 0.78 * length_m]);
+  }
+
+  async openEnvironment(name: string): Promise<void> {
+    this.history.reset(await get<Environment>('environment', { name, arm: this.armName }));
+    this.environmentName = name;
+    this.selected = null;
+  }
+
+  /** After another arm, model or environment was chosen. */
+  reopened(): void {
+    const names = { arm: this.armName, model: this.model, environment: this.environmentName };
+    history.replaceState(null, '', `#${new URLSearchParams(names)}`);
+    this.planner.forget();
+    this.enter(this.mode);
+    if (this.mode === 'plan') this.ask();
+  }
+
+  enter(mode: ModeName): void {
+    this.modes[this.mode].leave();
+    this.mode = mode;
+    for (const name of Object.keys(this.modes)) {
+      byId(`mode-${name}`).ariaSelected = String(name === mode);
+    }
+    const panel = byId('panel');
+    panel.replaceChildren();
+    byId('tools').hidden = mode !== 'plan';
+    this.modes[mode].enter(panel);
+    byId('legend').replaceChildren(
+      ...this.modes[mode].legend().map(([swatch, words]) => {
+        const item = document.createElement('li');
+        const mark = document.createElement('i');
+        mark.className = `swatch ${swatch}`;
+        item.append(mark, words);
+        return item;
+      }),
+    );
+    this.refresh();
+  }
+
+  /** Asks for a plan of what is shown. @param at_ms  when the hand asked */
+  ask(at_ms = performance.now()): void {
+    this.planner.ask(
+      {
+        arm: this.armName, model: this.model, environment: this.environment,
+        time_limit_s: this.timeLimit_s, tree: this.view.tree,
+      },
+      at_ms,
+    );
+  }
+
+  /** The environment as one step of its history. */
+  edit(environment: Environment): void {
+    this.history.set(environment);
+    this.edited();
+  }
+  edited(at_ms = performance.now()): void {
+    if (this.selected !== null && this.selected !== 'goal' && !this.environment.obstacles[this.selected]) {
+      this.selected = null;
+    }
+    if (this.live) this.ask(at_ms);
+    this.refresh();
+  }
+  select(selected: Selection): void {
+    this.selected = selected;
+    this.refresh();
+  }
+  add(kind: string): void {
+    const { width, height } = this.stage.camera;
+    const middle = toWorld(this.stage.camera, [width / 2, height / 4]);
+    this.selected = this.environment.obstacles.length;
+    this.edit(added(this.environment, newObstacle(kind, middle)));
+    byId('canvas').focus();
+  }
+  removeSelected(): void {
+    if (typeof this.selected !== 'number') return;
+    const gone = this.selected;
+    this.selected = null;
+    this.edit(removed(this.environment, gone));
+  }
+  undo(): void {
+    this.history.undo();
+    this.edited();
+  }
+  redo(): void {
+    this.history.redo();
+    this.edited();
+  }
+
+  refresh(): void {
+    if (!this.arm) return;
+    this.modes[this.mode].refresh();
+    this.stage.draw();
+  }
+
+  private scene(): Scene {
+    return {
+      arm: this.arm ?? null,
+      environment: this.environment,
+      selected: null,
+      plan: null,
+      stale: false,
+      showTree: null,
+      showTube: false,
+      showReach: this.view.reach,
+      figures: [],
+      ...(this.arm ? this.modes[this.mode].scene() : {}),
+    };
+  }
+
+  private down(at: Point, reach_m: number, event: PointerEvent): boolean {
+    byId('canvas').focus({ preventScroll: true });
+    if (this.mode !== 'plan' || event.button > 0) return false;
+    const handle = hit(this.environment, this.selected, at, reach_m);
+    this.select(handle ? handle.of : null);
+    if (!handle) return false;
+    this.grip = { handle, from: at, begin: this.environment };
+    this.history.begin();
+    return true;
+  }
+
+  private drag(at: Point, event: PointerEvent): void {
+    if (!this.grip) return;
+    this.history.change(dragged(this.grip.begin, this.grip.handle, this.grip.from, at));
+    this.edited(event.timeStamp);
+  }
+
+  private up(): void {
+    this.grip = null;
+    this.history.end();
+    this.refresh();
+  }
+
+  private key(event: KeyboardEvent): void {
+    if (this.mode !== 'plan' || event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement) return;
+    const control = event.ctrlKey || event.metaKey;
+    const letter = event.key.toLowerCase();
+    if (control && (letter === 'z' || letter === 'y')) {
+      event.preventDefault();
+      if (letter === 'y' || event.shiftKey) this.redo();
+      else this.undo();
+    }
+    if (control || event.target !== byId('canvas')) return;
+    const acts: Record<string, () => void> = {
+      Escape: () => this.select(null),
+      Delete: () => this.removeSelected(),
+      Backspace: () => this.removeSelected(),
+      '+': () => this.stage.zoom(1.25),
+      '-': () => this.stage.zoom(0.8),
+      '0': () => this.stage.refit(),
+    };
+    const next = keyEdit(this.environment, this.selected, event.key, event.shiftKey);
+    if (next || acts[event.key]) event.preventDefault();
+    if (next) this.edit(next);
+    else acts[event.key]?.();
+  }
+
+  /** From the hand to the screen: the frame after the first one that shows a certified plan. */
+  private measure(): void {
+    const { plan } = this.planner;
+    if (!plan || !this.planner.isCurrent || this.measured?.request === plan.request) return;
+    this.measured = plan;
+    const start = this.planner.askedAt_ms;
+    requestAnimationFrame((end) => {
+      performance.measure('certified plan painted', { start, end: Math.max(start, end), detail: plan.request });
+    });
+  }
+}

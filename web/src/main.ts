@@ -1,0 +1,6 @@
+import { App } from './app';
+import { byId } from './dom';
+
+new App().start().catch((error: unknown) => {
+  byId('notice').textContent = error instanceof Error ? error.message : String(error);
+});

@@ -1,0 +1,142 @@
+import type { Arm, Environment, Obstacle, Run, TrackKey } from './api';
+import { button, checkbox, choice, facts, field, h, numberInput } from './dom';
+import { kindOf, type Point, type Selection, withObstacle } from './environment';
+import type { LivePlanner } from './planner';
+
+export const trackNames: Record<TrackKey, string> = {
+  simple: 'Simple model',
+  network: 'Network',
+  virtual_arm: 'Virtual arm',
+};
+const seconds = (s: number): string => (s < 1 ? `${Math.round(s * 1000)} ms` : `${s.toFixed(1)} s`);
+const cm = (m: number): string => `${(m * 100).toFixed(2)} cm`;
+const thousands = (n: number): string => Math.round(n).toLocaleString('en');
+
+/** Numbers of what is selected, to type. */
+export function selectionPanel(
+  environment: Environment,
+  selected: Selection,
+  change: (environment: Environment) => void,
+  remove: () => void,
+): HTMLElement {
+  if (selected === null) return h('p', { class: 'hint' }, 'Select the goal or an obstacle to edit its numbers.');
+  const row = (values: Record<string, number>, set: (key: string, value: number) => void) =>
+    Object.entries(values).map(([key, value]) => {
+      const angle = key.endsWith('_rad');
+      const names: Record<string, string> = {
+        x_m: 'x', y_m: 'y', radius_m: 'Radius', width_m: 'Width', height_m: 'Height',
+        angle_rad: 'Angle', theta_rad: 'Heading', position_tolerance_m: 'Tolerance',
+        orientation_tolerance_rad: 'Heading tolerance',
+      };
+      return field(names[key] ?? key, numberInput(value, angle ? 0.05 : 0.005, (v) => set(key, v)), angle ? 'rad' : 'm');
+    });
+  if (selected === 'goal') {
+    const { goal } = environment;
+    const turn = checkbox('with a heading', goal.theta_rad !== undefined, (on) => {
+      const { theta_rad: _t, orientation_tolerance_rad: _o, ...place } = goal;
+      const heading = { theta_rad: 0, orientation_tolerance_rad: 0.3 };
+      change({ ...environment, goal: on ? { ...place, ...heading } : place });
+    });
+    return h('div', { class: 'fields' },
+      ...row(goal, (key, value) => change({ ...environment, goal: { ...goal, [key]: value } })), turn);
+  }
+  const obstacle = environment.obstacles[selected];
+  const set = (next: Obstacle) => change(withObstacle(environment, selected, next));
+  const fields =
+    'polygon' in obstacle
+      ? obstacle.polygon.flatMap(([x, y], i) =>
+          row({ [`x ${i}`]: x, [`y ${i}`]: y }, (key, value) =>
+            set({
+              polygon: obstacle.polygon.map((p, k): Point =>
+                k !== i ? p : key.startsWith('x') ? [value, p[1]] : [p[0], value]),
+            })))
+      : 'circle' in obstacle
+        ? row(obstacle.circle, (key, value) => set({ circle: { ...obstacle.circle, [key]: value } }))
+        : row(obstacle.rectangle, (key, value) => set({ rectangle: { ...obstacle.rectangle, [key]: value } }));
+  return h('div', { class: 'fields' }, ...fields, button('Delete', remove, { class: 'danger', id: 'delete' }));
+}
+
+/** Everything in the environment, to select without a pointer. */
+export function thingsList(environment: Environment, selected: Selection, select: (s: Selection) => void): HTMLElement {
+  const entry = (name: string, what: Selection) =>
+    h('li', {}, button(name, () => select(what), { 'aria-pressed': String(selected === what) }));
+  return h('ul', { class: 'things' }, entry('Goal', 'goal'),
+    ...environment.obstacles.map((obstacle, i) => entry(`${i} · ${kindOf(obstacle)}`, i)));
+}
+
+/** What the search says. */
+export function planPanel(planner: LivePlanner, unit: string): HTMLElement {
+  const { plan, progress, result, fault, searching, isCurrent } = planner;
+  if (fault) return h('div', { class: 'status bad' }, h('strong', {}, 'Not planned'), h('p', {}, fault));
+  if (plan && isCurrent) {
+    const queries = result?.queries ?? progress?.queries;
+    const time_s = result?.time_s ?? progress?.time_s;
+    return h('div', { class: 'status good', 'data-cost': plan.cost_kpa.toFixed(3) },
+      h('strong', {}, 'Certified plan', searching && h('em', {}, ' improving …')),
+      facts([
+        ['Cost', `${plan.cost_kpa.toFixed(1)} ${unit}`],
+        ['Duration', `${plan.duration_s.toFixed(1)} s`],
+        ['Clearance', plan.clearance_m === null ? 'no obstacles' : cm(plan.clearance_m)],
+        ['Ends from the goal’s centre', cm(plan.goal_distance_m)],
+        ['First certified after', seconds(plan.first_s)],
+        ...(queries && time_s
+          ? ([
+              ['Model queries', thousands(queries)],
+              ['Queries per second', thousands(queries / time_s)],
+            ] as [string, string][])
+          : []),
+      ]),
+      ...(result?.warnings ?? []).map((text) => h('p', { class: 'warning' }, text)));
+  }
+  if (searching) {
+    return h('div', { class: 'status busy' }, h('strong', {}, 'Searching …'),
+      progress && facts([['Nodes', thousands(progress.nodes)], ['Time', seconds(progress.time_s)]]),
+      progress?.doubt ? h('p', {}, progress.doubt) : null);
+  }
+  if (result) {
+    const titles: Record<string, string> = {
+      limit: 'No plan found',
+      invalid_start: 'The start is not free',
+      goal_unreachable: 'The goal is out of reach',
+      goal_in_collision: 'The goal is not free',
+      not_certified: 'No plan is certified',
+    };
+    return h('div', { class: 'status bad' }, h('strong', {}, titles[result.status] ?? result.status), h('p', {}, result.reason));
+  }
+  return h('div', { class: 'status' }, h('strong', {}, 'Not planned yet'));
+}
+
+/** One track's line: whether it is shown, and how it ended. */
+export function tracksPanel(run: Run, shown: Set<TrackKey>, toggle: (key: TrackKey, on: boolean) => void): HTMLElement {
+  return h('ul', { class: 'tracks' },
+    ...run.tracks.map(({ key, outcome }) =>
+      h('li', {}, h('i', { class: `swatch ${key}` }), checkbox(trackNames[key], shown.has(key), (on) => toggle(key, on)),
+        h('small', {}, outcome))));
+}
+
+/** A slider for each segment's pressure. */
+export function driveSliders(arm: Arm, setpoint_kpa: number[], set: (i: number, kpa: number) => void): HTMLElement {
+  const { unit } = arm.command;
+  return h('div', { class: 'sliders' },
+    ...arm.segments.map((segment, i) => {
+      const output = h('output', {}, `${setpoint_kpa[i].toFixed(0)} ${unit}`);
+      const input = h('input', {
+        type: 'range', min: segment.lower_kpa, max: segment.upper_kpa, step: 'any',
+        value: String(setpoint_kpa[i]), 'aria-label': `Segment ${i}, ${arm.command.name} in ${unit}`,
+      });
+      input.addEventListener('keydown', (event) => {
+        const step = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -10, PageUp: 10 }[event.key];
+        if (step === undefined) return;
+        event.preventDefault();
+        input.valueAsNumber += (step * (segment.upper_kpa - segment.lower_kpa)) / 100;
+        input.dispatchEvent(new Event('input'));
+      });
+      input.addEventListener('input', () => {
+        output.textContent = `${input.valueAsNumber.toFixed(0)} ${unit}`;
+        set(i, input.valueAsNumber);
+      });
+      return h('label', {}, h('span', {}, `Segment ${i}`), input, output);
+    }));
+}
+
+export { cm, choice };

@@ -1,0 +1,149 @@
+import { type Environment, post, Refusal } from './api';
+import type { App, Mode } from './app';
+import { button, byId, checkbox, choice, field, h } from './dom';
+import type { Selection } from './environment';
+import { planPanel, selectionPanel, thingsList } from './panels';
+import type { Scene } from './picture';
+
+/** Replaces what is inside; whoever had the focus keeps it, by its place. */
+function refill(container: HTMLElement, ...children: Node[]): void {
+  const focusable = () => [...container.querySelectorAll<HTMLElement>('button, input, select')];
+  const place = focusable().indexOf(document.activeElement as HTMLElement);
+  container.replaceChildren(...children);
+  if (place >= 0) focusable()[place]?.focus({ preventScroll: true });
+}
+
+/** Arm, obstacles and goal by hand; a plan that follows. */
+export class PlanMode implements Mode {
+  private things = h('div');
+  private selection = h('div');
+  private status = h('div', { id: 'status' });
+  private drawn: [Environment, Selection] | null = null; // what the lists show
+  private buttons: Record<'undo' | 'redo' | 'stop' | 'savePlan', HTMLButtonElement> | null = null;
+  private name = h('input', { type: 'text', id: 'name', 'aria-label': 'Name to save as' });
+
+  constructor(private readonly app: App) {}
+
+  enter(panel: HTMLElement): void {
+    const { app } = this;
+    const { project, stage } = app;
+    this.drawn = null;
+    const undo = button('↶', () => app.undo(), { title: 'Undo (Ctrl+Z)', 'aria-label': 'Undo' });
+    const redo = button('↷', () => app.redo(), { title: 'Redo (Ctrl+Y)', 'aria-label': 'Redo' });
+    const stop = button('Stop', () => void app.attempt(() => app.planner.stop()));
+    const savePlan = button('Save plan', () => this.save('plan/save', {}));
+    this.buttons = { undo, redo, stop, savePlan };
+    const tool = (sign: string, label: string, press: () => void) =>
+      button(sign, press, { title: label, 'aria-label': label });
+    byId('tools').replaceChildren(
+      tool('●', 'Add a circle', () => app.add('circle')),
+      tool('■', 'Add a rectangle', () => app.add('rectangle')),
+      tool('▲', 'Add a polygon', () => app.add('polygon')),
+      h('i'), undo, redo, h('i'),
+      tool('−', 'Zoom out', () => stage.zoom(0.8)),
+      tool('+', 'Zoom in', () => stage.zoom(1.25)),
+      tool('⤢', 'Show everything', () => stage.refit()),
+    );
+    const reopen = (open: () => Promise<void>) =>
+      void app.attempt(async () => {
+        await open();
+        app.reopened();
+      });
+    const toggle = (label: string, key: keyof App['view']) =>
+      checkbox(label, app.view[key], (on) => {
+        app.view[key] = on;
+        if (key === 'tree' && on && app.planner.result?.tree == null) app.ask();
+        app.refresh();
+      });
+    const limits = h('select', { 'aria-label': 'Seconds to search for' },
+      ...[1, 5, 20].map((s) => h('option', { value: s, selected: s === app.timeLimit_s }, `${s} s`)));
+    limits.addEventListener('change', () => (app.timeLimit_s = Number(limits.value)));
+    this.name.value = app.environment.name;
+    panel.append(
+      h('section', {}, this.status,
+        h('div', { class: 'row' },
+          button('Plan', () => app.ask(), { class: 'main' }), stop, savePlan),
+        h('div', { class: 'checks' },
+          checkbox('Plan while dragging', app.live, (on) => (app.live = on)),
+          toggle('Search tree', 'tree'), toggle('Tube', 'tube'), toggle('Reach', 'reach')),
+        h('div', { class: 'row' }, field('Search for', limits))),
+      h('section', {}, h('h2', {}, 'Scene'),
+        field('Arm', choice(project.arms, app.armName, (name) =>
+          reopen(async () => {
+            await app.openArm(name);
+            app.model = '';
+            await app.openEnvironment(app.environmentName);
+          }))),
+        field('Model', choice(project.models, app.model, (name) =>
+          reopen(async () => void (app.model = name)), 'Simple model (no load)')),
+        field('Environment', choice(project.environments, app.environmentName, (name) =>
+          reopen(() => app.openEnvironment(name)))),
+        field('Name', this.name),
+        h('div', { class: 'row' }, button('Save environment', () =>
+          this.save('environment', { arm: app.armName, environment: { ...app.environment, name: this.name.value } })))),
+      h('section', {}, h('h2', {}, 'Goal and obstacles'), this.things, this.selection),
+    );
+  }
+
+  leave(): void {
+    byId('tools').replaceChildren();
+    this.app.planner.searching = false; // what comes next ends it
+  }
+
+  refresh(): void {
+    const { app, buttons } = this;
+    if (!buttons) return;
+    buttons.undo.disabled = !app.history.canUndo;
+    buttons.redo.disabled = !app.history.canRedo;
+    buttons.stop.disabled = !app.planner.searching;
+    buttons.savePlan.disabled = !app.planner.plan || !app.planner.isCurrent;
+    this.status.replaceChildren(planPanel(app.planner, app.unit));
+    if (this.drawn?.[0] === app.environment && this.drawn[1] === app.selected) return; // somebody may be typing
+    this.drawn = [app.environment, app.selected];
+    refill(this.things, thingsList(app.environment, app.selected, (what) => app.select(what)));
+    refill(this.selection,
+      selectionPanel(app.environment, app.selected, (next) => app.edit(next), () => app.removeSelected()));
+  }
+
+  scene(): Partial<Scene> {
+    const { app } = this;
+    const { plan, result, isCurrent } = app.planner;
+    const start = app.environment.start as { backbone?: number[][] };
+    return {
+      selected: app.selected,
+      plan,
+      stale: !isCurrent,
+      showTree: app.view.tree ? (result?.tree ?? null) : null,
+      showTube: app.view.tube,
+      figures: [{ shape: start.backbone?.flat() ?? app.arm.rest, colour: 'plate' }],
+    };
+  }
+
+  legend(): [string, string][] {
+    return [['plan', 'Plan'], ['goal', 'Goal'], ['reach', 'Reached by the simple model, at rest']];
+  }
+
+  /** Asks before it replaces a file. */
+  private save(path: string, body: object): void {
+    const { app } = this;
+    const send = async (overwrite: boolean): Promise<void> => {
+      const name = this.name.value.trim();
+      const saved = await post<{ name: string }>(path, { ...body, tab: app.tab, name, overwrite });
+      app.project = { ...app.project, environments: [...new Set([...app.project.environments, ...(path === 'environment' ? [saved.name] : [])])] };
+      if (path === 'environment') {
+        app.history.reset({ ...app.environment, name: this.name.value });
+        app.environmentName = saved.name;
+        app.enter('plan');
+      }
+      queueMicrotask(() => app.say(`Saved ${saved.name}`));
+    };
+    void app.attempt(async () => {
+      try {
+        await send(false);
+      } catch (error) {
+        if (!(error instanceof Refusal) || error.status !== 409 || !confirm(`${error.message}. Replace it?`)) throw error;
+        await send(true);
+      }
+    });
+  }
+}

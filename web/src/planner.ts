@@ -1,0 +1,105 @@
+import { type Environment, type Plan, post, type Progress, Refusal, type Result } from './api';
+
+export type PlanQuestion = {
+  arm: string;
+  model: string;
+  environment: Environment;
+  time_limit_s: number;
+  tree: boolean;
+};
+
+/**
+ * Asks for plans. While one question is on its way only the newest of those that follow waits, so
+ * that a drag never queues. Answers to older questions are dropped.
+ */
+export class LivePlanner {
+  plan: Plan | null = null;
+  progress: Progress | null = null;
+  result: Result | null = null;
+  fault = '';
+  searching = false;
+  private request = 0;
+  private sending = false;
+  private next: { question: PlanQuestion; asked_ms: number } | null = null;
+  private asked_ms = 0;
+
+  constructor(
+    private readonly tab: () => string,
+    private readonly changed: () => void,
+  ) {}
+
+  /** Whether the plan answers the last question. */
+  get isCurrent(): boolean {
+    return this.plan !== null && this.plan.request === this.request;
+  }
+  /** When the event happened that the plan answers. [ms of performance.now] */
+  get askedAt_ms(): number {
+    return this.asked_ms;
+  }
+
+  ask(question: PlanQuestion, asked_ms: number): void {
+    this.next = { question, asked_ms };
+    this.searching = true;
+    this.progress = this.result = null;
+    this.fault = '';
+    void this.send();
+    this.changed();
+  }
+
+  forget(): void {
+    this.next = null;
+    ++this.request;
+    this.plan = this.progress = this.result = null;
+    this.searching = false;
+    this.fault = '';
+  }
+
+  async stop(): Promise<void> {
+    this.next = null;
+    this.searching = false;
+    this.changed();
+    await post('stop', { tab: this.tab() });
+  }
+
+  onPlan(plan: Plan): void {
+    if (plan.request !== this.request) return;
+    this.plan = plan;
+    this.changed();
+  }
+  onProgress(progress: Progress): void {
+    if (progress.request !== this.request) return;
+    this.progress = progress;
+    this.changed();
+  }
+  onResult(result: Result): void {
+    if (result.request !== this.request) return;
+    this.result = result;
+    this.searching = false;
+    if (result.status !== 'solved') this.plan = null;
+    this.changed();
+  }
+  onFault(request: number, message: string): void {
+    if (request !== this.request) return;
+    this.fault = message;
+    this.plan = null;
+    this.searching = false;
+    this.changed();
+  }
+
+  private async send(): Promise<void> {
+    if (this.sending || this.next === null || this.tab() === '') return;
+    const { question, asked_ms } = this.next;
+    this.next = null;
+    this.sending = true;
+    this.asked_ms = asked_ms;
+    const request = ++this.request;
+    try {
+      await post('plan', { ...question, request, seed: 1, tab: this.tab() });
+    } catch (error) {
+      this.onFault(request, error instanceof Refusal ? error.message : 'the studio does not answer');
+    } finally {
+      this.sending = false;
+    }
+    void this.send();
+  }
+}

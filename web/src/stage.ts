@@ -1,0 +1,192 @@
+import * as THREE from 'three';
+import { type Camera, fitted, gridStep_m, panned, toPixels, toWorld, zoomed } from './camera';
+import type { Point } from './environment';
+import { Painter } from './painter';
+import { Picture, type Scene } from './picture';
+
+/** What pointers do on the stage, in metres. */
+export type StageEvents = {
+  /** Something is grabbed: true; or the stage itself is moved: false. */
+  down(at: Point, reach_m: number, event: PointerEvent): boolean;
+  drag(at: Point, event: PointerEvent): void;
+  up(): void;
+};
+
+const kFinger_px = 22;
+const kMouse_px = 9;
+
+/** The canvas: draws when something has changed, zooms, pans, and tells where it is touched. */
+export class Stage {
+  camera: Camera = { x: 0.35, y: 0, m_per_px: 0.001, width: 1, height: 1 };
+  private readonly renderer: THREE.WebGLRenderer;
+  private readonly view = new THREE.OrthographicCamera();
+  private readonly world = new THREE.Scene();
+  private readonly painter = new Painter();
+  private readonly picture: Picture;
+  private readonly pointers = new Map<number, Point>();
+  private readonly labels: HTMLElement;
+  private grabbed = false;
+  private due = false;
+  private fitTo: [Point, Point] = [[-0.1, -0.5], [0.8, 0.5]];
+  /** Called after each frame that was drawn. */
+  painted: () => void = () => {};
+
+  constructor(
+    private readonly canvas: HTMLCanvasElement,
+    private readonly scene: () => Scene,
+    private readonly events: StageEvents,
+  ) {
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace; // colours are those of the style sheet
+    this.renderer.setClearColor(0, 0);
+    this.picture = new Picture(this.painter, this.camera);
+    this.world.add(this.painter.mesh);
+    this.view.position.z = 1;
+    this.labels = document.createElement('div');
+    this.labels.className = 'grid-labels';
+    this.labels.ariaHidden = 'true';
+    canvas.after(this.labels);
+    new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => {
+      this.picture.recolour();
+      this.draw();
+    });
+    canvas.addEventListener('pointerdown', (event) => this.down(event));
+    canvas.addEventListener('pointermove', (event) => this.move(event));
+    canvas.addEventListener('pointerup', (event) => this.up(event));
+    canvas.addEventListener('pointercancel', (event) => this.up(event));
+    canvas.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
+  }
+
+  /** With the next frame of the screen. */
+  draw(): void {
+    if (this.due) return;
+    this.due = true;
+    requestAnimationFrame(() => {
+      this.due = false;
+      this.drawNow();
+    });
+  }
+
+  /** Shows that box, now and after a change of size. */
+  fit(low: Point, high: Point): void {
+    this.fitTo = [low, high];
+    this.refit();
+  }
+
+  refit(): void {
+    this.camera = fitted(this.camera, ...this.fitTo);
+    this.draw();
+  }
+
+  zoom(factor: number): void {
+    this.camera = zoomed(this.camera, factor, [this.camera.width / 2, this.camera.height / 2]);
+    this.draw();
+  }
+
+  private drawNow(): void {
+    const { x, y, m_per_px, width, height } = this.camera;
+    Object.assign(this.view, {
+      left: x - (width / 2) * m_per_px,
+      right: x + (width / 2) * m_per_px,
+      top: y + (height / 2) * m_per_px,
+      bottom: y - (height / 2) * m_per_px,
+    });
+    this.view.updateProjectionMatrix();
+    this.picture.paint(this.scene(), this.camera);
+    this.renderer.render(this.world, this.view);
+    this.label();
+    this.painted();
+  }
+
+  private label(): void {
+    const step = gridStep_m(this.camera);
+    const [left, top] = toWorld(this.camera, [0, 0]);
+    const [right, bottom] = toWorld(this.camera, [this.camera.width, this.camera.height]);
+    const digits = Math.max(0, -Math.floor(Math.log10(step)));
+    const spans: string[] = [];
+    for (let k = Math.ceil(left / step); k * step <= right; ++k) {
+      const [px] = toPixels(this.camera, [k * step, 0]);
+      if (px > 56 && px < this.camera.width - 28) spans.push(`x ${px.toFixed(1)} ${(k * step).toFixed(digits)}`);
+    }
+    for (let k = Math.ceil(bottom / step); k * step <= top; ++k) {
+      const [, py] = toPixels(this.camera, [0, k * step]);
+      if (py > 64 && py < this.camera.height - 28) spans.push(`y ${py.toFixed(1)} ${(k * step).toFixed(digits)}`);
+    }
+    if (this.labels.dataset.shown === spans.join()) return;
+    this.labels.dataset.shown = spans.join();
+    this.labels.replaceChildren(
+      ...spans.map((text) => {
+        const [axis, at, value] = text.split(' ');
+        const span = document.createElement('span');
+        span.className = axis;
+        span.style[axis === 'x' ? 'left' : 'top'] = `${at}px`;
+        span.textContent = axis === 'x' ? `${value} m` : value;
+        return span;
+      }),
+    );
+  }
+
+  private resize(): void {
+    const { clientWidth: width, clientHeight: height } = this.canvas.parentElement!;
+    if (width === 0 || height === 0) return;
+    const first = this.camera.width === 1;
+    this.camera = { ...this.camera, width, height };
+    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+    this.renderer.setSize(width, height, false);
+    if (first) this.refit();
+    this.drawNow();
+  }
+
+  private at(event: PointerEvent | WheelEvent): Point {
+    const box = this.canvas.getBoundingClientRect();
+    return [event.clientX - box.left, event.clientY - box.top];
+  }
+
+  private down(event: PointerEvent): void {
+    this.canvas.setPointerCapture(event.pointerId);
+    this.pointers.set(event.pointerId, this.at(event));
+    if (this.pointers.size > 1) {
+      if (this.grabbed) this.events.up();
+      this.grabbed = false;
+      return;
+    }
+    const reach = (event.pointerType === 'touch' ? kFinger_px : kMouse_px) * this.camera.m_per_px;
+    this.grabbed = this.events.down(toWorld(this.camera, this.at(event)), reach, event);
+  }
+
+  private move(event: PointerEvent): void {
+    const before = this.pointers.get(event.pointerId);
+    if (!before) return;
+    const now = this.at(event);
+    this.pointers.set(event.pointerId, now);
+    if (this.pointers.size === 2) {
+      this.pinch(event.pointerId, before, now);
+    } else if (this.grabbed) {
+      this.events.drag(toWorld(this.camera, now), event);
+    } else {
+      this.camera = panned(this.camera, now[0] - before[0], now[1] - before[1]);
+      this.draw();
+    }
+  }
+
+  private pinch(id: number, before: Point, now: Point): void {
+    const other = [...this.pointers].find(([key]) => key !== id)![1];
+    const spread = (p: Point) => Math.hypot(p[0] - other[0], p[1] - other[1]);
+    this.camera = panned(this.camera, (now[0] - before[0]) / 2, (now[1] - before[1]) / 2);
+    if (spread(before) > 0) this.camera = zoomed(this.camera, spread(now) / spread(before), other);
+    this.draw();
+  }
+
+  private up(event: PointerEvent): void {
+    this.pointers.delete(event.pointerId);
+    if (this.grabbed) this.events.up();
+    this.grabbed = false;
+  }
+
+  private wheel(event: WheelEvent): void {
+    event.preventDefault();
+    this.camera = zoomed(this.camera, Math.exp(-event.deltaY * 0.0015), this.at(event));
+    this.draw();
+  }
+}

@@ -1,0 +1,209 @@
+// Every feature of the page, in Debian's Chromium against the real program.
+
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { existsSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { drag, fieldValue, network, openPage, pixelsOf, program, startBrowser, startStudio } from './studio.mjs';
+
+let studio;
+let browser;
+before(async () => {
+  studio = await startStudio('--model', network);
+  browser = await startBrowser();
+});
+after(async () => {
+  await browser?.close();
+  assert.equal(await studio?.stop(), 0, 'Ctrl-C ends the studio');
+});
+
+/** A test with a page of its own, which must not complain. */
+function pageTest(name, use, options) {
+  test(name, async () => {
+    const page = await openPage(browser, studio.address, options);
+    await page.waitForSelector('.status.good');
+    await use(page);
+    assert.deepEqual(page.faults, []);
+    await page.context().close();
+  });
+}
+
+const certified = (page) => page.waitForSelector('.status.good');
+const select = (page, name) => page.getByRole('button', { name, exact: true }).click();
+const goal = [0.512, 0.331];
+
+async function placeGoal(page, [x, y]) {
+  await select(page, 'Goal');
+  await page.locator('.field', { hasText: /^x/ }).locator('input').fill(String(x));
+  await page.locator('.field', { hasText: /^x/ }).locator('input').press('Enter');
+  await page.locator('.field', { hasText: /^y/ }).locator('input').fill(String(y));
+  await page.locator('.field', { hasText: /^y/ }).locator('input').press('Enter');
+}
+
+pageTest('a plan is certified as soon as the page is open', async (page) => {
+  assert.match(await page.textContent('.status'), /Certified plan.*Cost.*kPa.*Clearance.*cm/s);
+  assert.ok(!page.url().includes('token'), 'the token has left the address');
+});
+
+pageTest('the goal is dragged, a new plan follows, and undo takes the drag back', async (page) => {
+  await select(page, 'Goal');
+  const [x, y] = [await fieldValue(page, /^x/), await fieldValue(page, /^y/)];
+  await page.evaluate(() => performance.clearMeasures());
+  await drag(page, [x, y], [x - 0.03, y + 0.02]);
+  assert.ok(Math.abs((await fieldValue(page, /^x/)) - (x - 0.03)) < 0.004);
+  await page.waitForFunction(() => performance.getEntriesByType('measure').length > 0);
+  await certified(page);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  assert.equal(await fieldValue(page, /^x/), x);
+  assert.equal(await fieldValue(page, /^y/), y);
+  await page.getByRole('button', { name: 'Redo' }).click();
+  assert.notEqual(await fieldValue(page, /^x/), x);
+  await page.keyboard.press('Control+z');
+  assert.equal(await fieldValue(page, /^x/), x);
+});
+
+pageTest('obstacles are added, moved, resized, turned and deleted', async (page) => {
+  await page.getByLabel('Plan while dragging').uncheck();
+  const count = () => page.locator('.things li').count();
+  const before = await count();
+  await page.getByRole('button', { name: 'Add a rectangle' }).click();
+  assert.equal(await count(), before + 1);
+  let at = [await fieldValue(page, /^x/), await fieldValue(page, /^y/)];
+  await drag(page, at, [0.2, -0.3]);
+  at = [await fieldValue(page, /^x/), await fieldValue(page, /^y/)];
+  assert.ok(Math.hypot(at[0] - 0.2, at[1] + 0.3) < 0.005);
+  await drag(page, [at[0] + 0.05, at[1] + 0.03], [at[0] + 0.08, at[1] + 0.05]);
+  assert.ok(Math.abs((await fieldValue(page, /^Width/)) - 0.16) < 0.008);
+  assert.ok(Math.abs((await fieldValue(page, /^Height/)) - 0.1) < 0.008);
+  const turn = [at[0] + (await fieldValue(page, /^Width/)) / 2 + 0.05, at[1]];
+  await drag(page, turn, [at[0], at[1] + 0.13]);
+  assert.ok(Math.abs((await fieldValue(page, /^Angle/)) - Math.PI / 2) < 0.06);
+  await page.keyboard.press('Delete');
+  assert.equal(await count(), before);
+  for (const kind of ['circle', 'polygon']) {
+    await page.getByRole('button', { name: `Add a ${kind}` }).click();
+  }
+  assert.equal(await count(), before + 2);
+  await page.getByRole('button', { name: 'Delete', exact: true }).click();
+  assert.equal(await count(), before + 1);
+});
+
+pageTest('where there is no plan, the reason stands there in words', async (page) => {
+  await placeGoal(page, [3, 0]);
+  await page.waitForSelector('.status.bad');
+  assert.match(await page.textContent('.status'), /out of reach.*arm/is);
+});
+
+pageTest('what is saved is a file that limber verifies', async (page) => {
+  await page.getByRole('button', { name: 'Add a circle' }).click();
+  await certified(page);
+  await page.getByRole('textbox', { name: 'Name to save as' }).fill('my own');
+  await page.getByRole('button', { name: 'Save environment' }).click();
+  await page.waitForFunction(() => document.getElementById('notice').textContent.startsWith('Saved'));
+  const environment = join(studio.project, 'environments/my own.yaml');
+  assert.match(readFileSync(environment, 'utf8'), /^schema: limber\/environment\/1\nname: "my own"/);
+  await page.getByRole('textbox', { name: 'Name to save as' }).fill('my own');
+  await page.getByRole('button', { name: 'Plan', exact: true }).click();
+  await page.waitForFunction(() => !document.querySelector('.status em'), null, { timeout: 60000 });
+  await page.getByRole('button', { name: 'Save plan' }).click();
+  await page.waitForFunction(() => document.getElementById('notice').textContent.includes('plans/'));
+  const plan = join(studio.project, 'plans/my own.json');
+  assert.ok(existsSync(plan));
+  execFileSync(program, ['verify', '--model', network, '--environment', environment, '--plan', plan]);
+});
+
+pageTest('another model and environment are chosen, and tree and tube shown', async (page) => {
+  await page.getByLabel('Model').selectOption('');
+  await certified(page);
+  await page.getByLabel('Environment', { exact: true }).selectOption('limber:05_between_pillars');
+  await certified(page);
+  assert.match(page.url(), /05_between_pillars/);
+  for (const name of ['Search tree', 'Tube', 'Reach']) await page.getByLabel(name).click();
+  await page.getByRole('button', { name: 'Stop' }).click();
+});
+
+pageTest('a plan is played by both models and the virtual arm', async (page) => {
+  await page.getByRole('tab', { name: 'Play' }).click();
+  await page.waitForSelector('.tracks');
+  assert.equal(await page.locator('.tracks li').count(), 3);
+  assert.match(await page.textContent('.tracks'), /Simple model.*Network.*Virtual arm.*(arrives|misses|strikes)/s);
+  const slider = page.getByRole('slider', { name: 'Time in seconds' });
+  await page.waitForFunction(() => Number(document.querySelector('.play input').value) > 0.2);
+  await page.getByRole('button', { name: 'Pause' }).click();
+  const there = await slider.inputValue();
+  await page.waitForTimeout(200);
+  assert.equal(await slider.inputValue(), there);
+  await slider.focus();
+  await page.keyboard.press('End');
+  assert.match(await page.textContent('#readout'), /cm from the virtual arm/);
+});
+
+pageTest('driven there and back, the simple model returns and the virtual arm does not', async (page) => {
+  await page.getByRole('tab', { name: 'Drive' }).click();
+  const slider = page.getByRole('slider', { name: /Segment 0/ });
+  await slider.focus();
+  await page.keyboard.press('End');
+  const away = (name) =>
+    page.evaluate((key) => {
+      const names = [...document.querySelectorAll('#readout dt')];
+      const found = names.find((dt) => dt.textContent === key);
+      return found ? parseFloat(found.nextElementSibling.textContent) : -1;
+    }, name);
+  for (const name of ['Simple model', 'Network', 'Virtual arm']) {
+    while ((await away(name)) < 8) await page.waitForTimeout(50);
+  }
+  await page.getByRole('button', { name: 'All to zero' }).click();
+  while ((await away('Simple model')) !== 0) await page.waitForTimeout(50);
+  await page.waitForTimeout(2000);
+  assert.ok((await away('Virtual arm')) > 0.05, 'friction holds it');
+});
+
+pageTest('everything goes by keyboard alone', async (page) => {
+  await select(page, 'Goal');
+  const x = await fieldValue(page, /^x/);
+  await page.focus('#canvas');
+  await page.keyboard.press('Shift+ArrowLeft');
+  assert.ok(Math.abs((await fieldValue(page, /^x/)) - (x - 0.01)) < 1e-9);
+  const label = () => page.locator('.grid-labels .x').first().evaluate((span) => span.style.left);
+  const before = await label();
+  await page.keyboard.press('+');
+  await page.waitForTimeout(100);
+  assert.notEqual(await label(), before);
+  await page.keyboard.press('0');
+  const nameless = await page.evaluate(() =>
+    [...document.querySelectorAll('button, input, select')]
+      .filter((e) => !(e.ariaLabel || e.getAttribute('aria-label') || e.textContent.trim() || e.labels?.[0]?.textContent.trim()))
+      .map((e) => e.outerHTML));
+  assert.deepEqual(nameless, []);
+});
+
+pageTest('a finger drags, two fingers zoom', async (page) => {
+  const client = await page.context().newCDPSession(page);
+  const touch = (type, ...points) =>
+    client.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+  await select(page, 'Goal');
+  const at = [await fieldValue(page, /^x/), await fieldValue(page, /^y/)];
+  await page.evaluate(() => document.getElementById('canvas').scrollIntoView());
+  const from = await pixelsOf(page, at);
+  const to = await pixelsOf(page, [at[0] - 0.05, at[1]]);
+  await touch('touchStart', from);
+  await touch('touchMove', to);
+  await touch('touchEnd');
+  assert.ok(Math.abs((await fieldValue(page, /^x/)) - (at[0] - 0.05)) < 0.01);
+  const spread = async () => (await pixelsOf(page, [0.1, 0]))[0] - (await pixelsOf(page, [0, 0]))[0];
+  const before = await spread();
+  await touch('touchStart', [60, 300], [120, 300]);
+  await touch('touchMove', [40, 300], [200, 300]);
+  await touch('touchEnd');
+  await page.waitForTimeout(200);
+  assert.ok((await spread()) > 1.5 * before);
+}, { viewport: { width: 390, height: 844 }, hasTouch: true });
+
+pageTest('a page that is closed leaves the others at work', async (page) => {
+  const other = await openPage(browser, studio.address);
+  await other.waitForSelector('.status.good');
+  await other.context().close();
+  await placeGoal(page, goal);
+  await page.waitForSelector('.status.good, .status.bad');
+});

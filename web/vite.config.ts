@@ -1,0 +1,18 @@
+import { defineConfig } from 'vitest/config';
+
+// Names without hashes: the committed bundle's files keep theirs from one build to the next.
+export default defineConfig({
+  build: {
+    target: 'es2022',
+    modulePreload: { polyfill: false },
+    chunkSizeWarningLimit: 700,
+    rollupOptions: {
+      output: {
+        entryFileNames: 'assets/studio.js',
+        chunkFileNames: 'assets/[name].js',
+        assetFileNames: 'assets/[name][extname]',
+      },
+    },
+  },
+  test: { include: ['tests/*.test.ts'] },
+});
