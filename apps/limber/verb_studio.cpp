@@ -1,4 +1,5 @@
 #include <chrono>
+#include <cstdio>
 #include <thread>
 
 #include "limber/common/interrupt.hpp"
@@ -45,6 +46,7 @@ class StudioVerb final : public Verb {
     settings_.model = model_;
     Studio studio(settings_);
     print_result(flags, {{"address", studio.address()}}, studio.address());
+    std::fflush(stdout);  // whoever reads it through a pipe waits for it
     say(flags, "open this address in a browser; Ctrl-C ends the studio");
     std::thread watch([&studio] {
       while (!interrupt_requested()) {

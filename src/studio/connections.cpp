@@ -90,6 +90,7 @@ class GuardedServer::Queue final : public httplib::TaskQueue {
  public:
   explicit Queue(GuardedServer& server) : server_(server), threads_(kMaxConnections) {}
   void enqueue(std::function<void()> serve) override {
+    ++server_.waiting_;
     if (++open_ > kMaxConnections) {
       server_.close_oldest();
     }
@@ -134,6 +135,9 @@ bool GuardedServer::process_and_close_socket(socket_t socket) {
   {
     const std::lock_guard lock(mutex_);
     own = connections_.insert(connections_.end(), {socket});
+  }
+  if (--waiting_ > 0) {
+    close_oldest();  // a crowd that came at once goes through one by one
   }
   Clock::time_point idle_end = Clock::now() + kIdleTime;
   while (!closing_ && Clock::now() < idle_end) {

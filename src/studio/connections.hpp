@@ -46,6 +46,7 @@ class GuardedServer final : public httplib::Server {
   std::function<bool(const httplib::Request&)> is_trusted_;
   std::mutex mutex_;
   std::list<Connection> connections_;
+  std::atomic<int> waiting_ = 0;  // connections without a thread
   std::atomic<bool> closing_ = false;
 };
 

@@ -45,6 +45,28 @@ Json start_to_json(const ArmStart& start) {
   return json;
 }
 
+using Cells = std::set<std::pair<int, int>>;
+
+/// With those that samples missed: most of their neighbours are reached.
+Cells without_holes(const Cells& cells) {
+  constexpr int kMost = 5;  // of eight neighbours
+  Cells filled = cells;
+  for (const auto& [column, row] : cells) {
+    for (int k = 0; k < 9; ++k) {
+      const std::pair<int, int> cell(column + k % 3 - 1, row + k / 3 - 1);
+      int neighbours = 0;
+      for (int j = 0; j < 9; ++j) {
+        neighbours +=
+            j != 4 ? int(cells.count({cell.first + j % 3 - 1, cell.second + j / 3 - 1})) : 0;
+      }
+      if (neighbours >= kMost) {
+        filled.insert(cell);
+      }
+    }
+  }
+  return filled;
+}
+
 Json obstacle_to_json(const Obstacle& obstacle) {
   if (const auto* c = std::get_if<Circle>(&obstacle)) {
     return {{"circle", {{"x_m", c->x_m}, {"y_m", c->y_m}, {"radius_m", c->radius_m}}}};
@@ -185,7 +207,7 @@ Json reach_to_json(const ArmDescription& arm) {
   RandomStream random(1, 0);
   Pressures kpa(arm.channel_count());
   Backbone shape(arm.point_count(), kPoseSize);
-  std::set<std::pair<int, int>> cells;
+  Cells cells;
   for (int sample = 0; sample < kSamples; ++sample) {
     for (Eigen::Index i = 0; i < kpa.size(); ++i) {
       const PressureLimits& limits = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
@@ -200,7 +222,7 @@ Json reach_to_json(const ArmDescription& arm) {
     cells.emplace(int(std::floor(tip_m.x() / cell_m)), int(std::floor(tip_m.y() / cell_m)));
   }
   Json middles = Json::array();
-  for (const auto& [column, row] : cells) {
+  for (const auto& [column, row] : without_holes(cells)) {
     middles.push_back(rounded_to((column + 0.5) * cell_m, 1e4));
     middles.push_back(rounded_to((row + 0.5) * cell_m, 1e4));
   }

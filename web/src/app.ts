@@ -114,8 +114,8 @@ export class App {
   /** Runs what may be refused, and says why it was. */
   async attempt(work: () => Promise<void>): Promise<void> {
     try {
-      await work();
       this.say('');
+      await work();
     } catch (error) {
       this.say(error instanceof Refusal ? error.message : 'The studio does not answer.');
     }

@@ -115,7 +115,10 @@ export class PlanMode implements Mode {
       stale: !isCurrent,
       showTree: app.view.tree ? (result?.tree ?? null) : null,
       showTube: app.view.tube,
-      figures: [{ shape: start.backbone?.flat() ?? app.arm.rest, colour: 'plate' }],
+      figures: [
+        { shape: start.backbone?.flat() ?? app.arm.rest, colour: 'plate' },
+        ...(plan && isCurrent ? [{ shape: plan.shapes[plan.shapes.length - 1], colour: 'plan', outlined: true } as const] : []),
+      ],
     };
   }
 
@@ -135,7 +138,7 @@ export class PlanMode implements Mode {
         app.environmentName = saved.name;
         app.enter('plan');
       }
-      queueMicrotask(() => app.say(`Saved ${saved.name}`));
+      app.say(`Saved ${saved.name}`);
     };
     void app.attempt(async () => {
       try {

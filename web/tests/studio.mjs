@@ -11,6 +11,8 @@ export const root = fileURLToPath(new URL('../..', import.meta.url));
 export const program = process.env.LIMBER_PROGRAM ?? join(root, 'build/release/bin/limber');
 export const network = join(root, 'tests/data/closed_loop/ten_hours.safetensors');
 
+export const kPatience_ms = 120000; // on a busy machine; no test asks how long anything takes
+
 /** `limber studio` on a free port, its project a new empty folder. */
 export async function startStudio(...flags) {
   const project = mkdtempSync(join(tmpdir(), 'limber_studio_page_'));
@@ -46,7 +48,7 @@ export const startBrowser = () =>
 export async function openPage(browser, address, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
   const page = await context.newPage();
-  page.setDefaultTimeout(30000);
+  page.setDefaultTimeout(kPatience_ms);
   page.faults = [];
   page.on('pageerror', (error) => page.faults.push(String(error)));
   page.on('console', (message) => {

@@ -1,0 +1,57 @@
+// The pictures of docs/studio.md, and the same in dark and on a phone, to look at:
+//   node tests/screenshots.mjs FOLDER
+
+import { join } from 'node:path';
+import { drag, network, openPage, startBrowser, startStudio } from './studio.mjs';
+
+const folder = process.argv[2];
+const looks = {
+  '': {},
+  _dark: { colorScheme: 'dark' },
+  _phone: { viewport: { width: 390, height: 844 }, hasTouch: true },
+  _phone_dark: { viewport: { width: 390, height: 844 }, hasTouch: true, colorScheme: 'dark' },
+};
+const studio = await startStudio('--model', network);
+const browser = await startBrowser();
+for (const [look, options] of Object.entries(looks)) {
+  const page = await openPage(browser, studio.address, options);
+  const shot = (name) => page.screenshot({ path: join(folder, `studio_${name}${look}.png`) });
+  const idle = () => page.waitForFunction(() => document.querySelector('.status.good') && !document.querySelector('.status em'));
+  await page.getByLabel('Environment', { exact: true }).selectOption('limber:05_between_pillars');
+  await page.getByLabel('Search tree').check();
+  await page.getByRole('button', { name: 'Goal', exact: true }).click();
+  await idle();
+  await shot('plan');
+  await page.getByRole('tab', { name: 'Play' }).click();
+  await page.waitForSelector('.tracks');
+  await page.getByRole('button', { name: 'Play', exact: true }).waitFor();
+  await shot('play');
+  await page.getByRole('tab', { name: 'Drive' }).click();
+  const slide = async (segment, key) => {
+    await page.getByRole('slider', { name: new RegExp(`Segment ${segment}`) }).focus();
+    await page.keyboard.press(key);
+  };
+  const settled = async () => {
+    for (let last = '', now = 'x'; last !== now || now === ''; ) {
+      last = now;
+      await page.waitForTimeout(3500);
+      now = await page.textContent('#readout');
+    }
+  };
+  await slide(0, 'End');
+  await slide(1, 'End');
+  await settled();
+  await page.getByRole('button', { name: 'All to zero' }).click();
+  await settled();
+  await shot('drive');
+  if (look === '') {
+    await page.getByRole('tab', { name: 'Plan', exact: true }).click();
+    await page.getByLabel('Plan while dragging').uncheck();
+    await page.getByRole('button', { name: 'Add a rectangle' }).click();
+    await drag(page, [0.4, 0.2], [0.42, 0.22]);
+    await shot('edit');
+  }
+  await page.context().close();
+}
+await browser.close();
+await studio.stop();
