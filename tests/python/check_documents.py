@@ -25,7 +25,7 @@ BANNED_WORDS = {
 
 
 def documents():
-    skipped = {"build", "out", ".git"}
+    skipped = {"build", "out", ".git", "node_modules"}
     for path in sorted(ROOT.rglob("*.md")):
         if not skipped & set(path.relative_to(ROOT).parts):
             yield path
