@@ -11,7 +11,7 @@ umask 022
 root=$(cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.." && pwd)
 # shellcheck source=tools/packages.sh
 . "$root/tools/packages.sh"
-readonly kMegabytes=6000 # Debian with the tests' packages, and two builds
+readonly kMegabytes=8000 # Debian with the tests' packages, and two builds
 readonly kSeconds=900    # for 60 MB of Debian; wget would wait for hours where nobody answers
 
 # The code that docker, env and chroot have for failures of their own: no command of limber's ends with it.
