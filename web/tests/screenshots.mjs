@@ -17,7 +17,7 @@ for (const [look, options] of Object.entries(looks)) {
   const page = await openPage(browser, studio.address, options);
   const shot = (name) => page.screenshot({ path: join(folder, `studio_${name}${look}.png`) });
   const idle = () => page.waitForFunction(() => document.querySelector('.status.good') && !document.querySelector('.status em'));
-  await page.getByLabel('Environment', { exact: true }).selectOption('limber:05_between_pillars');
+  await page.locator('.field', { hasText: /^Environment/ }).locator('select').selectOption('limber:05_between_pillars');
   await page.getByLabel('Search tree').check();
   await page.getByRole('button', { name: 'Goal', exact: true }).click();
   await idle();
