@@ -119,7 +119,7 @@ pageTest('another model and environment are chosen, and tree and tube shown', as
   await page.locator('.field', { hasText: /^Environment/ }).locator('select').selectOption('limber:05_between_pillars');
   await certified(page);
   assert.match(page.url(), /05_between_pillars/);
-  for (const name of ['Search tree', 'Tube', 'Reach']) await page.getByLabel(name).click();
+  for (const name of ['Search tree', 'Tube', 'Reach']) await page.getByRole('checkbox', { name }).click();
   await page.getByRole('button', { name: 'Stop' }).click();
 });
 
