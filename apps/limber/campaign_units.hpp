@@ -8,9 +8,9 @@
 
 namespace limber {
 
-/// The campaign's CPU level, for this process and all that it runs: its kernels, and the C library's
-/// functions, which would give other last digits on another CPU. Starts the program again where
-/// that has to be decided before it begins.
+/// The campaign's CPU level, for this process and all that it runs: its kernels, and the C
+/// library's functions, which would give other last digits on another CPU. Starts the program again
+/// where that has to be decided before it begins.
 /// @throws InputError where this machine lacks the level.
 void use_cpu_level(const Campaign& campaign);
 

@@ -64,9 +64,10 @@ void LimitFlags::add_to(CLI::App& app) {
                  "LOWER,UPPER: plan with set points from LOWER to UPPER, within the arm's limits, "
                  "in the unit of its command; SEGMENT:LOWER,UPPER for one segment. Can be repeated")
       ->allow_extra_args(false);
-  app.add_option("--rate-limit", rate_limit_,
-                 "Change set points by at most so much per second, less than the arm allows, in the "
-                 "unit of its command. What runs the plan keeps it too");
+  app.add_option(
+      "--rate-limit", rate_limit_,
+      "Change set points by at most so much per second, less than the arm allows, in the "
+      "unit of its command. What runs the plan keeps it too");
 }
 
 std::vector<PressureLimits> LimitFlags::limits(const ArmDescription& arm) const {

@@ -11,10 +11,10 @@ namespace limber {
 
 namespace {
 
-constexpr double kExplained = 0.7;     // of the error is left, or less
-constexpr double kSuspicious = 1.5;    // times the middle error; others are not looked at
-constexpr double kMaxLate_s = 3.0;     // of commands behind the motion, or before it
-constexpr double kLateStep_s = 0.5;    // a slow arm's lag would explain less
+constexpr double kExplained = 0.7;   // of the error is left, or less
+constexpr double kSuspicious = 1.5;  // times the middle error; others are not looked at
+constexpr double kMaxLate_s = 3.0;   // of commands behind the motion, or before it
+constexpr double kLateStep_s = 0.5;  // a slow arm's lag would explain less
 
 /// Root of the mean square of what the segments' turns are off by [rad]; none tracked: 0.
 double turn_error(const SimpleModel& model, const ArmDescription& arm, const Episode& episode) {

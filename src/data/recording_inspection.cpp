@@ -368,9 +368,9 @@ std::string to_text(const Recording& recording, const RecordingInspection& inspe
   }
   text += "  suspicious:";
   for (const Suspicion& suspicion : inspection.suspicions) {
-    text +=
-        fmt::format("\n    {}: {} times, first in {}, {}: {}", suspicion.what, suspicion.count,
-                    episode_name(suspicion.episode, suspicion.log), frame_name(suspicion.frame), suspicion.first);
+    text += fmt::format("\n    {}: {} times, first in {}, {}: {}", suspicion.what, suspicion.count,
+                        episode_name(suspicion.episode, suspicion.log), frame_name(suspicion.frame),
+                        suspicion.first);
   }
   return text;
 }

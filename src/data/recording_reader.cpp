@@ -351,8 +351,7 @@ class Reader {
                 episode.tracked.data(), H5::PredType::NATIVE_UINT8);
     }
     const H5::Group own = file_.openGroup(group);
-    for (const auto& [name, text] :
-         {std::pair(kPhysics, &episode.physics), {kLog, &episode.log}}) {
+    for (const auto& [name, text] : {std::pair(kPhysics, &episode.physics), {kLog, &episode.log}}) {
       if (own.attrExists(name)) {
         *text = text_in(own.openAttribute(name), fmt::format("{}, attribute '{}'", group, name));
       }

@@ -1,8 +1,9 @@
 // Units handed out over MPI, longest first, to whichever rank is free. No other file knows MPI;
 // a module of its own, so that the program does not need it (lab/rank_work.hpp).
 //
-// Rank 0 works as the others do, on a thread of its own: its first thread answers. It sleeps between
-// looks, because each rank has one core, which is for units. Two messages of a number per unit.
+// Rank 0 works as the others do, on a thread of its own: its first thread answers. It sleeps
+// between looks, because each rank has one core, which is for units. Two messages of a number per
+// unit.
 
 #include <mpi.h>
 

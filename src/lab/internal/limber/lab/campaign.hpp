@@ -17,7 +17,8 @@ namespace limber {
 using FlagValues = std::vector<std::string>;
 using Flags = std::vector<std::pair<std::string, FlagValues>>;
 
-/// A flag that differs between units. A name `arm.KEY` is a parameter of the arm file's virtual arm.
+/// A flag that differs between units. A name `arm.KEY` is a parameter of the arm file's virtual
+/// arm.
 struct CampaignFactor {
   struct Range {
     enum class Scale { linear, logarithmic, integer };
