@@ -85,18 +85,23 @@ export function handlesOf(environment: Environment, selected: Selection): [Handl
   return obstacle.polygon.map((p, i) => [{ of: selected, part: i }, p]);
 }
 
-/** What lies under a point: handles of the selection first, then the goal, then the last obstacle. */
+/**
+ * What lies under a point: handles of the selection first, then the goal, then the last obstacle. A
+ * finger reaches far: a handle is meant where it is nearer than the middle of what it belongs to.
+ */
 export function hit(
   environment: Environment,
   selected: Selection,
   at: Point,
   reach_m: number,
 ): Handle | null {
-  const near = ([x, y]: Point, radius: number) => Math.hypot(x - at[0], y - at[1]) <= radius;
-  for (const [handle, point] of handlesOf(environment, selected)) {
-    if (near(point, reach_m)) return handle;
-  }
   const { goal, obstacles } = environment;
+  const away = ([x, y]: Point) => Math.hypot(x - at[0], y - at[1]);
+  const near = (point: Point, radius: number) => away(point) <= radius;
+  for (const [handle, point] of handlesOf(environment, selected)) {
+    const middle: Point = handle.of === 'goal' ? [goal.x_m, goal.y_m] : centreOf(obstacles[handle.of]);
+    if (near(point, reach_m) && away(point) < away(middle)) return handle;
+  }
   if (near([goal.x_m, goal.y_m], Math.max(goal.position_tolerance_m, reach_m))) {
     return { of: 'goal', part: 'body' };
   }

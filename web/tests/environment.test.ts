@@ -46,6 +46,7 @@ describe('hits', () => {
   });
   it('may be missed by as much as a finger is wide', () => {
     expect(hit(environment, null, [0.44, 0.3], 0.05)).toEqual({ of: 'goal', part: 'body' });
+    expect(hit(environment, 'goal', [0.401, 0.3], 0.1)).toEqual({ of: 'goal', part: 'body' });
   });
 });
 
