@@ -338,7 +338,6 @@ class Reader {
         matrix(group + "/backbone", {frames, m, kPoseSize},
                fmt::format("{} × {} × 3: frames × points × [x_m, y_m, theta_rad]", frames, m),
                "m, m, rad");
-
     const std::string each = fmt::format("{}: one per frame", frames);
     const std::string motion_path = group + "/motion_index";
     episode.motion_index.resize(frames);
@@ -350,9 +349,8 @@ class Reader {
       read_into(tracked_path, data_set(tracked_path, {frames}, each.c_str(), "1"),
                 episode.tracked.data(), H5::PredType::NATIVE_UINT8);
     }
-    const H5::Group own = file_.openGroup(group);
     for (const auto& [name, text] : {std::pair(kPhysics, &episode.physics), {kLog, &episode.log}}) {
-      if (own.attrExists(name)) {
+      if (const H5::Group own = file_.openGroup(group); own.attrExists(name)) {
         *text = text_in(own.openAttribute(name), fmt::format("{}, attribute '{}'", group, name));
       }
     }
