@@ -15,7 +15,7 @@ build test -DLIMBER_SYSTEM_BUILD_DIR="$root/build/release"
 # Page tests are skipped, by name, where npm's packages can't be had.
 if command -v npm >/dev/null && [ -z "${LIMBER_SKIP_PACKAGES:-}" ]; then
   say "installing the packages of the studio's page"
-  npm ci --prefix "$root/web" --no-audit --no-fund >&2 || say "they can't be installed"
+  timeout 300 npm ci --prefix "$root/web" --no-audit --no-fund </dev/null >&2 || say "they can't be installed"
 fi
 
 say "testing"

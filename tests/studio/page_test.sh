@@ -22,6 +22,9 @@ case $1 in
     ;;
   browser)
     command -v chromium >/dev/null || missing "chromium is missing"
+    timeout 120 chromium --headless --no-sandbox --disable-gpu --disable-dev-shm-usage --dump-dom \
+      'data:text/html,<p>it starts' 2>/dev/null </dev/null | grep -q "it starts" ||
+      missing "chromium does not start here"
     node tests/browser.mjs
     ;;
   *) exit 2 ;;
