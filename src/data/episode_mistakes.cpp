@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "limber/arm/names.hpp"
 #include "limber/common/statistics.hpp"
 
 namespace limber {
@@ -56,8 +57,9 @@ void exchange_columns(const SimpleModel& model, const ArmDescription& arm, Episo
   for (int a = 0; a < arm.segment_count(); ++a) {
     for (int b = a + 1; b < arm.segment_count(); ++b) {
       episode.pressure_kpa.col(a).swap(episode.pressure_kpa.col(b));
-      best.offer(turn_error(model, arm, episode),
-                 fmt::format("the columns of segments {} and {} were exchanged", a, b));
+      best.offer(
+          turn_error(model, arm, episode),
+          fmt::format("the columns of {} and {} were exchanged", segment_name(a), segment_name(b)));
       episode.pressure_kpa.col(a).swap(episode.pressure_kpa.col(b));
     }
   }
@@ -68,7 +70,7 @@ void turn_signs(const SimpleModel& model, const ArmDescription& arm, Episode epi
   for (int i = 0; i < arm.segment_count(); ++i) {
     episode.pressure_kpa.col(i) *= -1.0F;
     best.offer(turn_error(model, arm, episode),
-               fmt::format("segment {}'s column had the other sign", i));
+               fmt::format("{}'s column had the other sign", segment_name(i)));
     episode.pressure_kpa.col(i) *= -1.0F;
   }
 }

@@ -11,7 +11,7 @@ namespace limber {
 
 /// What would explain episodes that err more than the others: two of a log's columns exchanged, one
 /// of the other sign, commands by another clock. For each episode a sentence, empty where nothing
-/// of that explains it: "moves as if the columns of segments 0 and 2 were exchanged".
+/// of that explains it: "moves as if the columns of segment 0 and segment 2 were exchanged".
 ///
 /// The simple model predicts the segments' turns under the commands as they are and as they would
 /// be. A mistake is one that leaves less than kExplained of the error. On logs of stand-ins nothing

@@ -280,7 +280,8 @@ TEST(EpisodeErrors, SayWhatALogMovesLike) {
   }
   const EpisodeErrors errors = episode_errors(arm, episodes);
   EXPECT_THAT(errors.outliers(), ::testing::ElementsAre(5, 9, 20));
-  EXPECT_EQ(errors.episodes[5].why, "moves as if the columns of segments 0 and 2 were exchanged");
+  EXPECT_EQ(errors.episodes[5].why,
+            "moves as if the columns of segment 0 and segment 2 were exchanged");
   EXPECT_EQ(errors.episodes[9].why, "moves as if segment 1's column had the other sign");
   EXPECT_EQ(errors.episodes[20].why, "moves as if its commands were logged about 1.5 s too late");
 }
