@@ -65,7 +65,8 @@ TEST(PlanWithModel, IsThePlanOfTheProblemThatKeepsTheModelsRoomBehindItsValves) 
 }
 
 TEST(PlanWithModel, MovesNoFasterThanAskedAndStaysAPlanOfTheArm) {
-  const Trained s;
+  Trained s;
+  s.network.arm_description = arm_keys_to_yaml(s.arm);
   constexpr double kRate = 25.0;  // [kPa/s], a quarter of the arm's
   PlanSettings slow;
   slow.rate_limit_kpa_per_s = kRate;
