@@ -14,8 +14,10 @@ PACKAGES = {
     "git": "git",
     "groff": "groff-base",
     "h5py": "python3-h5py",
+    "mpirun": "openmpi-bin",
     "mypy": "mypy",
     "numpy": "python3-numpy",
+    "sbatch": "slurm-wlm",
     "setuptools": "python3-setuptools",
     "torch": "python3-torch",
     "yaml": "python3-yaml",
@@ -24,12 +26,13 @@ PACKAGES = {
 # Of Debian's essential packages, and of those that come with a compiler.
 EVERY_MACHINE_HAS = {"bash", "mount", "setpriv", "sh", "umount", "unshare"} | {"nm"}
 INSTALLED = ("build", "test")
-OPTIONAL = (*INSTALLED, "benchmark")
+OPTIONAL = (*INSTALLED, "benchmark", "cluster")
 # Examples and benchmarks may ask their readers for more; what made stored values is run by nobody.
 FOLDERS = {"tests": INSTALLED, "tools": INSTALLED, "python": INSTALLED,
            "examples": OPTIONAL, "benchmarks": OPTIONAL}
 BY_HAND = {"make_pytorch_gradients.py"}
 OTHERS = {"examples": {"rclpy", "std_msgs"},  # of ROS 2, which is not Debian's
+          "tests": {"mpirun", "sbatch", "sinfo"},  # of a cluster; tests without them are skipped
           "tools": {"git"}}  # whoever measures a state of the project has one
 OWN = {"limber"}  # and every file's own name
 

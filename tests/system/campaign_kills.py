@@ -6,9 +6,11 @@ done twice, and what is joined has the bytes of an undisturbed run.
 """
 
 import argparse
+import os
 import pathlib
 import random
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -50,7 +52,7 @@ def kill_some(runs, processes, by_ranks, chance):
     victims = chance.sample(alive, min(len(alive), max(1, round(SHARE * processes))))
     for victim in victims:
         try:
-            subprocess.run(["kill", "-9", str(victim)], check=False, stderr=subprocess.DEVNULL)
+            os.kill(int(victim), signal.SIGKILL)
         except OSError:
             pass
     for run in runs:
