@@ -24,6 +24,11 @@ ELSEWHERE = {
     ("docs/python.md", "import"): "tests/python_module/test_examples.py",
     ("docs/tutorial.md", "limber"): "test_tutorial.py",
     ("docs/tutorial_python.md", ""): "tests/python_module/test_tutorial.py",
+    ("docs/cluster.md", "schema: limber/campaign/1"): "test_campaign.py reads campaigns",
+    ("docs/cluster.md", "#!/bin/bash"): "test_campaign.py runs them",
+    ("docs/studio.md", "limber studio"): "tests/studio/page_test.sh starts it",
+    ("docs/studio.md", "ssh"): "needs another machine",
+    ("docs/studio.md", "cd web"): "tests/studio/page_test.sh",
     ("docs/driver.md", "limber collect --arm mine.yaml"):
         "needs a board; test_example_drivers.py has one",
     ("docs/first_day.md", ""): "test_first_day.py walks through the page",
