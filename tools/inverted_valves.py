@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What became of plans made in pressures, had their set points come from the valves inverted (docs/planning.md, Valves).
+"""What became of plans made in pressures, had their set points come from the valves inverted (log of docs/planning.md).
 
     limber experiment --no-valves … --out EXPERIMENT
     tools/inverted_valves.py EXPERIMENT --inflate-s 0.094 --vent-s 0.115 --rate-kpa-per-s 100

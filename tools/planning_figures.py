@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Measures the tables of docs/planning.md: ablation, paper mode, OMPL's planners, random environments.
+"""Measures the tables of docs/planning.md and of its log: ablation, paper mode, OMPL's planners, random environments.
 
     tools/planning_figures.py --limber build/release/bin/limber --model model.safetensors --out out/planning
     tools/planning_figures.py --model model.safetensors --out out/planning --rows default paper

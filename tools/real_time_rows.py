@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Closed loop in real time beside the virtual arm: a table of docs/experiments.md, Disturbances.
+"""Closed loop in real time beside the virtual arm: a table of docs/log/2026-11-26-experiments.md.
 
 Plans and disturbances are those of closed_loop_table.py (its --out is --table here): of each row the
 first runs, as many in every environment. The virtual arm is a program of its own behind the driver
