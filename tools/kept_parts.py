@@ -30,6 +30,10 @@ class KeptParts:
         path.write_text(json.dumps(found, indent=1), encoding="utf-8")
         return found
 
+    def has(self, name):
+        """Whether the part is there."""
+        return (self.out / f"{name}.json").exists()
+
     def trials(self, folder, *arguments):
         """All trials of `limber experiment` with these arguments; those in the folder are kept."""
         self.limber("experiment", "--json", *arguments, "--out", folder, "--resume")

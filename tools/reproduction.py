@@ -2,11 +2,11 @@
 """The paper's tables and figures, run again: what docs/reproduction.md shows.
 
     PYTHONPATH=build/release/python tools/reproduction.py --limber build/release/bin/limber \\
-        --model model.safetensors --out OUT [--parts readings queries figure_1 table_1 random_1]
+        --model model.safetensors --out OUT [--parts queries figure_1 table_1 random_1 ...]
 
---model is the network of Table I; the readings of the paper's training are trained here. Every part
-lies in OUT; parts that are finished are not run again, and a table that was stopped goes on.
-Table I takes trials x models x environments x seconds / jobs: 53 minutes on two cores.
+--model is the network of Table I. Readings of the paper's training, and its Fig. 4, are in
+tools/reproduction_readings.py. Every part lies in OUT; parts that are finished are not run again, and a table that was
+stopped goes on. Table I takes some five minutes of one core, so often as it is made.
 """
 
 import argparse
@@ -16,36 +16,14 @@ import limber
 import numpy as np
 from kept_parts import KeptParts
 
-TRANSITIONS_SEED = 11
-TEST_SEED = 1_600_001  # used for nothing else
 TABLE_SEED = 1_600_002
 RANDOM_SEED = 1_600_003
 RANDOM_ENVIRONMENTS = 40
 NO_MARGINS = ("--margin-m", 0, "--goal-margin-m", 0, "--goal-margin-rad", 0)  # the paper keeps none
 CM = 100.0
-HORIZONS = {"one step": "one_step", "32 frames": "window_32", "per motion": "per_motion",
-            "open loop": "open_loop"}
-
-
-def as_published(settings):
-    """Every number in a range of its own, plain SGD."""
-
-
-def in_shared_units(settings):
-    settings.scaling = limber.Scaling.shared_range
-
-
-def with_adam(settings):
-    settings.optimiser = limber.Optimiser.adam
-
-
-def in_shared_units_with_adam(settings):
-    in_shared_units(settings)
-    with_adam(settings)
-
-
-READINGS = {"published": as_published, "shared_units": in_shared_units, "adam": with_adam,
-            "shared_units_adam": in_shared_units_with_adam}
+MODELS = ("no_load", "network")
+KPA_PER_PSI = 6.894757
+QUERIES = 510 * 600  # what the paper's ten minutes allowed its network
 
 
 class Reproduction(KeptParts):
@@ -53,34 +31,6 @@ class Reproduction(KeptParts):
         super().__init__(options.limber, options.out)
         self.options = options
         self.arm = limber.load_arm(options.arm)
-
-    def recording(self, name, *flags):
-        path = self.out / f"{name}.h5"
-        if not path.exists():
-            self.limber("collect", "--json", "--arm", self.options.arm, *flags, "--out", path)
-        return path
-
-    def readings(self):
-        """The paper's training on its 729 transitions, in four readings, and its Fig. 4."""
-        transitions = self.recording("transitions", "--schedule", "transitions", "--seed", TRANSITIONS_SEED)
-        test = self.recording("test", "--schedule", "random", "--count", 100, "--episodes", 4,
-                              "--seed", TEST_SEED)
-        return {name: self.kept(f"reading_{name}", lambda set_up=set_up, name=name: self.reading(
-            name, set_up, transitions, test)) for name, set_up in READINGS.items()}
-
-    def reading(self, name, set_up, transitions, test):
-        settings = limber.paper_preset()
-        settings.seed = 1
-        set_up(settings)
-        episodes = limber.read_recording(transitions).episodes
-        held_back = max(1, len(episodes) // 10)
-        data = limber.TrainingData(episodes[held_back:], episodes[:held_back])
-        result = limber.train(self.arm, data, settings)
-        model = self.out / f"{name}.safetensors"
-        limber.write_model(model, result.model)
-        found = self.limber("evaluate", "--json", "--arm", self.options.arm, "--model", model, "--data", test)
-        return {"epochs": settings.epoch_count, "best_epoch": result.best_epoch,
-                "no_load": found["no_load"], "network": found["network"]}
 
     def queries(self):
         return self.kept("queries", lambda: self.limber("bench", "--json", "--arm", self.options.arm))
@@ -101,48 +51,53 @@ class Reproduction(KeptParts):
             return {"tip_from_straight_cm": CM * float(np.linalg.norm((bent - straight)[-1, :2]))}
         return self.kept("figure_1", tip)
 
-    def table(self, name, planner, *flags):
-        """Table I: both models, planned and executed."""
-        folder = self.out / name
-        self.limber("experiment", "--json", "--arm", self.options.arm, "--model", self.options.model,
-                    "--planner", planner, "--time-limit-s", self.options.seconds, "--seed", TABLE_SEED,
-                    "--jobs", self.options.jobs, "--out", folder, "--resume", *NO_MARGINS, *flags)
-        return folder / "table.md"
-
-    def tables(self, part):
-        planner = "paper,valves=1" if part.endswith("valves") else "paper"
-        if part.startswith("table"):
-            return self.table(part, planner, "--trials", self.options.trials)
-        return self.table(part, planner, "--trials", 2, "--environments",
-                          self.random_environments(RANDOM_SEED, RANDOM_ENVIRONMENTS))
-
-
-def errors_of(found):
-    """"16.5 ± 9.9 cm, 0.55 ± 0.36 rad"."""
-    position, turn = found["position_error_cm"], found["orientation_error_rad"]
-    return (f"{position['mean']:.1f} ± {position['std']:.1f} cm, "
-            f"{turn['mean']:.2f} ± {turn['std']:.2f} rad")
+    def table(self, name):
+        """Table I: both models, planned and executed, in limber's own environments or in random ones."""
+        planner = "paper,valves=1" if name.endswith("valves") else "paper"
+        where = (("--trials", self.options.trials) if name.startswith("table") else
+                 ("--trials", 2, "--environments", self.random_environments(RANDOM_SEED, RANDOM_ENVIRONMENTS)))
+        environments = {}
+        for trial in self.trials(self.out / name, "--arm", self.options.arm, "--model", self.options.model,
+                                 "--planner", planner, "--max-queries", self.options.queries, "--seed", TABLE_SEED,
+                                 "--jobs", self.options.jobs, *NO_MARGINS, *where):
+            run = trial["execution"]
+            of = environments.setdefault(trial["environment"], {model: [] for model in MODELS})
+            of[trial["model"]].append(run and {
+                "arrived": run["goal_reached"] and not run["collided"], "collided": run["collided"],
+                "distance_cm": run["distance_to_goal_cm"], "cost_kpa": trial["cost_kpa"]})
+        return {"queries": self.options.queries, "environments": dict(sorted(environments.items()))}
 
 
-def less_by(found, than):
-    shares = [1.0 - found[key]["mean"] / than[key]["mean"]
-              for key in ("position_error_cm", "orientation_error_rad")]
-    return ", ".join(f"{100.0 * share:.0f} %" for share in shares)
+def table_rows(results):
+    """A line for each environment, and for all: solved, arrive, collide, distance and cost of both models."""
+    environments = results["environments"]
+    whole = {model: [trial for of in environments.values() for trial in of[model]] for model in MODELS}
+    for name, of in {**environments, "all": whole}.items():
+        cells = [name]
+        for model in MODELS:
+            trials = of[model]
+            runs = [trial for trial in trials if trial is not None]
+            cells.append(f"{len(runs)}" + (f" of {len(trials)}" if name == "all" else ""))
+            if runs:
+                ends = np.array([run["distance_cm"] for run in runs])
+                cells += [str(sum(run["arrived"] for run in runs)), str(sum(run["collided"] for run in runs)),
+                          f"{ends.mean():.1f}", f"{np.mean([run['cost_kpa'] for run in runs]) / KPA_PER_PSI:.1f}"]
+            else:
+                cells += ["–"] * 4
+        yield cells
 
 
-def print_readings(readings):
-    print("| reading | " + " | ".join(HORIZONS) + " | less than without network, open loop |")
-    print("|---|---|---|---|---|---|")
-    no_load = readings["published"]["no_load"]["open_loop"]
-    print(f"| no network | | | | {errors_of(no_load)} | |")
-    for name, reading in readings.items():
-        network = reading["network"]
-        cells = " | ".join(errors_of(network[key]) for key in HORIZONS.values())
-        print(f"| {name} | {cells} | {less_by(network['open_loop'], no_load)}; per motion "
-              f"{less_by(network['per_motion'], no_load)} |")
+def print_table(results, whole):
+    """Of each environment, or their sum alone."""
+    head = "solved | arrive | collide | distance, cm | cost, psi"
+    print(f"| environment | no-load model: {head} | network: {head} |")
+    print("|---" * 11 + "|")
+    for cells in table_rows(results):
+        if whole or cells[0] == "all":
+            print("| " + " | ".join(cells) + " |")
 
 
-PARTS = ["readings", "queries", "figure_1", "table_1", "table_1_valves", "random_1", "random_1_valves"]
+PARTS = ["queries", "figure_1", "table_1", "table_1_valves", "random_1", "random_1_valves"]
 
 
 def main():
@@ -154,16 +109,18 @@ def main():
     parser.add_argument("--out", type=pathlib.Path, required=True)
     parser.add_argument("--parts", nargs="+", choices=PARTS, default=PARTS)
     parser.add_argument("--trials", type=int, default=20, help="of Table I, in each environment")
-    parser.add_argument("--seconds", type=float, default=20, help="for each plan")
+    parser.add_argument("--queries", type=int, default=QUERIES, help="of the model, for each plan")
+    parser.add_argument("--whole", action="store_true", help="of random environments each, not their sum alone")
+    parser.add_argument("--print", action="store_true", help="only what is there already")
     parser.add_argument("--jobs", type=int, default=2, help="plans at once")
     options = parser.parse_args()
-    if options.model is None and any("_1" in part and part != "figure_1" for part in options.parts):
+    if not options.print and options.model is None and any("_1" in part and part != "figure_1" for part in options.parts):
         parser.error("--model is needed for Table I")
     run = Reproduction(options)
     for part in options.parts:
-        if part == "readings":
-            print_readings(run.readings())
-        elif part == "queries":
+        if options.print and not run.has(part):
+            continue
+        if part == "queries":
             found = run.queries()
             for name in ("no_load", "network"):
                 print(f"{name}: {found[name]['single']['queries_per_s']:.0f} queries per second, one at "
@@ -172,7 +129,8 @@ def main():
         elif part == "figure_1":
             print(f"tip {run.figure_1()['tip_from_straight_cm']:.1f} cm from straight")
         else:
-            print(run.tables(part).read_text(encoding="utf-8"))
+            print(f"\n{part}:\n")
+            print_table(run.kept(part, lambda part=part: run.table(part)), options.whole or part.startswith("table"))
 
 
 if __name__ == "__main__":

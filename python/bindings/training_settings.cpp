@@ -34,7 +34,13 @@ void bind_choices(py::module_& module) {
       .value("unit_range", Scaling::unit_range, "[0, 1], the paper's")
       .value("unit_spread", Scaling::unit_spread, "mean 0, standard deviation 1")
       .value("shared_range", Scaling::shared_range,
-             "[0, 1], one range for poses and compensations: 0 is the no-load model");
+             "[0, 1], one range for poses and compensations: 0 is the no-load model")
+      .value("range_by_unit", Scaling::range_by_unit,
+             "the same with one range for all positions and one for all angles");
+  py::enum_<FirstWeights>(module, "FirstWeights", "What weights are before training.")
+      .value("he", FirstWeights::he, "He et al., 2015, the last layer a tenth; biases zero")
+      .value("torch", FirstWeights::torch,
+             "weights and biases within 1 / sqrt(inputs), as PyTorch's linear layers");
   py::enum_<TrainingStatus>(module, "TrainingStatus", "How training ended.")
       .value("finished", TrainingStatus::finished, "all epochs were done")
       .value("interrupted", TrainingStatus::interrupted,
@@ -91,6 +97,12 @@ void bind_settings(py::module_& module) {
       .field("hidden_units", &S::hidden_units,
              "Units of each hidden layer, >= 1 each; a copy: assign a whole list.")
       .field("scaling", &S::scaling, "Scaling of the network's inputs and outputs.")
+      .field("error_in_user_units", &S::error_in_user_units,
+             "True: frame errors count in metres and radians; False: in units of the spread of "
+             "what is added to the no-load model.")
+      .field("first_weights", &S::first_weights, "FirstWeights: what training begins with.")
+      .field("bounded", &S::bounded,
+             "Whether gaps between plates stay within what was recorded of them.")
       .field("reduction", &S::reduction, "LossReduction: how a batch's errors become one number.")
       .list("stages", &S::stages,
             "List of TrainingStage, done in this order. A copy, whose fields can't be set: assign "
@@ -106,6 +118,8 @@ void bind_settings(py::module_& module) {
              "anything.")
       .field("first_frames_power", &S::first_frames_power,
              "A window's frame k, from 0, counts (k + 1)^-power; 0: all count alike.")
+      .field("weight_decay", &S::weight_decay,
+             "By this times the learning rate every step shortens the weights, >= 0.")
       .field("average_decay", &S::average_decay,
              "Decay of the weights' moving average, in [0, 1); 0: none.")
       .field("input_noise", &S::input_noise,

@@ -133,7 +133,8 @@ EpochTrainer::EpochTrainer(const ArmDescription& arm, const TrainingData& data,
     } else {
       const std::uint64_t first_stream =
           member == 0 ? 0 : kMemberStreams + (static_cast<std::uint64_t>(member) << 16);
-      Eigen::VectorXf initial = initial_parameters(layout_, settings_.seed, first_stream);
+      Eigen::VectorXf initial =
+          initial_parameters(layout_, settings_.seed, first_stream, settings_.first_weights);
       if (tables_.map.is_gated()) {
         set_gate_biases(layout_, tables_.map.output_count() / 2, settings_.first_gate_bias,
                         initial);
@@ -197,6 +198,12 @@ void EpochTrainer::step(double loss_scale, double rate) {
                settings_.gradient_norm_limit);
   }
   optimiser_->step(gradient_, rate, state_.optimiser, state_.parameters);
+  if (settings_.weight_decay > 0.0) {
+    for (int member = 0; member < members_; ++member) {
+      state_.parameters.segment(member * layout_.size(), layout_.arm_offset(0)) *=
+          static_cast<float>(1.0 - rate * settings_.weight_decay);
+    }
+  }
   if (settings_.average_decay > 0.0) {
     // Short at first, so that the average forgets the random start.
     const auto step = static_cast<double>(state_.optimiser.step);
@@ -296,7 +303,9 @@ CompensationModel EpochTrainer::model_of(const Eigen::VectorXf& parameters,
   model.set_arm(arm_);
   model.learnt_from_setpoints = from_setpoints_;
   model.preset = settings_.preset;
-  model.bounds = bounds_;
+  if (settings_.bounded) {
+    model.bounds = bounds_;
+  }
   return model;
 }
 

@@ -24,14 +24,18 @@ ParameterLayout::ParameterLayout(std::vector<int> widths, ArmVectorTable arms)
 }
 
 Eigen::VectorXf initial_parameters(const ParameterLayout& layout, std::uint64_t seed,
-                                   std::uint64_t first_stream) {
+                                   std::uint64_t first_stream, FirstWeights kind) {
   Eigen::VectorXf parameters = Eigen::VectorXf::Zero(layout.size());
   for (int layer = 0; layer < layout.layer_count(); ++layer) {
     RandomStream stream(seed, first_stream + static_cast<std::uint64_t>(layer));
     const bool last = layer + 1 == layout.layer_count();
-    const float limit = std::sqrt(6.0F / static_cast<float>(layout.inputs(layer))) *
-                        (last ? kLastLayerShare : 1.0F);
-    for (Eigen::Index i = layout.weight_offset(layer); i < layout.bias_offset(layer); ++i) {
+    const auto inputs = static_cast<float>(layout.inputs(layer));
+    const bool he = kind == FirstWeights::he;
+    const float limit =
+        he ? std::sqrt(6.0F / inputs) * (last ? kLastLayerShare : 1.0F) : 1.0F / std::sqrt(inputs);
+    const Eigen::Index end =
+        he ? layout.bias_offset(layer) : layout.bias_offset(layer) + layout.outputs(layer);
+    for (Eigen::Index i = layout.weight_offset(layer); i < end; ++i) {
       parameters[i] = static_cast<float>(stream.uniform(-limit, limit));
     }
   }

@@ -114,9 +114,14 @@ void set_window_frames(TrainingSettings& settings, const std::vector<int>& windo
 void set_family_size(TrainingSettings& settings, int size) {
   constexpr int kWindowFrames = 32;
   constexpr int kValidationInterval = 25;
+  // Both lower the error on other arms (docs/families.md).
+  constexpr double kWeightDecay = 0.1;
+  constexpr double kInputNoise = 0.03;
   set_window_frames(settings, {kWindowFrames});
   settings.family_size = size;
   settings.optimiser = Optimiser::soap;
+  settings.weight_decay = kWeightDecay;
+  settings.input_noise = kInputNoise;
   settings.validation_interval = kValidationInterval;
 }
 
@@ -144,13 +149,14 @@ void require_usable(const TrainingSettings& settings) {
   for (const int units : settings.hidden_units) {
     require(units >= 1 && units <= 4096, "hidden_units", units, "1 to 4096 a layer");
   }
-  if (settings.scaling == Scaling::shared_range &&
+  const bool shared = settings.scaling == Scaling::shared_range;
+  if ((shared || settings.scaling == Scaling::range_by_unit) &&
       (settings.form != OutputForm::compensation ||
        settings.layout != BackboneLayout::base_poses)) {
     throw InputError(fmt::format(
-        "scaling = shared_range with output_form {} and layout {}; it is for compensation of "
-        "base_poses",
-        to_string(settings.form), to_string(settings.layout)));
+        "scaling = {} with output_form {} and layout {}; it is for compensation of base_poses",
+        shared ? "shared_range" : "range_by_unit", to_string(settings.form),
+        to_string(settings.layout)));
   }
   require(settings.jobs >= 0, "jobs", settings.jobs, ">= 0 (0: one per core)");
   const double rate = settings.learning_rate;
@@ -167,6 +173,8 @@ void require_usable(const TrainingSettings& settings) {
           "first_frames_power", settings.first_frames_power, "a finite number >= 0 (0: all alike)");
   require(settings.keep_epoch >= 0 && settings.keep_epoch <= settings.epoch_count(), "keep_epoch",
           settings.keep_epoch, "0 (the best one) to the number of epochs");
+  require(settings.weight_decay >= 0.0 && settings.weight_decay * rate < 1.0, "weight_decay",
+          settings.weight_decay, ">= 0, and below 1 / learning_rate (0: none)");
   require(settings.average_decay >= 0.0 && settings.average_decay < 1.0, "average_decay",
           settings.average_decay, "[0, 1)");
   require(settings.input_noise >= 0.0, "input_noise", settings.input_noise, ">= 0");

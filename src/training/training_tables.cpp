@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -184,14 +185,19 @@ Eigen::MatrixXf normalised(Eigen::MatrixXf columns, const Normalisation& by, Eig
   return columns;
 }
 
+/// What the errors of each number count: in user units all the same.
+Eigen::VectorXf error_weights(const Normalisation& spread, const TrainingSettings& settings) {
+  return settings.error_in_user_units ? Eigen::VectorXf::Ones(spread.scale.size()) : spread.scale;
+}
+
 /// Frame errors over base poses, in units of the spread that compensation has in each of them.
 FrameError<float> chained_error(const RawFrames& raw, const Normalisation& input,
-                                const NetworkLayout& layout, Scaling scaling) {
+                                const NetworkLayout& layout, const TrainingSettings& settings) {
   const Eigen::Index size = layout.backbone_size();
   const Normalisation spread =
-      measure(tracked_only((raw.poses - raw.no_load_poses).bottomRows(size), raw), scaling,
+      measure(tracked_only((raw.poses - raw.no_load_poses).bottomRows(size), raw), settings.scaling,
               min_pose_spread);
-  return FrameError<float>(spread.scale,
+  return FrameError<float>(error_weights(spread, settings),
                            input.scale.segment(layout.backbone_row(), size).cwiseInverse(),
                            input.offset.segment(layout.backbone_row(), size));
 }
@@ -201,14 +207,42 @@ struct PoseScales {
   Normalisation state, no_load, output;
 };
 
+/// One range for all positions and one for all angles. The columns of the base plate, which never
+/// moves, have no range of their own.
+Normalisation joined_by_unit(const Eigen::MatrixXf& poses) {
+  Normalisation result{Eigen::VectorXf(poses.rows()), Eigen::VectorXf(poses.rows())};
+  const Eigen::VectorXf low = poses.rowwise().minCoeff();
+  const Eigen::VectorXf high = poses.rowwise().maxCoeff();
+  const auto is_angle = [](Eigen::Index row) { return row % kPoseSize == 2; };
+  for (const bool angles : {false, true}) {
+    float least = std::numeric_limits<float>::infinity();
+    float most = -least;
+    for (Eigen::Index row = 0; row < poses.rows(); ++row) {
+      if (is_angle(row) == angles) {
+        least = std::min(least, low[row]);
+        most = std::max(most, high[row]);
+      }
+    }
+    for (Eigen::Index row = 0; row < poses.rows(); ++row) {
+      if (is_angle(row) == angles) {
+        result.offset[row] = least;
+        result.scale[row] = 1.0F / std::max(most - least, min_pose_spread(row));
+      }
+    }
+  }
+  return result;
+}
+
 PoseScales measure_poses(const RawFrames& raw, const std::vector<EpisodeRange>& episodes,
                          const NetworkLayout& layout, const TrainingSettings& settings) {
   const Scaling scaling = settings.scaling;
-  if (scaling == Scaling::shared_range) {
+  if (scaling == Scaling::shared_range || scaling == Scaling::range_by_unit) {
     const Eigen::MatrixXf state = tracked_only(raw.state, raw);
     Eigen::MatrixXf both(state.rows(), state.cols() + raw.no_load.cols());
     both << state, raw.no_load;
-    const Normalisation shared = measure(both, Scaling::unit_range, min_pose_spread);
+    const Normalisation shared = scaling == Scaling::shared_range
+                                     ? measure(both, Scaling::unit_range, min_pose_spread)
+                                     : joined_by_unit(both);
     return {shared, shared, {Eigen::VectorXf::Zero(state.rows()), shared.scale}};
   }
   return {measure(tracked_only(raw.state, raw), scaling, min_pose_spread),
@@ -226,7 +260,7 @@ void normalise(RawFrames raw, const NetworkLayout& layout, const TrainingSetting
   tables.map.output_scale = state_scale / tables.output.scale.array();
   tables.map.form = settings.form;
   if (layout.backbone_layout() == BackboneLayout::gap_poses && settings.error_in_base_poses) {
-    tables.map.error = chained_error(raw, tables.input, layout, settings.scaling);
+    tables.map.error = chained_error(raw, tables.input, layout, settings);
     frames.target = raw.poses.bottomRows(size);
   } else {
     // In units of the spread that compensation has.
@@ -234,7 +268,7 @@ void normalise(RawFrames raw, const NetworkLayout& layout, const TrainingSetting
         settings.form == OutputForm::gated_change
             ? measure(tracked_only(raw.state - raw.no_load, raw), settings.scaling)
             : tables.output;
-    tables.map.error = FrameError<float>(spread.scale.array() / state_scale);
+    tables.map.error = FrameError<float>(error_weights(spread, settings).array() / state_scale);
   }
   tables.map.growth_limit = static_cast<float>(settings.growth_limit);
   tables.map.first_frames_power = settings.first_frames_power;
@@ -301,6 +335,9 @@ void set_bounds(TrainingTables& tables, const TrainingSettings& settings, const 
   states.scale = tables.input.scale.segment(first, size).cwiseInverse();
   states.offset = tables.input.offset.segment(first, size);
   states.gaps.clear();
+  if (!settings.bounded) {
+    return;
+  }
   for (Eigen::Index i = 0; i < bounds.min_length_m.size(); ++i) {
     states.gaps.push_back(gap_bound(bounds.min_length_m[i], bounds.max_length_m[i],
                                     bounds.min_turn_rad[i], bounds.max_turn_rad[i]));

@@ -72,6 +72,49 @@ TEST(Train, LearnsAnArmWithPlay) {
   EXPECT_GT(reduction_percent, 25.0);  // 34 measured, 0 untrained
 }
 
+/// A step of one batch.
+TrainingSettings one_step() {
+  TrainingSettings settings = small_settings();
+  settings.stages = {{2, 100'000, 1}};
+  return settings;
+}
+
+TEST(Train, WeightDecayShortensWhatAStepLeaves) {
+  const ArmDescription arm = three_segment_arm();
+  TrainingSettings settings = one_step();
+  const CompensationModel without = train(arm, toy_data(arm), settings).model;
+  settings.weight_decay = 50.0;
+  const CompensationModel with = train(arm, toy_data(arm), settings).model;
+  const float share = 1.0F - static_cast<float>(settings.learning_rate * settings.weight_decay);
+  for (std::size_t layer = 0; layer < without.layers.size(); ++layer) {
+    EXPECT_TRUE(with.layers[layer].weight.isApprox(share * without.layers[layer].weight, 1e-6F));
+  }
+}
+
+TEST(Train, LeavesOutBoundsThatAreNotAskedFor) {
+  const ArmDescription arm = three_segment_arm();
+  TrainingSettings settings = one_step();
+  EXPECT_TRUE(train(arm, toy_data(arm), settings).model.bounds);
+  settings.bounded = false;
+  EXPECT_FALSE(train(arm, toy_data(arm), settings).model.bounds);
+}
+
+// A step of Adam moves a weight by the learning rate at most.
+TEST(Train, BeginsWithPyTorchsWeightsWhereAsked) {
+  const ArmDescription arm = three_segment_arm();
+  TrainingSettings settings = one_step();
+  settings.first_weights = FirstWeights::torch;
+  const CompensationModel model = train(arm, toy_data(arm), settings).model;
+  for (const Layer& layer : model.layers) {
+    const float limit = 1.0F / std::sqrt(static_cast<float>(layer.weight.cols()));
+    const float step = 1.01F * static_cast<float>(settings.learning_rate);
+    EXPECT_LT(layer.weight.cwiseAbs().maxCoeff(), limit + step);
+    EXPECT_GT(layer.weight.cwiseAbs().maxCoeff(), 0.9F * limit);
+  }
+  // The biases too: with He's weights a step would leave them at 0.003.
+  EXPECT_GT(model.layers[1].bias.cwiseAbs().maxCoeff(), 0.5F / std::sqrt(32.0F));
+}
+
 TEST(Train, GivesTheSameBitsForAnyNumberOfJobs) {
   const ArmDescription arm = three_segment_arm();
   TrainingSettings settings = small_settings();

@@ -57,6 +57,46 @@ TEST(TrainingTables, ASharedRangeLeavesTheNoLoadModelAtZero) {
   EXPECT_NEAR(high, 1.0F, kRounding);
 }
 
+TEST(TrainingTables, ARangeByUnitIsOneForAllPositionsAndOneForAllAngles) {
+  const ArmDescription arm = three_segment_arm();
+  const TrainingTables tables =
+      make_training_tables(arm, {toy_episode(arm, 6, 20, 3)},
+                           settings_for(BackboneLayout::base_poses, Scaling::range_by_unit));
+  const Eigen::VectorXf scale = tables.input.scale.tail(48);
+  for (Eigen::Index row = 3; row < 48; ++row) {
+    EXPECT_EQ(scale[row], scale[row % 3 == 2 ? 2 : 0]);
+  }
+  EXPECT_NE(scale[0], scale[2]);
+  EXPECT_EQ(tables.output.scale, scale);
+  EXPECT_TRUE(tables.output.offset.isZero(0.0F));
+  EXPECT_NEAR(std::max(tables.frames.state.maxCoeff(), tables.frames.no_load.maxCoeff()), 1.0F,
+              kRounding);
+  EXPECT_NEAR(std::min(tables.frames.state.minCoeff(), tables.frames.no_load.minCoeff()), 0.0F,
+              kRounding);
+}
+
+// An error of 1 cm at a plate weighs as 1 cm, whatever the arm's range is there.
+TEST(TrainingTables, ErrorsInUserUnitsAreMetresAndRadians) {
+  const ArmDescription arm = three_segment_arm();
+  TrainingSettings settings = settings_for(BackboneLayout::base_poses, Scaling::unit_range);
+  settings.form = OutputForm::compensation;
+  const auto error_of_1_cm = [&] {
+    TrainingTables tables = make_training_tables(arm, {toy_episode(arm, 6, 20, 3)}, settings);
+    constexpr int kLanes = 64;  // at least those of any kernel
+    Eigen::MatrixXf target = Eigen::MatrixXf::Zero(kLanes, 48);
+    Eigen::MatrixXf state = target;
+    state(0, 45) = 0.01F * tables.input.scale[6 + 45];
+    const Eigen::VectorXf weight = Eigen::VectorXf::Unit(kLanes, 0);
+    Eigen::MatrixXf gradient(kLanes, 48);
+    return tables.map.error.compute(kLanes, state.data(), target.data(), weight.data(),
+                                    gradient.data());
+  };
+  const float in_ranges = error_of_1_cm();
+  settings.error_in_user_units = true;
+  EXPECT_NEAR(error_of_1_cm(), 0.01F, 1e-6F);
+  EXPECT_GT(in_ranges, 0.015F);
+}
+
 // The base plate never moves: its three columns are constant.
 TEST(TrainingTables, ConstantColumnsKeepScaleOne) {
   const ArmDescription arm = three_segment_arm();

@@ -34,6 +34,14 @@ enum class Scaling {
   /// an answer of 0 is the no-load model: another reading of the paper. For compensations of poses
   /// about the base alone.
   shared_range,
+  /// The same with one range for all positions and one for all angles.
+  range_by_unit,
+};
+
+/// What a network's weights are before training.
+enum class FirstWeights {
+  he,     ///< He et al. 2015, for ReLU; the last layer a tenth of that, biases zero
+  torch,  ///< weights and biases uniform within ± 1 / √inputs, as PyTorch's linear layers
 };
 
 /// A part of training with windows of one length.
@@ -58,6 +66,12 @@ struct TrainingSettings {
   /// If true, frame errors are taken over poses about the base, whatever the layout; otherwise over
   /// the network's own numbers. The two are the same for base_poses.
   bool error_in_base_poses = true;
+  /// If true, frame errors are in metres and radians; otherwise in units of the spread that
+  /// compensation has in each number.
+  bool error_in_user_units = false;
+  FirstWeights first_weights = FirstWeights::he;
+  /// Whether gaps stay within what was recorded of them (GapBounds), in training and afterwards.
+  bool bounded = true;
   LossReduction reduction = LossReduction::mean_over_batch;
   std::vector<TrainingStage> stages;
 
@@ -72,6 +86,9 @@ struct TrainingSettings {
   /// A window's frame k (from 0) counts (k + 1)^-power: errors grow along a window, so that without
   /// this the last frames decide, and one step ahead is learnt late. 0: all count alike.
   double first_frames_power = 0;
+  /// Every step shortens the network's weights by this times the learning rate, those of a family's
+  /// arms excepted (Loshchilov & Hutter 2019). 0: no step does.
+  double weight_decay = 0;
   double average_decay = 0;   ///< of the exponential moving average of the weights; 0: none
   double input_noise = 0;     ///< standard deviation added to a window's first backbone, normalised
   bool shift_windows = true;  ///< each epoch cuts its windows at another offset
@@ -123,9 +140,9 @@ void set_epoch_count(TrainingSettings& settings, int epochs);
 /// @throws InputError if there is none, one is < 1, or there are fewer epochs than stages.
 void set_window_frames(TrainingSettings& settings, const std::vector<int>& window_frames);
 
-/// For a family of arms (docs/families.md) that so many numbers tell apart: trained by SOAP, in
-/// windows of 32 frames, since shorter ones don't tell arms apart, and validated every 25 epochs,
-/// since every arm held back is fitted then.
+/// For a family of arms (docs/families.md) that so many numbers tell apart: trained by SOAP with
+/// weight decay, in windows of 32 frames, since shorter ones don't tell arms apart, and validated
+/// every 25 epochs, since every arm held back is fitted then.
 void set_family_size(TrainingSettings& settings, int size);
 
 /// The settings with layout, output, hidden units and number of networks of `model`.

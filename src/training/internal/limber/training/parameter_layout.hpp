@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "limber/network/compensation_model.hpp"
+#include "limber/training/training_settings.hpp"
 
 namespace limber {
 
@@ -45,12 +46,13 @@ class ParameterLayout {
 /// An optimiser whose steps are of one size moves the arms' vectors by so much more than weights.
 inline constexpr float kArmVectorScale = 7.0F;
 
-/// Weights uniform within ± √(6 / inputs) (He et al. 2015, for ReLU), biases zero; the last layer a
-/// tenth of that, so that training starts near the no-load model. Draws from the streams
-/// `first_stream`, `first_stream` + 1, … of `seed`, one per layer, and one for the arms' vectors,
-/// which are normal with a standard deviation of 0.3.
+/// He's weights are uniform within ± √(6 / inputs), those of the last layer a tenth of that, so that
+/// training starts near the no-load model. Draws from the streams `first_stream`,
+/// `first_stream` + 1, … of `seed`, one per layer, and one for the arms' vectors, which are normal
+/// with a standard deviation of 0.3.
 Eigen::VectorXf initial_parameters(const ParameterLayout& layout, std::uint64_t seed,
-                                   std::uint64_t first_stream = 0);
+                                   std::uint64_t first_stream = 0,
+                                   FirstWeights kind = FirstWeights::he);
 
 /// Sets the biases of the last `gates` outputs, those of (16)'s gates.
 void set_gate_biases(const ParameterLayout& layout, int gates, double bias,

@@ -1,0 +1,105 @@
+#include "limber/lab/campaign_folder.hpp"
+
+#include <gmock/gmock.h>
+
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace limber {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+/// Units of 1, 3 and 2 episodes.
+Campaign unequal_units() {
+  Campaign campaign;
+  campaign.verb = "collect";
+  campaign.flags = {{"count", {"6"}}};
+  campaign.factors = {{"episodes", {{"1"}, {"3"}, {"2"}}, std::nullopt}};
+  return campaign;
+}
+
+class CampaignFolderTest : public ::testing::Test {
+ protected:
+  CampaignUnit unit(std::size_t index) const { return campaign_unit(campaign_, index); }
+
+  TemporaryFolder temporary_;
+  std::filesystem::path path_ = temporary_.path() / "out";
+  Campaign campaign_ = unequal_units();
+};
+
+TEST_F(CampaignFolderTest, MissingUnitsAreOrderedDearestFirst) {
+  CampaignFolder folder(path_, campaign_);
+  EXPECT_THAT(missing_units(campaign_, folder), ElementsAre(1, 2, 0));
+  folder.begin(unit(1));
+  folder.finish(unit(1), {{"frames", 7}}, 0.5);
+  EXPECT_THAT(missing_units(campaign_, folder), ElementsAre(2, 0));
+  EXPECT_EQ(folder.result(unit(1))["result"]["frames"], 7);
+}
+
+TEST_F(CampaignFolderTest, AUnitIsWaitingStartedFailedAndDoneInTurn) {
+  CampaignFolder folder(path_, campaign_);
+  EXPECT_EQ(folder.state(unit(0)), UnitState::waiting);
+  folder.begin(unit(0));
+  EXPECT_EQ(folder.state(unit(0)), UnitState::started);
+  folder.fail(unit(0), 2);
+  EXPECT_EQ(folder.state(unit(0)), UnitState::failed);
+  folder.begin(unit(0));
+  EXPECT_EQ(folder.state(unit(0)), UnitState::started);
+  folder.finish(unit(0), {}, 0.5);
+  EXPECT_EQ(folder.state(unit(0)), UnitState::done);
+}
+
+// What a process left that was killed is not taken for the unit's own.
+TEST_F(CampaignFolderTest, AUnitBeginsInAnEmptyFolder) {
+  CampaignFolder folder(path_, campaign_);
+  folder.begin(unit(0));
+  const std::filesystem::path left = folder.unit_folder(0) / "recording.h5";
+  write_file_atomically(left, "half of it");
+  folder.begin(unit(0));
+  EXPECT_FALSE(std::filesystem::exists(left));
+}
+
+TEST_F(CampaignFolderTest, AnotherCommandOrInputIsAnotherUnit) {
+  const std::filesystem::path data = temporary_.path() / "data.h5";
+  write_file_atomically(data, "one");
+  campaign_.flags.push_back({"data", {data.string()}});
+  CampaignFolder folder(path_, campaign_);
+  folder.begin(unit(0));
+  folder.finish(unit(0), {}, 0.5);
+  EXPECT_EQ(folder.state(unit(0)), UnitState::done);
+  write_file_atomically(data, "two");
+  EXPECT_EQ(CampaignFolder(path_, campaign_).state(unit(0)), UnitState::waiting);
+  write_file_atomically(data, "one");
+  EXPECT_EQ(CampaignFolder(path_, campaign_).state(unit(0)), UnitState::done);
+  campaign_.cpu = CpuLevel::avx2;
+  EXPECT_EQ(CampaignFolder(path_, campaign_).state(unit(0)), UnitState::waiting);
+}
+
+TEST_F(CampaignFolderTest, NoFolderHasMoreThanAThousandEntries) {
+  const CampaignFolder folder(path_, campaign_);
+  EXPECT_EQ(folder.unit_folder(0), path_ / "units/000/000");
+  EXPECT_EQ(folder.unit_folder(123'456), path_ / "units/123/456");
+  EXPECT_EQ(folder.unit_folder(999'999), path_ / "units/999/999");
+}
+
+TEST_F(CampaignFolderTest, RefusesAnotherCampaignsFolderAndOtherPeoplesFiles) {
+  CampaignFolder(path_, campaign_).prepare(false);
+  CampaignFolder(path_, campaign_).prepare(false);  // its own
+  Campaign other = campaign_;
+  other.seed = 2;
+  EXPECT_THAT([&] { CampaignFolder(path_, other).prepare(false); },
+              ThrowsMessage<InputError>(HasSubstr("campaign.json: of another campaign")));
+  CampaignFolder(path_, other).prepare(true);
+  const std::filesystem::path thesis = temporary_.path() / "thesis";
+  std::filesystem::create_directories(thesis);
+  write_file_atomically(thesis / "chapter.tex", "");
+  EXPECT_THAT([&] { CampaignFolder(thesis, campaign_).prepare(false); },
+              ThrowsMessage<InputError>(HasSubstr("thesis: holds something else")));
+}
+
+}  // namespace
+}  // namespace limber
