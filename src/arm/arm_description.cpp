@@ -342,34 +342,6 @@ std::string arm_keys_to_yaml(const ArmDescription& arm) {
   return text + arm_commands_to_yaml(arm.commands);
 }
 
-std::string with_strain_polynomials(const std::string& yaml, const ArmDescription& arm) {
-  read_arm(YamlReader::from_text(yaml, "the arm file"), PolynomialsOf::characterisation);
-  const YAML::Node segments = YAML::Load(yaml)["segments"];
-  std::string edited = yaml;
-  // From the end, so that earlier positions stay valid.
-  for (std::size_t i = std::min(segments.size(), arm.segments.size()); i-- > 0;) {
-    const YAML::Node polynomial = segments[i]["strain_polynomial"];
-    if (!polynomial) {
-      continue;
-    }
-    const auto begin = std::size_t(polynomial.Mark().pos);
-    const std::size_t end = edited.find(']', begin);
-    if (begin < edited.size() && edited[begin] == '[' && end != std::string::npos) {
-      edited.replace(begin, end - begin,
-                     fmt::format("[{}", fmt::join(arm.segments[i].strain_polynomial, ", ")));
-    }
-  }
-  try {
-    if (arm_to_yaml(read_arm(YamlReader::from_text(edited, "the edited arm"))) ==
-        arm_to_yaml(arm)) {
-      return edited;
-    }
-  } catch (const InputError&) {
-    // The edit hit something else: shared anchors, a bracket in a comment.
-  }
-  return arm_to_yaml(arm);
-}
-
 std::vector<double> rest_positions_m(const ArmDescription& arm) {
   std::vector<double> positions = {0.0};
   for (const Segment& segment : arm.segments) {

@@ -128,7 +128,7 @@ TEST(ArmCommands, FittedPolynomialsLeaveThemInTheFile) {
   arm.segments[0].strain_polynomial = {1.25e-3, 0.0, 0.0, 0.0};
   const std::string edited = with_strain_polynomials(text, arm);
   EXPECT_EQ(arm_to_yaml(read_six(edited)), arm_to_yaml(arm));
-  arm.segments[0].length_m = 0.3;  // not edited in place
+  arm.segments[0].width_m = 0.03;  // not edited in place
   EXPECT_EQ(read_six(with_strain_polynomials(text, arm)).commands.size(), 2U);
 }
 

@@ -354,7 +354,41 @@ TEST(WithStrainPolynomials, FillsAnArmThatWasNeverCharacterised) {
   EXPECT_EQ(with_strain_polynomials(empty, arm),
             with("[1.0e-3, 1.0e-5, 0, 0]", "[0.002, 0, 0, 0]  # to be measured"));
   const std::string missing = with("    strain_polynomial: [1.0e-3, 1.0e-5, 0, 0]\n", "");
-  EXPECT_EQ(with_strain_polynomials(missing, arm), arm_to_yaml(arm));
+  const std::string filled = with_strain_polynomials(missing, arm);
+  EXPECT_EQ(arm_to_yaml(read(filled)), arm_to_yaml(arm));
+  EXPECT_THAT(filled, HasSubstr("  - strain_polynomial: [0.002, 0, 0, 0]\n    length_m: 0.2\n"));
+}
+
+// What `characterize --recording` changes, in braces and on lines of their own.
+TEST(WithStrainPolynomials, KeepsTheCommentsBesideLengthsAndCurvatures) {
+  const std::string text = R"(# measured with a ruler
+schema: limber/arm/1
+name: motors
+command: {name: motor angle, unit: 1/m, limit: 3, rate_limit_per_s: 2}
+no_load: straight   # nothing is known yet
+frame_rate_hz: 10
+actuator_radius_m: 0.004
+segments:
+  - {length_m: 0.15, width_m: 0.040, gaps: 2}   # base
+  - length_m: 0.14      # to the clamp
+    width_m: 0.030
+    gaps: 2
+)";
+  ArmDescription arm = read(text);
+  arm.no_load = NoLoadKind::curvature;
+  arm.segments[0].length_m = 0.1525;
+  arm.segments[1].length_m = 0.1375;
+  arm.segments[0].curvature_per_unit = -1.25;
+  arm.segments[1].curvature_per_unit = -2.5;
+  const std::string edited = with_strain_polynomials(text, arm);
+  EXPECT_EQ(arm_to_yaml(read(edited)), arm_to_yaml(arm));
+  EXPECT_THAT(edited, HasSubstr("# measured with a ruler\n"));
+  EXPECT_THAT(edited, HasSubstr("no_load: curvature   # nothing is known yet\n"));
+  EXPECT_THAT(edited, HasSubstr("- {curvature_per_unit: -1.25, length_m: 0.1525, width_m: 0.040, "
+                                "gaps: 2}   # base\n"));
+  EXPECT_THAT(edited, HasSubstr("  - curvature_per_unit: -2.5\n"
+                                "    length_m: 0.1375      # to the clamp\n"));
+  EXPECT_EQ(with_strain_polynomials(edited, arm), edited);
 }
 
 TEST(WithStrainPolynomials, WritesAnewWhatCannotBeEditedInPlace) {
