@@ -15,6 +15,7 @@
 #include "limber/data/simple_model.hpp"
 #include "limber/data/valve_identification.hpp"
 #include "limber/driver/segment_bench.hpp"
+#include "limber/logs/command_shares.hpp"
 #include "limber/report/bench_chart.hpp"
 #include "limber/report/valve_plot.hpp"
 #include "limber/sim/bench_test.hpp"
@@ -66,11 +67,13 @@ class CharacterizeVerb final : public Verb {
   const char* name() const override { return "characterize"; }
   const char* summary() const override {
     return "Bench test of one free segment, or a fit of your bench data, for the no-load model; or "
-           "the simple model, or the valves, of recordings";
+           "the simple model, or the valves, of recordings; or what an arm's own commands make of "
+           "its segments, of logs";
   }
   const char* example() const override {
     return "limber characterize --arm three_segment --out my_arm.yaml --plot bench.svg\n"
            "  limber characterize --arm mine.yaml --recording train.h5 --out fitted.yaml\n"
+           "  limber characterize --arm mine.yaml --commands log1.csv log2.csv --mapping map.yaml\n"
            "  limber characterize --arm one_segment.yaml --driver "
            "\"exec:python3 my_driver.py\" --out fitted.yaml";
   }
@@ -96,6 +99,16 @@ class CharacterizeVerb final : public Verb {
         ->excludes(csv)
         ->excludes(plot)
         ->excludes(valves);
+    auto* mapping = app.add_option("--mapping", mapping_,
+                                   "Of --commands: which columns are what; its command columns are "
+                                   "the arm's own (docs/importing.md)");
+    app.add_option("--commands", command_logs_,
+                   "Find what the arm's own commands, as six motors of three segments, make of its "
+                   "segments in these logs instead, and print it for the arm file")
+        ->needs(mapping)
+        ->excludes(csv)
+        ->excludes(plot)
+        ->excludes(valves);
     app.add_option("--plots", plots_, "Folder for valves.svg: a motion that was not fitted to")
         ->needs(valves);
     app.add_option("--out", out_,
@@ -104,9 +117,14 @@ class CharacterizeVerb final : public Verb {
 
   int run(const CommonFlags& flags) override {
     driver_.check();
-    const bool fits_files = !csv_.empty() || !valves_.empty() || !recordings_.empty();
+    const bool fits_files =
+        !csv_.empty() || !valves_.empty() || !recordings_.empty() || !command_logs_.empty();
     if (fits_files && (driver_.is_program() || driver_.is_dry_run())) {
-      throw InputError("--driver: does a bench test; --csv, --valves and --recording need none");
+      throw InputError(
+          "--driver: does a bench test; --csv, --valves, --recording and --commands need none");
+    }
+    if (!command_logs_.empty()) {
+      return run_commands(flags);
     }
     if (!recordings_.empty()) {
       return run_recordings(flags);
@@ -221,6 +239,19 @@ class CharacterizeVerb final : public Verb {
     return kExitDone;
   }
 
+  int run_commands(const CommonFlags& flags) const {
+    if (!recordings_.empty() || !out_.empty()) {
+      throw InputError(
+          "--commands: prints what is to stand in the arm file, and takes no --recording or --out");
+    }
+    const ArmDescription arm = with_lines_for_missing_polynomials(
+        load_asked_arm(find_arm_file(arm_), PolynomialsOf::characterisation));
+    const CommandShares shares =
+        find_command_shares({command_logs_.begin(), command_logs_.end()}, mapping_, arm);
+    print_result(flags, to_json(shares, arm), to_text(shares, arm));
+    return kExitDone;
+  }
+
   int run_valves(const CommonFlags& flags) const {
     const ArmDescription arm = load_asked_arm(arm_, PolynomialsOf::characterisation);
     const fs::path plot = plots_.empty() ? fs::path() : fs::path(plots_) / "valves.svg";
@@ -316,6 +347,8 @@ class CharacterizeVerb final : public Verb {
   std::string plot_;
   std::string valves_;
   std::vector<std::string> recordings_;
+  std::vector<std::string> command_logs_;
+  std::string mapping_;
   std::string plots_;
   int steps_ = 20;
 };

@@ -10,6 +10,7 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/common/statistics.hpp"
+#include "limber/data/log_units.hpp"
 #include "limber/data/median_rate.hpp"
 
 namespace limber {
@@ -59,6 +60,16 @@ void look_at_constant_commands(const Recording& recording, const ArmDescription*
   }
 }
 
+/// @param ratio  of a frame's period by the times over that by the file's rate
+std::string time_advice(double ratio) {
+  const std::string unit = unit_suspicion(ratio, "s");
+  if (!unit.empty()) {
+    return "; time_s holds seconds: " + unit;
+  }
+  const std::string read_in = unit_suspicion(1.0 / ratio, "s");
+  return read_in.empty() ? "" : "; were seconds taken for another unit: " + read_in;
+}
+
 void look_at_episode(const Recording& recording, std::size_t index, Suspicions& suspicions) {
   const Episode& episode = recording.episodes[index];
   const int frames = episode.frame_count();
@@ -80,7 +91,9 @@ void look_at_episode(const Recording& recording, std::size_t index, Suspicions& 
     if (std::abs(rate_hz - recording.rate_hz) > kRateTolerance * recording.rate_hz) {
       suspicions.add(
           "frames at another rate than the file says", index, 0,
-          fmt::format("{:.4g} Hz by their times, {} Hz by the file", rate_hz, recording.rate_hz));
+          fmt::format("a frame every {:.4g} s by their times, every {:.4g} s by the file{}",
+                      1.0 / rate_hz, 1.0 / recording.rate_hz,
+                      time_advice(recording.rate_hz / rate_hz)));
     }
   }
   if (const std::string offset = base_offset(episode); !offset.empty()) {

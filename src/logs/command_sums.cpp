@@ -12,17 +12,6 @@ namespace limber {
 
 namespace {
 
-/// T×M: an empty cell says nothing new.
-void hold_setpoints(Eigen::MatrixXd& values) {
-  for (Eigen::Index t = 1; t < values.rows(); ++t) {
-    for (Eigen::Index k = 0; k < values.cols(); ++k) {
-      if (std::isnan(values(t, k))) {
-        values(t, k) = values(t - 1, k);
-      }
-    }
-  }
-}
-
 /// T×M to T×n. A command that is missing leaves the segments alone that it does not act on.
 Eigen::MatrixXd summed(const Eigen::MatrixXd& values, const Eigen::MatrixXd& shares) {
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(values.rows(), shares.rows());
@@ -45,6 +34,16 @@ std::vector<std::string> sums_of(const ArmDescription& arm) {
 }
 
 }  // namespace
+
+void hold_setpoints(Eigen::MatrixXd& values) {
+  for (Eigen::Index t = 1; t < values.rows(); ++t) {
+    for (Eigen::Index k = 0; k < values.cols(); ++k) {
+      if (std::isnan(values(t, k))) {
+        values(t, k) = values(t - 1, k);
+      }
+    }
+  }
+}
 
 void sum_commands(const ImportMapping& mapping, const ArmDescription& arm, CommandTrack& commands,
                   RunReport& report) {

@@ -12,6 +12,9 @@ namespace limber {
 void sum_commands(const ImportMapping& mapping, const ArmDescription& arm, CommandTrack& commands,
                   RunReport& report);
 
+/// T×M set points: an empty cell says nothing new.
+void hold_setpoints(Eigen::MatrixXd& values);
+
 /// The mapping with each segment's sum in place of its column, for messages.
 ImportMapping with_sums_named(ImportMapping mapping, const ArmDescription& arm);
 

@@ -103,8 +103,12 @@ CommandColumns read_commands(const YamlReader& node, const std::string& key,
   commands.summed = read_summed(node, arm);
   const std::size_t n = commands.summed ? arm.commands.size() : arm.segments.size();
   const std::string each =
-      fmt::format("one for each {} of arm '{}', {}", commands.summed ? "command" : "segment",
-                  arm.name, commands.summed ? "in its file's order" : "base first");
+      commands.summed
+          ? fmt::format("one for each command of arm '{}', in its file's order", arm.name)
+          : fmt::format(
+                "one for each segment of arm '{}', base first. If they are commands of the "
+                "arm's own, limber characterize --commands finds what they act on",
+                arm.name);
   commands.time = node.has("time") ? read_time(node.at("time")) : time;
   commands.unit = node.has("unit") ? node.at("unit").text() : arm.command.unit;
   if (node.has("unit")) {

@@ -53,11 +53,11 @@ nlohmann::ordered_json to_json(const RunReport& run) {
 
 std::string clock_text(const ClockReport& clock) {
   if (!clock.found) {
-    return fmt::format("\n  clocks: {:+.4f} s added to the pressures' times, as given",
+    return fmt::format("\n  clocks: {:+.4f} s added to the commands' times, as given",
                        clock.offset_s);
   }
   return fmt::format(
-      "\n  clocks: {:+.4f} s added to the pressures' times, found by correlation ({:.2f}; the next "
+      "\n  clocks: {:+.4f} s added to the commands' times, found by correlation ({:.2f}; the next "
       "best is {:.2f}); repeat with --time-offset-s {:.4f}",
       clock.offset_s, clock.correlation, clock.runner_up, clock.offset_s);
 }

@@ -72,29 +72,31 @@ LevelTable levels_of(const BackboneTrack& motion, const CommandTrack& commands,
   const double end_s = std::min(motion.time_s.back(), commands.time_s.back());
   const auto max_rows = static_cast<Eigen::Index>(std::max(0.0, end_s - start_s) * kRate_hz) + 1;
   const Eigen::Index n = arm.segment_count();
-  LevelTable levels{Eigen::MatrixXd(max_rows, n), Eigen::MatrixXd(max_rows, n), {}};
+  const Eigen::Index columns = commands.values.cols();
+  LevelTable levels{Eigen::MatrixXd(max_rows, n), Eigen::MatrixXd(max_rows, columns), {}};
   Eigen::Index rows = 0;
   for (Eigen::Index k = 0; k < max_rows; ++k) {
     const double time_s = start_s + double(k) / kRate_hz;
     for (Eigen::Index i = 0; i < n; ++i) {
       levels.turn_rad(rows, i) = seen.at(time_s, i);
-      levels.command(rows, i) = told.at(time_s, i);
+    }
+    for (Eigen::Index j = 0; j < columns; ++j) {
+      levels.command(rows, j) = told.at(time_s, j);
     }
     const bool known =
         levels.turn_rad.row(rows).allFinite() && levels.command.row(rows).allFinite();
     rows += known ? 1 : 0;
   }
   levels.turn_rad.conservativeResize(rows, n);
-  levels.command.conservativeResize(rows, n);
+  levels.command.conservativeResize(rows, columns);
   levels.run_ends = {rows};
   return levels;
 }
 
 void append(LevelTable& levels, const LevelTable& more) {
   const Eigen::Index before = levels.row_count();
-  const Eigen::Index columns = more.turn_rad.cols();
-  levels.turn_rad.conservativeResize(before + more.row_count(), columns);
-  levels.command.conservativeResize(before + more.row_count(), columns);
+  levels.turn_rad.conservativeResize(before + more.row_count(), more.turn_rad.cols());
+  levels.command.conservativeResize(before + more.row_count(), more.command.cols());
   levels.turn_rad.bottomRows(more.row_count()) = more.turn_rad;
   levels.command.bottomRows(more.row_count()) = more.command;
   for (const Eigen::Index end : more.run_ends) {

@@ -13,7 +13,7 @@ namespace limber {
 /// rates: friction and lag change how a segment gets somewhere more than where it gets.
 struct LevelTable {
   Eigen::MatrixXd turn_rad;            ///< T×n, positive to the left
-  Eigen::MatrixXd command;             ///< T×n, as the log has it, in the arm's unit
+  Eigen::MatrixXd command;             ///< T×n (T×M before sums), as the log has it
   std::vector<Eigen::Index> run_ends;  ///< row behind the last of each run; rows don't go on there
 
   Eigen::Index row_count() const { return turn_rad.rows(); }

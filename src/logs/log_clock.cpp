@@ -17,6 +17,7 @@ namespace {
 constexpr double kSlowerThanArm = 0.95;  // of the arm's rate
 constexpr double kFastestLog_hz = 20000.0;
 constexpr double kPlausibleLog_hz = 2000.0;  // of a guess: no logger that we know is faster
+constexpr double kShortLog_s = 10.0;         // faster, and this short: 10 Hz in s, read as ms
 constexpr double kSlowArm_hz = 1.0;          // an arm file may say as little
 // Of a log's length: loggers pause, but one that is silent nine tenths of its time has no clock.
 constexpr double kMaxSilence = 0.9;
@@ -100,9 +101,15 @@ void check_clock(const std::string& log, const TimeColumn& time, const std::vect
     }
     throw InputError(message);
   }
-  if (rate_hz > kFastestLog_hz) {
-    throw InputError(fmt::format("{}; expected {:.4g} to {}. {}", found(log, time, rate_hz),
-                                 lowest_hz, kFastestLog_hz, advice(time, rate_hz, lowest_hz)));
+  const double span_s = time_s.back() - time_s.front();
+  const bool implausible = rate_hz > kPlausibleLog_hz && span_s < kShortLog_s &&
+                           !unit_guess(time, rate_hz, lowest_hz).empty();
+  if (rate_hz > kFastestLog_hz || implausible) {
+    throw InputError(fmt::format(
+        "{}; expected {:.4g} to {}, and more than {} only in logs of {} s or more; this is {:.4g} "
+        "s long. {}",
+        found(log, time, rate_hz), lowest_hz, kFastestLog_hz, kPlausibleLog_hz, kShortLog_s, span_s,
+        advice(time, rate_hz, lowest_hz)));
   }
   check_silence(log, time, time_s, rate_hz);
 }

@@ -202,7 +202,18 @@ TEST(RecordingInspection, FindsEpisodesTooShortOrNeverTracked) {
 
 TEST(RecordingInspection, FindsFramesAtAnotherRate) {
   const Suspicion rate = only_suspicion([](Episode& e) { e.time_s *= 0.5; });
-  EXPECT_THAT(rate.first, HasSubstr("40 Hz by their times, 20 Hz by the file"));
+  EXPECT_EQ(rate.first, "a frame every 0.025 s by their times, every 0.05 s by the file");
+  const auto said = [](double factor) {
+    return only_suspicion([&](Episode& e) { e.time_s *= factor; }).first;
+  };
+  EXPECT_EQ(said(1e-3),
+            "a frame every 5e-05 s by their times, every 0.05 s by the file; were seconds taken "
+            "for another unit: is it in ms?");
+  Recording slow = corner_recording({0, 1, 0, -1});
+  slow.episodes[0].time_s *= 1e3;
+  EXPECT_THAT(inspect_it(slow).suspicions.front().first,
+              HasSubstr("a frame every 50 s by their times, every 0.05 s by the file; time_s holds "
+                        "seconds: is it in ms?"));
 }
 
 TEST(RecordingInspection, FindsABaseAwayFromTheOrigin) {

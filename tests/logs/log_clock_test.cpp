@@ -85,6 +85,19 @@ TEST_F(LogClock, RefusesTimesInAnotherUnitWithAGuess) {
   }
 }
 
+// 19.6 Hz in s, read in ms, are 19.6 kHz: no logger gives that for a second.
+TEST_F(LogClock, RefusesSecondsReadAsMilliseconds) {
+  const std::string log = pressures([](double t) { return fmt::format("{:.6f}", 2.55 * t); });
+  for (const std::optional<double> offset_s : {std::optional<double>(), {0.0}}) {
+    EXPECT_THAT(
+        [&] { import_both(log, offset_s, "ms"); },
+        ::testing::ThrowsMessage<InputError>(::testing::AllOf(
+            HasSubstr("p.csv: column 'time_s', read in ms, gives 1.961e+04 rows per second"),
+            HasSubstr("more than 2000 only in logs of 10 s or more; this is 0.05095 s long"),
+            HasSubstr("Are its times in s?"))));
+  }
+}
+
 TEST_F(LogClock, ReadsThoseUnitsWhereTheMappingSaysSo) {
   for (const auto& [unit, per_second] :
        {std::pair{"ms", 1e3}, std::pair{"us", 1e6}, std::pair{"ns", 1e9}}) {

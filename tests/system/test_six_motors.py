@@ -2,6 +2,7 @@
 
 import csv
 import json
+import re
 import shutil
 import unittest
 
@@ -32,7 +33,11 @@ class SixMotors(InFolder):
         self.imported(4, out="test.h5")
         self.run_ok("characterize", "--arm", "arm.yaml", "--recording", "train.h5", "--out", "fitted.yaml")
         kept = (self.mine / "fitted.yaml").read_text(encoding="utf-8")
-        self.assertEqual(kept.count("motor_"), 6, "fitting leaves the commands in the file")
+        self.assertEqual(re.sub(r"(length_m|curvature_per_unit): [-.0-9]+", r"\1", kept),
+                         re.sub(r"(length_m|curvature_per_unit): [-.0-9]+", r"\1",
+                                (self.mine / "arm.yaml").read_text(encoding="utf-8")),
+                         "fitting leaves all else in the file, comments too")
+        self.assertNotIn("curvature_per_unit: -1.5}", kept)
         self.run_ok("train", "--arm", "fitted.yaml", "--data", "train.h5", "--epochs", "150", "--out",
                     "model.safetensors")
         errors = self.run_ok("evaluate", "--arm", "fitted.yaml", "--model", "model.safetensors", "--data",
@@ -41,6 +46,9 @@ class SixMotors(InFolder):
         for yardstick in ("hold", "static_linear", "linear_one_step"):  # 80 s teach no more than that
             error = errors["baselines"][yardstick]["open_loop"]["position_error_cm"]["mean"]
             self.assertLess(network, error, yardstick)
+        said = limber("evaluate", "--arm", "fitted.yaml", "--model", "model.safetensors", "--data", "test.h5",
+                      folder=self.mine).stdout
+        self.assertRegex(said, "frames beyond what the model learnt from: .* with commands that it knows")
         self.run_ok("plan", "--arm", "fitted.yaml", "--model", "model.safetensors", "--environment",
                     "goal.yaml", "--max-iterations", "3000", "--out", "plan.json")
         self.run_ok("verify", "--plan", "plan.json", "--arm", "fitted.yaml", "--model", "model.safetensors",
@@ -64,6 +72,47 @@ class SixMotors(InFolder):
                 one, other = float(told[f"motor_{2 * i}"]), float(told[f"motor_{2 * i + 1}"])
                 self.assertAlmostEqual(0.5 * one - 0.5 * other, float(wanted[f"setpoint_{i}"]), places=5)
                 self.assertAlmostEqual(one, -other, places=5)
+
+    def test_shares_are_found_from_logs_and_make_an_arm_file(self):
+        text = (self.mine / "arm.yaml").read_text(encoding="utf-8")
+        begin, end = text.index("commands:\n"), text.index("\n# How much a radian bends")
+        (self.mine / "bare.yaml").write_text(text[:begin] + text[end:], encoding="utf-8")
+        refused = limber("import", "csv", "trial_0.csv", "--mapping", "mapping.yaml", "--arm", "bare.yaml",
+                         "--dry-run", folder=self.mine)
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("6 columns found; expected 3, one for each segment", refused.stderr)
+        self.assertIn("limber characterize --commands", refused.stderr)
+        asked = ("characterize", "--arm", "bare.yaml", "--commands", "trial_0.csv", "trial_1.csv", "trial_2.csv",
+                 "trial_3.csv", "--mapping", "mapping.yaml")
+        found = self.run_ok(*asked)
+        self.assertEqual(found["idle"], [])
+        for k, command in enumerate(found["commands"]):
+            self.assertEqual(command["name"], f"motor_{k}")
+            for segment, share in enumerate(command["shares"]):
+                own = 0.0 if segment != k // 2 else 0.5 if k % 2 == 0 else -0.5
+                self.assertAlmostEqual(share, own, delta=0.02 if own else 0.1, msg=f"{command}")
+        self.assertIn(["motor_0", "motor_1"], found["alike"])
+        said = limber(*asked, folder=self.mine).stdout
+        self.assertIn("motor_0 and motor_1 never moved apart from each other", said)
+        block = said[said.index("commands:\n"):]
+        self.assertEqual(block.rstrip(), found["yaml"].rstrip())
+        (self.mine / "arm.yaml").write_text(text[:begin] + text[end:] + block, encoding="utf-8")
+        imported = self.imported(0, 1, 2, 3, out="train.h5")
+        for segment in imported["columns"]:
+            self.assertGreater(segment["correlation"], 0.8)
+
+    def test_shares_of_what_nothing_moves_are_refused(self):
+        mapping = (self.mine / "mapping.yaml").read_text(encoding="utf-8")
+        (self.mine / "four.yaml").write_text(mapping.replace(", motor_4, motor_5]", "]"), encoding="utf-8")
+        result = limber("characterize", "--arm", "arm.yaml", "--commands", "trial_0.csv", "trial_1.csv", "--mapping",
+                        "four.yaml", folder=self.mine)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("segment 2: no command moves it for certain", result.stderr)
+        with_sign = mapping.replace("[motor_0,", "[-motor_0,")
+        (self.mine / "sign.yaml").write_text(with_sign, encoding="utf-8")
+        result = limber("characterize", "--arm", "arm.yaml", "--commands", "trial_0.csv", "--mapping", "sign.yaml",
+                        folder=self.mine)
+        self.assertIn("expected a column without a sign", result.stderr)
 
     def test_inspect_shows_which_commands_make_those_of_segments(self):
         result = limber("inspect", "arm.yaml", folder=self.mine)
