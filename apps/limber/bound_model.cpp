@@ -50,7 +50,7 @@ int add_bounds_to_model(const BoundModelRequest& request, const CommonFlags& fla
   model.training["bounds"] = sources;
   const LongRollout rollout = roll_out_long(ForwardModel(arm, model), episodes);
   write_model(request.out, model);
-  if (rollout.ran_away()) {
+  if (!rollout.bounded) {
     say(flags,
         "warning: in {:.0f} % of a rollout of {} frames a bound held a gap: this network runs away "
         "without them. Train it again, which picks another epoch",

@@ -63,7 +63,7 @@ void ModelFlags::refuse_valves_before_setpoints() const {
     throw InputError(fmt::format(
         "--valves {}: {} learnt from set points, so that it knows the valves along with the arm; "
         "before it their lag would count twice. Leave --valves out, or give a network that learnt "
-        "from measured pressures",
+        "from what was measured",
         valves_, model_.empty() ? "the network" : model_));
   }
 }

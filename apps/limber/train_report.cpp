@@ -96,7 +96,7 @@ void say_what_ran_away(const CommonFlags& flags, const TrainingResult& result) {
         "to hold them; epoch {} is the next best",
         fmt::join(result.passed_over_epochs, ", "), kLongRolloutFrames, result.best_epoch);
   }
-  if (result.long_rollout.frames > 0 && result.long_rollout.ran_away()) {
+  if (result.long_rollout.frames > 0 && !result.long_rollout.bounded) {
     say(flags,
         "warning: the networks of all epochs kept run away in a rollout of {} frames (of epoch {}, "
         "bounds hold {:.0f} % of them); more recordings or another --seed may help",

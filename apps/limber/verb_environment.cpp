@@ -100,7 +100,7 @@ class EnvironmentVerb final : public Verb {
         check.refusal
             ? fmt::format("{}: {}: {}", words_[1], to_string(*check.refusal), check.reason)
             : fmt::format(
-                  "{}: '{}' is fine: {} obstacles, start {}, a straight motion in pressure {} it",
+                  "{}: '{}' is fine: {} obstacles, start {}, a straight motion of set points {} it",
                   words_[1], environment.name, environment.obstacles.size(),
                   has_clearance ? fmt::format("{:.2f} cm clear of {}", start.value_m * kCmPerM,
                                               obstacle_name(environment, start.obstacle))

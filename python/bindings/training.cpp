@@ -123,12 +123,12 @@ void bind_training_result(py::module_& module) {
                  "Largest distance of a plate from the base [m].")
       .read_only("max_heading_rad", &LongRollout::max_heading_rad,
                  "Largest heading of a plate, in magnitude [rad].")
-      .read_only("bounded", &LongRollout::bounded,
-                 "Whether no plate was farther from the base than twice the arm's length.")
+      .read_only(
+          "bounded", &LongRollout::bounded,
+          "Whether no plate was farther from the base than twice the arm's length, and bounds "
+          "held a gap in at most a tenth of the frames.")
       .read_only("held_share", &LongRollout::held_share,
                  "Share of the frames in which GapBounds held a gap, 0 to 1.")
-      .property("ran_away", &LongRollout::ran_away,
-                "Whether it was unbounded, or held in over a tenth of the frames.")
       .done();
   Record<TrainingResult>(module, "TrainingResult", "What came of training.")
       .read_only("status", &TrainingResult::status, "TrainingStatus: how training ended.")

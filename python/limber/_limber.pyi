@@ -912,13 +912,10 @@ class LongRollout:
         """Largest heading of a plate, in magnitude [rad]."""
     @property
     def bounded(self) -> bool:
-        """Whether no plate was farther from the base than twice the arm's length."""
+        """Whether no plate was farther from the base than twice the arm's length, and bounds held a gap in at most a tenth of the frames."""
     @property
     def held_share(self) -> float:
         """Share of the frames in which GapBounds held a gap, 0 to 1."""
-    @property
-    def ran_away(self) -> bool:
-        """Whether it was unbounded, or held in over a tenth of the frames."""
 
 class LossReduction:
     """How windows' errors become one number."""

@@ -66,7 +66,7 @@ class FrameChecks {
           frame.pressure_kpa.size() != arm_.segment_count() ||
           frame.backbone.rows() != arm_.point_count()) {
         fail("sizes", k,
-             fmt::format("{} pressures and {} poses; the arm has {} segments and {} plates",
+             fmt::format("{} set points and {} poses; the arm has {} segments and {} plates",
                          frame.setpoint_kpa.size(), frame.backbone.rows(), arm_.segment_count(),
                          arm_.point_count()));
         break;
@@ -74,7 +74,7 @@ class FrameChecks {
     }
     for (const Pressures& waypoint : plan_.waypoints_kpa) {
       if (waypoint.size() != arm_.segment_count()) {
-        fail("sizes", fmt::format("a waypoint of {} pressures; the arm has {} segments",
+        fail("sizes", fmt::format("a waypoint of {} set points; the arm has {} segments",
                                   waypoint.size(), arm_.segment_count()));
         break;
       }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/data/valve_simulation.hpp"
@@ -239,9 +240,10 @@ class Identification {
     }
     result.findings.warnings.push_back(fmt::format(
         "the valve model's error is {:.3g} {} on average where set points change, more than {:.0f} "
-        "% of {:.4g} {}: look for a supply pressure that is too low, a leak, a sensor that drifts, "
-        "set points and measurements whose clocks are not aligned, or set points logged late",
-        held_back.mean_kpa, unit, 100.0 * kSuspiciousMean, scale(), unit));
+        "% of {:.4g} {}: look for {}a sensor that drifts, set points and measurements whose clocks "
+        "are not aligned, or set points logged late",
+        held_back.mean_kpa, unit, 100.0 * kSuspiciousMean, scale(), unit,
+        recording_.command.is_pressure_kpa() ? "a supply pressure that is too low, a leak, " : ""));
     look_for_late_setpoints(result);
   }
 
@@ -260,9 +262,10 @@ class Identification {
     }
     if (best_frames > 0) {
       result.findings.warnings.push_back(fmt::format(
-          "pressures move before their set points: with set points {} frames ({:.3g} s) earlier "
-          "the error would be {:.3g} {}; align the clocks, or log set points when they are given",
-          best_frames, best_frames / recording_.rate_hz, best, recording_.command.unit));
+          "{}s move before their set points: with set points {} frames ({:.3g} s) earlier the "
+          "error would be {:.3g} {}; align the clocks, or log set points when they are given",
+          followed_name(recording_.command), best_frames, best_frames / recording_.rate_hz, best,
+          recording_.command.unit));
     }
   }
 

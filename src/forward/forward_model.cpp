@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "forward_pipeline.hpp"
+#include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
 
 namespace limber {
@@ -29,8 +30,8 @@ ConstColumns columns_of(const Eigen::MatrixBase<Derived>& m) {
 
 void require_pressures(const char* name, const Pressures& pressures, const NoLoadModel& arm) {
   if (pressures.size() != arm.channel_count()) {
-    throw InputError(fmt::format("{}: {} pressures; the arm has {} segments", name,
-                                 pressures.size(), arm.channel_count()));
+    throw InputError(fmt::format("{}: {} {}s; the arm has {} segments", name, pressures.size(),
+                                 followed_name(arm.command()), arm.channel_count()));
   }
   for (int i = 0; i < arm.channel_count(); ++i) {
     const PressureLimits& limits = arm.segment(i).pressure_limit_kpa;

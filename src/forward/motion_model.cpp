@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "limber/arm/names.hpp"
 #include "limber/network/arm_family.hpp"
 
 namespace limber {
@@ -101,8 +102,8 @@ std::string why_valves_are_missing(const MotionModel& model) {
   const std::string reason =
       model.has_network() ? model.compensation().valve_findings.reason : std::string();
   return "no valve model" + (reason.empty() ? reason : " (" + reason + ")") +
-         ": the set points are taken for the pressures, but an arm whose valves lag is elsewhere "
-         "while it moves";
+         ": the set points are taken for the " + followed_name(model.no_load().command()) +
+         "s, but an arm whose valves lag is elsewhere while it moves";
 }
 
 }  // namespace limber

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "limber/arm/names.hpp"
 #include "limber/common/json_number.hpp"
 
 namespace limber {
@@ -41,7 +42,7 @@ Json to_json(const NovelFrames& novel) {
           {"pressures_beyond", count(novel.pressures_beyond)}};
 }
 
-std::string to_text(const NovelFrames& novel) {
+std::string to_text(const NovelFrames& novel, const Command& command) {
   const auto share = [](const NovelFrames::Count& frames) {
     return frames.frames == 0
                ? "none"
@@ -49,8 +50,8 @@ std::string to_text(const NovelFrames& novel) {
                              frames.frames);
   };
   return fmt::format(
-      "frames beyond what the model learnt from: {} with pressures that it knows, {} with others\n",
-      share(novel.pressures_within), share(novel.pressures_beyond));
+      "frames beyond what the model learnt from: {} with {}s that it knows, {} with others\n",
+      share(novel.pressures_within), followed_name(command), share(novel.pressures_beyond));
 }
 
 }  // namespace
@@ -127,14 +128,12 @@ std::string to_text(const Evaluation& evaluation) {
                         evaluation.position_reduction_percent,
                         evaluation.orientation_reduction_percent);
     const LongRollout& rollout = evaluation.long_rollout;
-    text += fmt::format("{} frames without correction: {}, no plate is farther than {:.2f} m\n",
-                        rollout.frames, rollout.bounded ? "bounded" : "NOT BOUNDED",
-                        rollout.max_distance_m);
-    text += evaluation.novel ? to_text(*evaluation.novel) : "";
-    if (rollout.held_share > 0.0) {
-      text += fmt::format("in {:.1f} % of them the model's bounds held a gap\n",
-                          100.0 * rollout.held_share);
-    }
+    text += fmt::format(
+        "{} frames without correction: {}, no plate is farther than {:.2f} m; in {:.1f} % of them "
+        "the model's bounds held a gap\n",
+        rollout.frames, rollout.bounded ? "bounded" : "NOT BOUNDED", rollout.max_distance_m,
+        100.0 * rollout.held_share);
+    text += evaluation.novel ? to_text(*evaluation.novel, evaluation.command) : "";
   }
   return text;
 }

@@ -156,7 +156,7 @@ std::string pressure_picture(const ArmDescription& arm, const Plan& plan,
   for (int k = 0; k < plan.frame_count(); ++k) {
     time_s.push_back(k * arm.frame_period_s());
   }
-  Chart chart("Set points and pressures");
+  Chart chart(fmt::format("Set points and {}s", followed_name(arm.command)));
   chart.x_axis("time [s]").y_axis(fmt::format("{} [{}]", arm.command.name, arm.command.unit));
   for (Eigen::Index i = 0; i < arm.segment_count(); ++i) {
     const auto along = [&](auto&& rows, auto&& number) {

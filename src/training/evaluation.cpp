@@ -215,6 +215,7 @@ Evaluation evaluate(const ForwardModel& no_load, const ForwardModel* network,
                     frames, all_episodes.size(), kMinFrames));
   }
   Evaluation result;
+  result.command = no_load.no_load().command();
   result.frames = counted_frames(episodes);
   // The no-load model has no memory: restarting it would change nothing.
   const auto errors_of = [&](const ForwardModel& model, Restart restart) {

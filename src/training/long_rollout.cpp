@@ -63,7 +63,8 @@ std::vector<const Episode*> episodes_to_walk(const std::vector<Episode>& episode
 }
 
 /// One episode there and back for so many frames, added to `result`; `held` counts frames.
-void walk(const ForwardModel& model, const Episode& episode, int frames, LongRollout& result,
+/// @return whether all of it is finite
+bool walk(const ForwardModel& model, const Episode& episode, int frames, LongRollout& result,
           int& held) {
   const int count = frames_from_tracked(episode);
   const int begin = episode.frame_count() - count;
@@ -90,7 +91,7 @@ void walk(const ForwardModel& model, const Episode& episode, int frames, LongRol
       held += bounds != nullptr && is_held(*bounds, plates) ? 1 : 0;
     }
   }
-  result.bounded = result.bounded && state.allFinite();
+  return state.allFinite();
 }
 
 }  // namespace
@@ -99,15 +100,16 @@ LongRollout roll_out_long(const ForwardModel& model, const std::vector<Episode>&
                           int frames) {
   require_episodes_of(episodes, model.no_load());
   LongRollout result;
-  result.bounded = true;
   const std::vector<const Episode*> walks = episodes_to_walk(episodes);
   int held = 0;
-  for (std::size_t i = 0; i < walks.size() && result.bounded; ++i) {
+  bool finite = true;
+  for (std::size_t i = 0; i < walks.size() && finite; ++i) {
     const int left = frames - result.frames;
-    walk(model, *walks[i], left / static_cast<int>(walks.size() - i), result, held);
+    finite = walk(model, *walks[i], left / static_cast<int>(walks.size() - i), result, held);
   }
   result.held_share = result.frames > 0 ? double(held) / result.frames : 0.0;
-  result.bounded = result.bounded && result.max_distance_m <= kFarthest * arm_length_m(model);
+  result.bounded = finite && result.max_distance_m <= kFarthest * arm_length_m(model) &&
+                   result.held_share <= LongRollout::kMaxHeldShare;
   return result;
 }
 

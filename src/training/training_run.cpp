@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -165,7 +166,8 @@ LongRollout TrainingRun::roll_out_long_each(const Eigen::VectorXf& weights) cons
   for (int member = 0; member < trainer_.member_count(); ++member) {
     const ForwardModel model(arm_, trainer_.model_of_member(weights, member));
     const LongRollout one = roll_out_long(model, episodes);
-    if (member == 0 || !one.bounded || (worst.bounded && one.held_share > worst.held_share)) {
+    if (member == 0 ||
+        std::pair(!one.bounded, one.held_share) > std::pair(!worst.bounded, worst.held_share)) {
       worst = one;
     }
   }
@@ -183,7 +185,7 @@ TrainingResult TrainingRun::chosen_result() {
   LongRollout of_best;
   for (const ValidatedEpoch* rival : order) {
     const LongRollout rollout = roll_out_long_each(rival->weights);
-    if (!rollout.ran_away()) {
+    if (rollout.bounded) {
       state.best = rival->weights;
       state.best_error_m = rival->error_m;
       state.best_members_m = rival->members_m;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "limber/arm/names.hpp"
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/error.hpp"
 #include "limber/network/backbone_layout.hpp"
@@ -286,13 +287,13 @@ void normalise(RawFrames raw, const NetworkLayout& layout, const TrainingSetting
   frames.uncompensated = normalised(std::move(raw.no_load), tables.input, layout.backbone_row());
 }
 
-void require_varying_pressures(const Eigen::MatrixXf& pressure_kpa) {
+void require_varying_pressures(const Eigen::MatrixXf& pressure_kpa, const Command& command) {
   const auto range = pressure_kpa.rowwise().maxCoeff() - pressure_kpa.rowwise().minCoeff();
   if (range.maxCoeff() <= kConstantSpread) {
     throw InputError(fmt::format(
-        "no pressure changes in the training data ({} frames); expected recordings of a moving "
-        "arm, such as those of 'limber collect --schedule transitions'",
-        pressure_kpa.cols()));
+        "no {} changes in the training data ({} frames); expected recordings of a moving arm, "
+        "such as those of 'limber collect --schedule transitions'",
+        followed_name(command), pressure_kpa.cols()));
   }
 }
 
@@ -303,7 +304,7 @@ TrainingTables make_training_tables(const ArmDescription& arm, const std::vector
   const NetworkLayout layout(settings.layout, settings.form, arm, settings.reads_velocity);
   TrainingTables tables;
   RawFrames raw = gather(arm, episodes, layout, tables.episodes);
-  require_varying_pressures(raw.pressure_kpa);
+  require_varying_pressures(raw.pressure_kpa, arm.command);
   const Normalisation pressure = measure(tracked_only(raw.pressure_kpa, raw), settings.scaling);
   const PoseScales poses = measure_poses(raw, tables.episodes, layout, settings);
   tables.input = stack({pressure, pressure, poses.state, poses.no_load});

@@ -71,7 +71,8 @@ void require_plan_of(const Plan& plan, const ArmDescription& arm, const std::str
     if (frame.setpoint_kpa.size() != n || frame.pressure_kpa.size() != n ||
         frame.backbone.rows() != arm.point_count()) {
       throw InputError(fmt::format(
-          "{}: frames[{}]: {} pressures and {} poses found; arm '{}' has {} segments and {} plates",
+          "{}: frames[{}]: {} set points and {} poses found; arm '{}' has {} segments and {} "
+          "plates",
           file, k, frame.setpoint_kpa.size(), frame.backbone.rows(), arm.name, n,
           arm.point_count()));
     }

@@ -216,10 +216,10 @@ TEST(Forest, OfAnotherArmOrStartIsRefused) {
   s.environment.start = rest;
   forest.setpoints_kpa(1, 7) = 1e6F;
   forest.complete();
-  refusal("pressures beyond the arm's limits");
+  refusal("set points beyond the arm's limits");
   forest.setpoints_kpa.conservativeResize(2, Eigen::NoChange);
   forest.complete();
-  refusal("2 pressures per node; arm 'three_segment' has 3 segments");
+  refusal("2 set points per node; arm 'three_segment' has 3 segments");
   forest = s.grow();
   forest.shapes.conservativeResize(42, Eigen::NoChange);
   refusal("42 numbers per shape; arm 'three_segment' needs 45");

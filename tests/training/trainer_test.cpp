@@ -146,7 +146,7 @@ TEST(Train, PassesOverEpochsThatRunAwayAndKeepsTheNextBest) {
     EXPECT_LE(error_of(epoch), error_of(result.best_epoch));
   }
   if (!result.passed_over_epochs.empty()) {
-    EXPECT_FALSE(result.long_rollout.ran_away());
+    EXPECT_TRUE(result.long_rollout.bounded);
   }
   // The same rollout, made here.
   const LongRollout again =

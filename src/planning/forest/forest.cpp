@@ -185,12 +185,12 @@ void require_forest_of(const Forest& forest, const ArmDescription& arm,
     throw InputError(fmt::format("the forest holds {}: it is broken; grow it again", what));
   };
   if (forest.highest_kpa.size() != box.high_kpa.size()) {
-    refuse(fmt::format("{} pressures per node; arm '{}' has {} segments", forest.highest_kpa.size(),
-                       arm.name, box.high_kpa.size()));
+    refuse(fmt::format("{} set points per node; arm '{}' has {} segments",
+                       forest.highest_kpa.size(), arm.name, box.high_kpa.size()));
   }
   if ((forest.highest_kpa.array() > box.high_kpa.array()).any() ||
       (forest.lowest_kpa.array() < box.low_kpa.array()).any()) {
-    refuse("pressures beyond the arm's limits");
+    refuse("set points beyond the arm's limits");
   }
   const Eigen::Index numbers = kPoseSize * (arm.point_count() - 1);
   if (forest.shapes.rows() != numbers) {

@@ -50,6 +50,7 @@ NovelFrames find_novel_frames(const LearntRegion& learnt, const std::vector<Epis
 /// Errors of the models and of two trivial predictors on one recording (INTERFACE: evaluate
 /// --json).
 struct Evaluation {
+  Command command;          ///< what drives the arm, for those who show this
   std::int64_t frames = 0;  ///< tracked ones after the first of each episode: those that count
   TipErrors no_load_open_loop;
   std::optional<RolloutErrors> network;

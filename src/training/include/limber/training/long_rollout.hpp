@@ -13,13 +13,14 @@ struct LongRollout {
   int frames = 0;                ///< rolled out
   double max_distance_m = 0.0;   ///< of a plate from the base; of finite frames
   double max_heading_rad = 0.0;  ///< of a plate, in magnitude
-  bool bounded = false;          ///< all finite, no plate farther than twice the arm's length
   /// Of the frames, in which (20) held a gap's length or turn at its bound; 0 of a model without.
   double held_share = 0.0;
+  /// By the model alone: all finite, no plate farther than twice the arm's length, and held_share
+  /// at most kMaxHeldShare.
+  bool bounded = false;
 
   /// A sound model hardly ever touches its bounds. One that leans on them would run away without.
   static constexpr double kMaxHeldShare = 0.1;
-  bool ran_away() const { return !bounded || held_share > kMaxHeldShare; }
 };
 
 /// Frames of the check: a quarter of an hour at 20 Hz.

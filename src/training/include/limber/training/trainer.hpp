@@ -91,7 +91,7 @@ struct TrainingResult {
   std::vector<LearningCurvePoint> curve;
   int best_epoch = 0;
   /// Epochs with smaller validation errors that were passed over, because a long rollout of their
-  /// networks ran away (LongRollout::ran_away); of a finished run.
+  /// networks ran away (LongRollout::bounded); of a finished run.
   std::vector<int> passed_over_epochs;
   LongRollout long_rollout;  ///< of the epoch chosen, its worst network; of a finished run
   double best_validation_position_error_cm = 0.0;           ///< NaN without validation data
