@@ -63,12 +63,16 @@ void add_rates(const LearntRegion& learnt, const Plan& plan, Eigen::Index i,
   }
 }
 
-void add_novelty(const LearntRegion& learnt, const Plan& plan, std::vector<std::string>& found) {
+void add_novelty(const LearntRegion& learnt, const Plan& plan, const Command& command,
+                 std::vector<std::string>& found) {
   int beyond = 0;
   double max_novelty = 0.0;
   std::size_t worst = 0;
   for (std::size_t k = 1; k < plan.frames.size(); ++k) {
-    const double novelty = learnt.novelty(plan.frames[k].pressure_kpa, plan.frames[k].backbone);
+    const PlanFrame& now = plan.frames[k];
+    const PlanFrame& before = plan.frames[k - 1];
+    const double novelty =
+        learnt.novelty(now.pressure_kpa, now.backbone, before.pressure_kpa, before.backbone);
     beyond += novelty > 1.0 ? 1 : 0;
     if (novelty > max_novelty) {
       max_novelty = novelty;
@@ -77,9 +81,9 @@ void add_novelty(const LearntRegion& learnt, const Plan& plan, std::vector<std::
   }
   if (beyond > 0) {
     found.push_back(fmt::format(
-        "in {} of {} frames pressures and shape together are beyond what was recorded, farthest in "
-        "{}: novelty {:.2f}; 1 is the border",
-        beyond, plan.frames.size() - 1, frame_name(worst), max_novelty));
+        "in {} of {} frames {}s and shape together, or how they change, are beyond what was "
+        "recorded, farthest in {}: novelty {:.2f}; 1 is the border",
+        beyond, plan.frames.size() - 1, followed_name(command), frame_name(worst), max_novelty));
   }
 }
 
@@ -93,10 +97,12 @@ RecordedRegion::RecordedRegion(const LearntRegion& learnt, double frame_rate_hz)
 
 bool RecordedRegion::holds(const Eigen::Ref<const Pressures>& before_kpa,
                            const Eigen::Ref<const Pressures>& now_kpa,
+                           const Eigen::Ref<const Backbone>& backbone_before,
                            const Eigen::Ref<const Backbone>& backbone, Workspace& workspace) const {
   const auto change = (now_kpa - before_kpa).array();
   return (change <= rise_kpa_.array()).all() && (-change <= fall_kpa_.array()).all() &&
-         measure_.novelty(now_kpa.data(), backbone.data(), workspace) <= 1.0F;
+         measure_.novelty(now_kpa.data(), backbone.data(), before_kpa.data(),
+                          backbone_before.data(), workspace) <= 1.0F;
 }
 
 PressureBox RecordedRegion::setpoints_of(const ArmDescription& arm) const {
@@ -104,13 +110,13 @@ PressureBox RecordedRegion::setpoints_of(const ArmDescription& arm) const {
 }
 
 std::vector<std::string> excursions_beyond(const LearntRegion& learnt, const Plan& plan,
-                                           const std::string& unit) {
+                                           const Command& command) {
   std::vector<std::string> found;
   for (Eigen::Index i = 0; i < learnt.segment_count(); ++i) {
-    add_pressures(learnt, plan, i, unit, found);
-    add_rates(learnt, plan, i, unit, found);
+    add_pressures(learnt, plan, i, command.unit, found);
+    add_rates(learnt, plan, i, command.unit, found);
   }
-  add_novelty(learnt, plan, found);
+  add_novelty(learnt, plan, command, found);
   return found;
 }
 

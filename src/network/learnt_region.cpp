@@ -31,13 +31,20 @@ void require_vector(const std::string& where, const char* name, const Eigen::Vec
   }
 }
 
+/// Its pressures, then each plate's pose about the plate before it.
+Eigen::VectorXd joint_vector(const Eigen::Ref<const Pressures>& pressures_kpa,
+                             const Eigen::Ref<const Backbone>& backbone) {
+  const Eigen::VectorXd flat = backbone.cast<double>().reshaped<Eigen::RowMajor>();
+  Eigen::VectorXd joint(pressures_kpa.size() + flat.size() - kPoseSize);
+  joint << pressures_kpa.cast<double>(), gap_poses_of(flat);
+  return joint;
+}
+
 }  // namespace
 
 double LearntRegion::novelty(const Eigen::Ref<const Pressures>& pressures_kpa,
                              const Eigen::Ref<const Backbone>& backbone) const {
-  const Eigen::VectorXd flat = backbone.cast<double>().reshaped<Eigen::RowMajor>();
-  Eigen::VectorXd joint(joint_offset.size());
-  joint << pressures_kpa.cast<double>(), gap_poses_of(flat);
+  const Eigen::VectorXd joint = joint_vector(pressures_kpa, backbone);
   const Eigen::VectorXd standard =
       (joint - joint_offset.cast<double>()).cwiseProduct(joint_scale.cast<double>());
   const Eigen::VectorXd along = axes.cast<double>() * standard;
@@ -49,6 +56,20 @@ double LearntRegion::novelty(const Eigen::Ref<const Pressures>& pressures_kpa,
   const auto [middle, half] = pressure_border(*this);
   return std::max(
       worst, (pressures_kpa.cast<double>() - middle).cwiseQuotient(half).cwiseAbs().maxCoeff());
+}
+
+double LearntRegion::novelty(const Eigen::Ref<const Pressures>& pressures_kpa,
+                             const Eigen::Ref<const Backbone>& backbone,
+                             const Eigen::Ref<const Pressures>& before_kpa,
+                             const Eigen::Ref<const Backbone>& backbone_before) const {
+  const double standing = novelty(pressures_kpa, backbone);
+  if (joint_change.size() == 0) {
+    return standing;
+  }
+  const Eigen::VectorXd change =
+      joint_vector(pressures_kpa, backbone) - joint_vector(before_kpa, backbone_before);
+  return std::max(standing,
+                  change.cwiseQuotient(joint_change.cast<double>()).cwiseAbs().maxCoeff());
 }
 
 void validate(const LearntRegion& region, int segment_count, int point_count,
@@ -69,6 +90,9 @@ void validate(const LearntRegion& region, int segment_count, int point_count,
   if (!region.axes.allFinite()) {
     refuse(where, "tensor learnt.axes.directions holds a number that is not finite");
   }
+  if (region.joint_change.size() > 0) {
+    require_vector(where, "joint.change", region.joint_change, joint);
+  }
   require_vector(where, "axes.low", region.axis_low, region.axes.rows());
   require_vector(where, "axes.high", region.axis_high, region.axes.rows());
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -86,6 +110,10 @@ void validate(const LearntRegion& region, int segment_count, int point_count,
   for (Eigen::Index i = 0; i < joint; ++i) {
     if (region.joint_scale[i] == 0.0F) {
       refuse(where, fmt::format("tensor learnt.joint.scale[{}] is 0; expected another", i));
+    }
+    if (region.joint_change.size() > 0 && !(region.joint_change[i] > 0.0F)) {
+      refuse(where, fmt::format("tensor learnt.joint.change[{}] is {}; expected more than 0", i,
+                                region.joint_change[i]));
     }
   }
   for (Eigen::Index i = 0; i < region.axes.rows(); ++i) {

@@ -222,6 +222,9 @@ void add_learnt_region(Safetensors& content, const LearntRegion& region) {
   add("rates.rise", region.steepest_rise_kpa_per_s);
   add("joint.offset", region.joint_offset);
   add("joint.scale", region.joint_scale);
+  if (region.joint_change.size() > 0) {
+    add("joint.change", region.joint_change);
+  }
   add("axes.low", region.axis_low);
   add("axes.high", region.axis_high);
   content.tensors[std::string(kLearntPrefix) + "axes.directions"] = matrix_tensor(region.axes);
@@ -238,6 +241,9 @@ LearntRegion read_learnt_region(TensorReader& tensors) {
   region.steepest_rise_kpa_per_s = vector("rates.rise");
   region.joint_offset = vector("joint.offset");
   region.joint_scale = vector("joint.scale");
+  if (tensors.has(std::string(kLearntPrefix) + "joint.change")) {
+    region.joint_change = vector("joint.change");
+  }
   region.axis_low = vector("axes.low");
   region.axis_high = vector("axes.high");
   region.axes = tensors.matrix(std::string(kLearntPrefix) + "axes.directions");

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "kernels/vector_sincos.hpp"
@@ -47,7 +48,8 @@ NoveltyMeasure::NoveltyMeasure(const LearntRegion& region, CpuLevel level)
       point_count_(region.point_count()),
       joint_size_(static_cast<int>(region.joint_offset.size())),
       padded_rows_(padded(segment_count_ + static_cast<int>(region.axes.rows()), kernels_->lanes)),
-      padded_gaps_(padded(point_count_ - 1, kLanes)) {
+      padded_gaps_(padded(point_count_ - 1, kLanes)),
+      joint_change_(region.joint_change) {
   const int n = segment_count_;
   const int axis_count = static_cast<int>(region.axes.rows());
   Eigen::MatrixXd weight = Eigen::MatrixXd::Zero(padded_rows_, joint_size_);
@@ -71,7 +73,7 @@ NoveltyMeasure::NoveltyMeasure(const LearntRegion& region, CpuLevel level)
 }
 
 NoveltyMeasure::Workspace NoveltyMeasure::make_workspace() const {
-  const int size = padded_rows_ + padded(joint_size_, kLanes) + kPoseSize * padded_gaps_;
+  const int size = padded_rows_ + 2 * padded(joint_size_, kLanes) + kPoseSize * padded_gaps_;
   return {AlignedFloats(static_cast<std::size_t>(size), 0.0F)};
 }
 
@@ -79,7 +81,7 @@ float NoveltyMeasure::novelty(const float* pressures_kpa, const float* backbone,
                               Workspace& workspace) const {
   float* distances = workspace.numbers.data();
   float* joint = distances + padded_rows_;
-  float* headings = joint + padded(joint_size_, kLanes);
+  float* headings = joint + 2 * padded(joint_size_, kLanes);
   for (int i = 0; i < segment_count_; ++i) {
     joint[i] = pressures_kpa[i];
   }
@@ -87,6 +89,28 @@ float NoveltyMeasure::novelty(const float* pressures_kpa, const float* backbone,
   kernels_->query_layer(padded_rows_, joint_size_, weight_.data(), joint, bias_.data(), false,
                         distances);
   return Eigen::Map<const Eigen::VectorXf>(distances, padded_rows_).cwiseAbs().maxCoeff();
+}
+
+float NoveltyMeasure::novelty(const float* pressures_kpa, const float* backbone,
+                              const float* before_kpa, const float* backbone_before,
+                              Workspace& workspace) const {
+  const float standing = novelty(pressures_kpa, backbone, workspace);
+  if (joint_change_.size() == 0) {
+    return standing;
+  }
+  const float* joint = workspace.numbers.data() + padded_rows_;  // as `standing` left it
+  float* before = workspace.numbers.data() + padded_rows_ + padded(joint_size_, kLanes);
+  float* headings = before + padded(joint_size_, kLanes);
+  for (int i = 0; i < segment_count_; ++i) {
+    before[i] = before_kpa[i];
+  }
+  write_gap_poses(backbone_before, point_count_ - 1, padded_gaps_, headings,
+                  before + segment_count_);
+  float worst = standing;
+  for (int i = 0; i < joint_size_; ++i) {
+    worst = std::max(worst, std::abs(joint[i] - before[i]) / joint_change_[i]);
+  }
+  return worst;
 }
 
 }  // namespace limber

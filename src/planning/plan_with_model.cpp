@@ -36,7 +36,7 @@ void warn_beyond_recordings(const ArmDescription& arm, const MotionModel& model,
     return;
   }
   for (const std::string& excursion :
-       excursions_beyond(*recorded_of(model), *result.plan, arm.command.unit)) {
+       excursions_beyond(*recorded_of(model), *result.plan, arm.command)) {
     result.warnings.push_back(excursion + "; --stay-recorded avoids this");
   }
 }

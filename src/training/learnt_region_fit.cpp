@@ -35,31 +35,47 @@ constexpr int kBlockFrames = 200;        // 10 s: two blocks have little to do w
 constexpr double kAllowedBeyond = 0.03;  // share of frames; what is asked for is 0.05
 constexpr double kMaxWidening = 1.0;
 
-/// Joint vectors of the frames in which the arm was tracked, one per column.
-Eigen::MatrixXd joint_vectors(const Episode& episode) {
+/// Joint vectors of some frames, one per column.
+Eigen::MatrixXd joint_vectors(const Episode& episode, const std::vector<int>& frames) {
+  const Eigen::MatrixXd poses = episode.backbone(frames, Eigen::all).cast<double>().transpose();
+  const Eigen::MatrixXd gaps = gap_poses_of(poses);
+  Eigen::MatrixXd joint(episode.pressure_kpa.cols() + gaps.rows(), gaps.cols());
+  joint << episode.pressure_kpa(frames, Eigen::all).cast<double>().transpose(), gaps;
+  return joint;
+}
+
+/// Of the frames in which the arm was tracked.
+Eigen::MatrixXd joint_vectors_of(const Episode& episode) {
   std::vector<int> tracked;
   for (int t = 0; t < episode.frame_count(); ++t) {
     if (episode.was_tracked(t)) {
       tracked.push_back(t);
     }
   }
-  const Eigen::MatrixXd poses = episode.backbone(tracked, Eigen::all).cast<double>().transpose();
-  const Eigen::MatrixXd gaps = gap_poses_of(poses);
-  Eigen::MatrixXd joint(episode.pressure_kpa.cols() + gaps.rows(), gaps.cols());
-  joint << episode.pressure_kpa(tracked, Eigen::all).cast<double>().transpose(), gaps;
-  return joint;
+  return joint_vectors(episode, tracked);
 }
 
-/// All frames' joint vectors. @throws InputError if there is none.
-Eigen::MatrixXd joint_vectors(const std::vector<Episode>& episodes) {
+/// By how much they change from frame to frame, where both were tracked.
+Eigen::MatrixXd joint_changes_of(const Episode& episode) {
+  std::vector<int> before;
+  std::vector<int> after;
+  for (int t = 1; t < episode.frame_count(); ++t) {
+    if (episode.was_tracked(t - 1) && episode.was_tracked(t)) {
+      before.push_back(t - 1);
+      after.push_back(t);
+    }
+  }
+  return (joint_vectors(episode, after) - joint_vectors(episode, before)).cwiseAbs();
+}
+
+/// What `columns_of` makes of each episode, side by side.
+Eigen::MatrixXd all_of(const std::vector<Episode>& episodes,
+                       Eigen::MatrixXd (*columns_of)(const Episode&)) {
   std::vector<Eigen::MatrixXd> parts;
   Eigen::Index frames = 0;
   for (const Episode& episode : episodes) {
-    parts.push_back(joint_vectors(episode));
+    parts.push_back(columns_of(episode));
     frames += parts.back().cols();
-  }
-  if (frames == 0) {
-    throw InputError("the arm was tracked in no frame of the recordings to learn from");
   }
   Eigen::MatrixXd all(parts.front().rows(), frames);
   Eigen::Index at = 0;
@@ -68,6 +84,15 @@ Eigen::MatrixXd joint_vectors(const std::vector<Episode>& episodes) {
     at += part.cols();
   }
   return all;
+}
+
+/// @throws InputError if there is none.
+Eigen::MatrixXd joint_vectors(const std::vector<Episode>& episodes) {
+  Eigen::MatrixXd joint = all_of(episodes, joint_vectors_of);
+  if (joint.cols() == 0) {
+    throw InputError("the arm was tracked in no frame of the recordings to learn from");
+  }
+  return joint;
 }
 
 /// Ranges of measured pressures and set points of one episode, added to those of `region`.
@@ -183,9 +208,8 @@ double needed_widening(const Eigen::MatrixXd& along) {
   return std::clamp(quantile(std::move(beyond), 1.0 - kAllowedBeyond), kAxisWidening, kMaxWidening);
 }
 
-/// Deviation of each number, no less than what it is taken to spread by at least.
-Eigen::VectorXd spread_of(const Eigen::MatrixXd& centred, Eigen::Index segments) {
-  Eigen::VectorXd spread = centred.rowwise().norm() / std::sqrt(double(centred.cols()));
+/// Of a joint vector's numbers, no less than what they are taken to spread by at least.
+Eigen::VectorXd at_least_noise(Eigen::VectorXd spread, Eigen::Index segments) {
   const double widest = spread.head(segments).maxCoeff();
   const double min_kpa = widest > 0.0 ? kMinPressureShare * widest : 1.0;
   spread.head(segments) = spread.head(segments).cwiseMax(min_kpa);
@@ -194,6 +218,47 @@ Eigen::VectorXd spread_of(const Eigen::MatrixXd& centred, Eigen::Index segments)
     spread[i] = std::max(spread[i], heading ? kMinHeadingSpread_rad : kMinPositionSpread_m);
   }
   return spread;
+}
+
+/// Deviation of each number.
+Eigen::VectorXd spread_of(const Eigen::MatrixXd& centred, Eigen::Index segments) {
+  return at_least_noise(centred.rowwise().norm() / std::sqrt(double(centred.cols())), segments);
+}
+
+/// Widens the changes over a frame, from number `first` on, to those of the episodes in
+/// kHeldShare of the frames: of each number, and then, by one factor, of all numbers at once.
+void widen_changes(LearntRegion& region, const std::vector<Episode>& episodes, Eigen::Index first) {
+  const Eigen::MatrixXd changes = all_of(episodes, joint_changes_of);
+  if (changes.cols() == 0 || region.joint_change.size() == 0) {
+    return;
+  }
+  Eigen::VectorXd usual(changes.rows());
+  for (Eigen::Index i = 0; i < usual.size(); ++i) {
+    const Eigen::VectorXd one = changes.row(i);
+    usual[i] = quantile({one.begin(), one.end()}, kHeldShare);
+  }
+  usual = at_least_noise(std::move(usual), region.segment_count());
+  const Eigen::VectorXd farthest =
+      (usual.cwiseInverse().asDiagonal() * changes).colwise().maxCoeff();
+  const double factor =
+      std::max(1.0 + kAxisWidening, quantile({farthest.begin(), farthest.end()}, kHeldShare));
+  for (Eigen::Index i = first; i < usual.size(); ++i) {
+    region.joint_change[i] = std::max(region.joint_change[i], float(factor * usual[i]));
+  }
+}
+
+/// Frames whose pressures lie beyond the region's count as not tracked.
+Episode within(const LearntRegion& region, Episode episode) {
+  const int frames = episode.frame_count();
+  std::vector<std::uint8_t> known(static_cast<std::size_t>(frames));
+  for (int t = 0; t < frames; ++t) {
+    const auto kpa = episode.pressure_kpa.row(t).transpose().array();
+    known[static_cast<std::size_t>(t)] = episode.was_tracked(t) &&
+                                         (kpa >= region.low_kpa.array()).all() &&
+                                         (kpa <= region.high_kpa.array()).all();
+  }
+  episode.tracked = std::move(known);
+  return episode;
 }
 
 }  // namespace
@@ -222,6 +287,11 @@ LearntRegion learnt_region_of(const std::vector<Episode>& episodes) {
   widen_rates(region, episodes);
   const Eigen::MatrixXd along = along_axes(region, joint);
   widen_axes(region, along, needed_widening(along));
+  region.joint_change = Eigen::VectorXf::Zero(joint.rows());
+  widen_changes(region, episodes, 0);
+  if (!(region.joint_change.minCoeff() > 0.0F)) {
+    region.joint_change.resize(0);  // no two frames follow each other: no speed is known
+  }
   return region;
 }
 
@@ -231,28 +301,19 @@ LearntRegion widened_by(LearntRegion region, const std::vector<Episode>& episode
   }
   widen_rates(region, episodes);
   widen_axes(region, along_axes(region, joint_vectors(episodes)), kAxisWidening);
+  widen_changes(region, episodes, 0);
   return region;
 }
 
-LearntRegion with_shapes_of(LearntRegion region, const std::vector<Episode>& episodes) {
-  const bool any = std::ranges::any_of(episodes, [](const Episode& episode) {
-    return episode.untracked_count() < episode.frame_count();
-  });
-  if (any) {
-    const Eigen::MatrixXd joint = joint_vectors(episodes);
-    const auto kpa = joint.topRows(region.low_kpa.size()).cast<float>().array();
-    const Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> inside =
-        kpa >= region.low_kpa.replicate(1, joint.cols()).array() &&
-        kpa <= region.high_kpa.replicate(1, joint.cols()).array();
-    std::vector<Eigen::Index> held;
-    for (Eigen::Index t = 0; t < joint.cols(); ++t) {
-      if (inside.col(t).all()) {
-        held.push_back(t);
-      }
-    }
-    if (!held.empty()) {
-      const Eigen::MatrixXd along = along_axes(region, joint(Eigen::all, held));
+LearntRegion with_shapes_of(LearntRegion region, std::vector<Episode> episodes) {
+  for (Episode& episode : episodes) {
+    episode = within(region, std::move(episode));
+  }
+  if (!episodes.empty()) {
+    if (const Eigen::MatrixXd joint = all_of(episodes, joint_vectors_of); joint.cols() > 0) {
+      const Eigen::MatrixXd along = along_axes(region, joint);
       widen_axes(region, along, needed_widening(along));
+      widen_changes(region, episodes, region.segment_count());
     }
   }
   return region;

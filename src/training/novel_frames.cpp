@@ -20,11 +20,16 @@ NovelFrames find_novel_frames(const LearntRegion& learnt, const std::vector<Epis
         continue;
       }
       const Pressures kpa = episode.pressure_kpa.row(t).transpose();
-      const bool novel = !learnt.contains(kpa, backbone_at(episode.backbone, t));
+      const auto shape = backbone_at(episode.backbone, t);
+      const bool follows = t > 0 && episode.was_tracked(t - 1);
+      const double novelty =
+          follows ? learnt.novelty(kpa, shape, episode.pressure_kpa.row(t - 1).transpose(),
+                                   backbone_at(episode.backbone, t - 1))
+                  : learnt.novelty(kpa, shape);
       NovelFrames::Count& count =
           is_beyond(learnt, kpa) ? found.pressures_beyond : found.pressures_within;
       ++count.frames;
-      count.novel += novel ? 1 : 0;
+      count.novel += novelty > 1.0 ? 1 : 0;
     }
   }
   return found;

@@ -200,7 +200,7 @@ void hold_shapes(PredictedRuns all, CompensationModel& model) {
     all.runs[i].backbone = all.predicted[i];
     all.runs[i].tracked.clear();
   }
-  model.learnt = with_shapes_of(std::move(*model.learnt), all.runs);
+  model.learnt = with_shapes_of(std::move(*model.learnt), std::move(all.runs));
 }
 
 }  // namespace

@@ -280,6 +280,10 @@ TEST(ModelFile, KeepsTheErrorAndWhatWasLearnt) {
   EXPECT_TRUE(back.learnt->axes == region.axes);
   EXPECT_TRUE(back.learnt->axis_low == region.axis_low &&
               back.learnt->axis_high == region.axis_high);
+  EXPECT_TRUE(back.learnt->joint_change == region.joint_change);
+  model.learnt->joint_change.resize(0);  // as before there was one
+  write_model(path, model);
+  EXPECT_EQ(read_model(path).learnt->joint_change.size(), 0);
 }
 
 TEST(ModelFile, OnlyTheLeadingMemberHasTheError) {
@@ -306,6 +310,8 @@ TEST(ModelFile, DamageToWhatWasLearntIsNamed) {
   };
   using Tensors = std::map<std::string, Tensor>;
   message([](Tensors& t) { t.erase("learnt.rates.fall"); }, "no tensor learnt.rates.fall");
+  message([](Tensors& t) { t["learnt.joint.change"].values[1] = 0.0F; },
+          "tensor learnt.joint.change[1] is 0; expected more than 0");
   message([](Tensors& t) { t.erase("learnt.axes.directions"); },
           "no tensor learnt.axes.directions");
   message(

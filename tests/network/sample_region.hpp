@@ -34,6 +34,8 @@ inline LearntRegion sample_region(int segments, int points, int axes) {
                     .transpose();
   region.axis_low = drawn(axes, -4.0, -2.0);
   region.axis_high = drawn(axes, 2.0, 5.0);
+  region.joint_change = drawn(joint, 0.005, 0.02);
+  region.joint_change.head(segments) = drawn(segments, 3.0, 8.0);
   return region;
 }
 

@@ -40,18 +40,18 @@ TEST(RecordedRegion, SaysInNumbersWhereAPlanLeavesIt) {
     lowest = std::min(lowest, frame.setpoint_kpa[1]);
   }
   const Pressures wide = Pressures::Constant(3, 500.0F);
-  EXPECT_THAT(excursions_beyond(recorded(-wide, wide, kFast), *result.plan, "kPa"), IsEmpty());
+  EXPECT_THAT(excursions_beyond(recorded(-wide, wide, kFast), *result.plan, Command{}), IsEmpty());
 
   Pressures low = -wide;
   low[1] = lowest + 5.0F;
   const std::vector<std::string> below =
-      excursions_beyond(recorded(low, wide, kFast), *result.plan, "kPa");
+      excursions_beyond(recorded(low, wide, kFast), *result.plan, Command{});
   ASSERT_FALSE(below.empty());
   EXPECT_EQ(below.front(), fmt::format("segment 1 down to {:.1f} kPa; recorded {:.1f} … 500.0",
                                        lowest, lowest + 5.0F));
 
   const std::vector<std::string> fast =
-      excursions_beyond(recorded(-wide, wide, 1.0F), *result.plan, "kPa");
+      excursions_beyond(recorded(-wide, wide, 1.0F), *result.plan, Command{});
   ASSERT_FALSE(fast.empty());
   EXPECT_THAT(fast.front(), HasSubstr("kPa per second; recorded up to 1.0"));
 }
@@ -71,12 +71,12 @@ TEST(RecordedRegion, PlansAskedToStayInsideDo) {
   // A narrower box, in which the goal can still be reached.
   const LearntRegion region = recorded(low.array() - 15.0F, high.array() * 0.98F, kFast);
   const RecordedRegion inside(region, s.arm.frame_rate_hz);
-  ASSERT_FALSE(excursions_beyond(region, *free.plan, "kPa").empty());
+  ASSERT_FALSE(excursions_beyond(region, *free.plan, Command{}).empty());
   for (const char* planner : {"default", "paper"}) {
     const PlanResult result = make_planner(planner)->plan(
         {s.arm, s.model, s.environment, 0.0, {}, std::nullopt, &inside}, limits, 3);
     if (result.plan) {
-      EXPECT_THAT(excursions_beyond(region, *result.plan, "kPa"), IsEmpty()) << planner;
+      EXPECT_THAT(excursions_beyond(region, *result.plan, Command{}), IsEmpty()) << planner;
     } else {
       EXPECT_STREQ(planner, "paper") << result.reason;
       EXPECT_THAT(result.reason, HasSubstr("leaves what the model's recordings held"));
@@ -92,7 +92,7 @@ TEST(RecordedRegion, JudgesEveryFrameByPressureRateAndShape) {
   RecordedRegion::Workspace workspace = region.make_workspace();
   const Backbone rest = start_state(Environment(), arm).backbone;
   const auto holds = [&](float before, float now) {
-    return region.holds(Pressures::Constant(3, before), Pressures::Constant(3, now), rest,
+    return region.holds(Pressures::Constant(3, before), Pressures::Constant(3, now), rest, rest,
                         workspace);
   };
   EXPECT_TRUE(holds(0.0F, 4.9F));
@@ -102,7 +102,25 @@ TEST(RecordedRegion, JudgesEveryFrameByPressureRateAndShape) {
   learnt.axis_low[0] = -2e-3F;
   learnt.axis_high[0] = -1e-3F;  // the last plate was always turned
   const RecordedRegion turned(learnt, arm.frame_rate_hz);
-  EXPECT_FALSE(turned.holds(Pressures::Zero(3), Pressures::Zero(3), rest, workspace));
+  EXPECT_FALSE(turned.holds(Pressures::Zero(3), Pressures::Zero(3), rest, rest, workspace));
+}
+
+TEST(RecordedRegion, JudgesHowFastTheArmMoves) {
+  const ArmDescription arm = three_segment_arm();
+  const Pressures limit = Pressures::Constant(3, 40.0F);
+  LearntRegion learnt = recorded(-limit, limit, 100.0F);
+  learnt.joint_change = Eigen::VectorXf::Constant(learnt.joint_offset.size(), 0.01F);
+  learnt.joint_change.head(3).setConstant(10.0F);
+  const RecordedRegion region(learnt, arm.frame_rate_hz);
+  RecordedRegion::Workspace workspace = region.make_workspace();
+  const Backbone rest = start_state(Environment(), arm).backbone;
+  const auto holds = [&](float turn_rad) {
+    Backbone now = rest;
+    now(arm.point_count() - 1, 2) += turn_rad;
+    return region.holds(Pressures::Zero(3), Pressures::Zero(3), rest, now, workspace);
+  };
+  EXPECT_TRUE(holds(0.009F));
+  EXPECT_FALSE(holds(0.011F));
 }
 
 TEST(PressureBox, LimitsAndDrawsInside) {

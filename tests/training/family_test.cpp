@@ -151,8 +151,10 @@ TEST_F(FamilyOfPlays, ShapesThatTheAdaptedNetworkPredictsAreNotNovelToIt) {
   const auto novel_share = [&](const LearntRegion& region) {
     int novel = 0;
     for (int t = 1; t < other.frame_count(); ++t) {
-      novel +=
-          region.contains(other.pressure_kpa.row(t).transpose(), backbone_at(predicted, t)) ? 0 : 1;
+      const double novelty =
+          region.novelty(other.pressure_kpa.row(t).transpose(), backbone_at(predicted, t),
+                         other.pressure_kpa.row(t - 1).transpose(), backbone_at(predicted, t - 1));
+      novel += novelty > 1.0 ? 1 : 0;
     }
     return static_cast<double>(novel) / other.frame_count();
   };

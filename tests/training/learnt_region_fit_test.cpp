@@ -34,7 +34,7 @@ bool is_flagged(const LearntRegion& region, const Episode& episode, int t, float
   for (Eigen::Index j = 1; j < backbone.rows(); ++j) {
     backbone(j, 2) += bend_rad * static_cast<float>(j);
   }
-  return !region.contains(episode.pressure_kpa.row(t).transpose(), backbone);
+  return region.novelty(episode.pressure_kpa.row(t).transpose(), backbone) > 1.0;
 }
 
 // 20 frames per second.
@@ -74,6 +74,25 @@ TEST(LearntRegionFit, RangesAreThoseOfPressuresAndSetPoints) {
     EXPECT_EQ(region.low_kpa[i], low);
     EXPECT_EQ(region.high_kpa[i], high);
   }
+}
+
+// Toy pressures change by 5 kPa a frame while they change; a spike of a sensor says nothing.
+TEST(LearntRegionFit, ChangesOverAFrameAreThoseThatHappenOften) {
+  Episode episode = toy_episode(three_segment_arm(), 40, 30, 1);
+  episode.pressure_kpa(500, 0) += 90.0F;
+  const LearntRegion region = learnt_region_of(std::vector<Episode>{episode});
+  ASSERT_EQ(region.joint_change.size(), 48);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_GE(region.joint_change[i], 5.0F * float(1.0 + kAxisWidening) - 1e-4F);
+    EXPECT_LT(region.joint_change[i], 10.0F);
+  }
+  EXPECT_GT(region.joint_change.minCoeff(), 0.0F);
+  episode.tracked.assign(static_cast<std::size_t>(episode.frame_count()), 1);
+  for (std::size_t t = 0; t < episode.tracked.size(); t += 2) {
+    episode.tracked[t] = 0;
+  }
+  EXPECT_EQ(learnt_region_of(std::vector<Episode>{episode}).joint_change.size(), 0)
+      << "no two frames follow each other";
 }
 
 TEST(LearntRegionFit, AxesAreOrthonormal) {
@@ -133,6 +152,7 @@ TEST(LearntRegionFit, WideningByWhatIsHeldChangesNothing) {
   const LearntRegion same = widened_by(region, episodes);
   EXPECT_TRUE(same.axis_low == region.axis_low && same.axis_high == region.axis_high);
   EXPECT_TRUE(same.low_kpa == region.low_kpa && same.high_kpa == region.high_kpa);
+  EXPECT_TRUE(same.joint_change == region.joint_change);
 }
 
 // A model that is evaluated on a wider recording has not learnt what lies beyond its own.
@@ -143,6 +163,7 @@ TEST(LearntRegionFit, ShapesOfOthersWidenNoPressures) {
   const LearntRegion with_shapes = with_shapes_of(region, wide);
   EXPECT_TRUE(with_shapes.low_kpa == region.low_kpa && with_shapes.high_kpa == region.high_kpa);
   EXPECT_TRUE(with_shapes.steepest_rise_kpa_per_s == region.steepest_rise_kpa_per_s);
+  EXPECT_TRUE(with_shapes.joint_change.head(3) == region.joint_change.head(3));
   int inside = 0;
   int outside = 0;
   for (int t = 0; t < wide[0].frame_count(); ++t) {

@@ -28,6 +28,43 @@ TEST(NovelFrames, AreFewOfTheSameKindAndNearlyAllBeyondTheRecordedPressures) {
   EXPECT_GE(10 * bold.pressures_beyond.novel, 9 * bold.pressures_beyond.frames);
 }
 
+/// The same motions at twice the speed.
+Episode twice_as_fast(const Episode& episode) {
+  std::vector<int> kept;
+  for (int t = 0; t < episode.frame_count(); t += 2) {
+    kept.push_back(t);
+  }
+  Episode fast = episode;
+  fast.time_s = episode.time_s.head(Eigen::Index(kept.size())).eval();
+  fast.pressure_kpa = episode.pressure_kpa(kept, Eigen::all);
+  fast.setpoint_kpa = episode.setpoint_kpa(kept, Eigen::all);
+  fast.backbone = episode.backbone(kept, Eigen::all);
+  fast.motion_index.resize(kept.size());
+  return fast;
+}
+
+// Toy arms move for a third of the time or more, and always by the same step.
+TEST(NovelFrames, SeeMotionsThatAreFasterThanAnyRecorded) {
+  constexpr double kMoving = 0.3;
+  const ArmDescription arm = three_segment_arm();
+  std::vector<Episode> recorded;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    recorded.push_back(toy_episode(arm, 40, 30, seed));
+  }
+  LearntRegion learnt = learnt_region_of(recorded);
+  const Episode other = toy_episode(arm, 40, 30, 50);
+  const auto novel_share = [&](const Episode& episode) {
+    const NovelFrames found = find_novel_frames(learnt, {episode});
+    return double(found.pressures_within.novel + found.pressures_beyond.novel) /
+           episode.frame_count();
+  };
+  EXPECT_LT(novel_share(other), 0.05);
+  EXPECT_GT(novel_share(twice_as_fast(other)), kMoving);
+  EXPECT_GT(novel_share(twice_as_fast(recorded[0])), kMoving) << "shapes that it knows";
+  learnt.joint_change.resize(0);
+  EXPECT_LT(novel_share(twice_as_fast(other)), 0.05) << "a region that knows no speed";
+}
+
 TEST(NovelFrames, CountTrackedFramesOnce) {
   const ArmDescription arm = three_segment_arm();
   std::vector<Episode> episodes = episodes_of(arm, 1);

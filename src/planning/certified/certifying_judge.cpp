@@ -53,7 +53,7 @@ PlanJudge::Verdict CertifyingJudge::judge(Plan& plan, const std::function<bool()
 
 bool CertifyingJudge::stays_within(const Plan& plan) const {
   return problem_.stay_within == nullptr ||
-         excursions_beyond(problem_.stay_within->learnt(), plan, problem_.arm.command.unit).empty();
+         excursions_beyond(problem_.stay_within->learnt(), plan, problem_.arm.command).empty();
 }
 
 void CertifyingJudge::report(PlanResult& result) {
@@ -74,7 +74,7 @@ void CertifyingJudge::report(PlanResult& result) {
           "every plan that planner '{}' found leaves what the model's recordings held: {}",
           result.best_partial->planner,
           excursions_beyond(problem_.stay_within->learnt(), *result.best_partial,
-                            problem_.arm.command.unit)
+                            problem_.arm.command)
               .front());
       return;
     }

@@ -122,8 +122,8 @@ class PathSimulator::Worker {
     return checker_.is_motion_free(rollouts_.before(column), now) &&
            (problem_.stay_within == nullptr ||
             problem_.stay_within->holds(before_kpa_.col(column),
-                                        rollouts_.valves(column).head(before_kpa_.rows()), now,
-                                        novelty_));
+                                        rollouts_.valves(column).head(before_kpa_.rows()),
+                                        rollouts_.before(column), now, novelty_));
   }
 
   /// Of every motion, before its next frame: what rates are taken from.

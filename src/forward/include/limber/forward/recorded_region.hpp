@@ -12,8 +12,8 @@
 namespace limber {
 
 /// Checks frames of motions: whether they stay within what the model's recordings held, in
-/// pressures, their rates, and pressures and shape together. Threads: constant after construction;
-/// each thread brings its own Workspace.
+/// pressures, their rates, pressures and shape together, and how both change. Threads: constant
+/// after construction; each thread brings its own Workspace.
 class RecordedRegion {
  public:
   using Workspace = NoveltyMeasure::Workspace;
@@ -23,10 +23,12 @@ class RecordedRegion {
 
   const LearntRegion& learnt() const { return learnt_; }
   Workspace make_workspace() const { return measure_.make_workspace(); }
-  /// A frame that begins at `before_kpa` and ends at `now_kpa` and `backbone`. @pre all finite
+  /// A frame that begins at `before_kpa` and `backbone_before`, and ends at `now_kpa` and
+  /// `backbone`. @pre all finite
   bool holds(const Eigen::Ref<const Pressures>& before_kpa,
-             const Eigen::Ref<const Pressures>& now_kpa, const Eigen::Ref<const Backbone>& backbone,
-             Workspace& workspace) const;
+             const Eigen::Ref<const Pressures>& now_kpa,
+             const Eigen::Ref<const Backbone>& backbone_before,
+             const Eigen::Ref<const Backbone>& backbone, Workspace& workspace) const;
 
   /// Set points inside the recorded range. @param arm  whose limits hold too
   PressureBox setpoints_of(const ArmDescription& arm) const;
@@ -41,6 +43,6 @@ class RecordedRegion {
 /// Where a plan leaves what the recordings held, in sentences with numbers: "segment 1 down to
 /// −6.0 kPa; recorded −2.5 … 10.7". Empty: nowhere.
 std::vector<std::string> excursions_beyond(const LearntRegion& learnt, const Plan& plan,
-                                           const std::string& unit);
+                                           const Command& command);
 
 }  // namespace limber

@@ -33,6 +33,10 @@ struct LearntRegion {
   Eigen::MatrixXf axes;          ///< k × (n + 3(m − 1)), orthonormal rows
   Eigen::VectorXf axis_low;      ///< k, recorded range of a, a little widened
   Eigen::VectorXf axis_high;     ///< k, > axis_low
+  /// n + 3(m − 1), > 0: the largest |z_t − z_{t−1}| of neighbouring frames, a little widened. The
+  /// last 3(m − 1) bound the velocity that networks read. Empty: of a model from before there was
+  /// one, to which no speed is novel.
+  Eigen::VectorXf joint_change;
 
   int segment_count() const { return static_cast<int>(low_kpa.size()); }
   int point_count() const { return static_cast<int>(axes.cols() - low_kpa.size()) / kPoseSize + 1; }
@@ -44,10 +48,11 @@ struct LearntRegion {
   /// @param backbone       m×3
   double novelty(const Eigen::Ref<const Pressures>& pressures_kpa,
                  const Eigen::Ref<const Backbone>& backbone) const;
-  bool contains(const Eigen::Ref<const Pressures>& pressures_kpa,
-                const Eigen::Ref<const Backbone>& backbone) const {
-    return novelty(pressures_kpa, backbone) <= 1.0;
-  }
+  /// The same of a frame that follows another: also the largest of |z_t − z_{t−1}| / joint_change.
+  double novelty(const Eigen::Ref<const Pressures>& pressures_kpa,
+                 const Eigen::Ref<const Backbone>& backbone,
+                 const Eigen::Ref<const Pressures>& before_kpa,
+                 const Eigen::Ref<const Backbone>& backbone_before) const;
 };
 
 /// Measured pressures count as beyond the recorded range only if they exceed it by more than this
@@ -71,11 +76,11 @@ class NoveltyMeasure {
   int point_count() const { return point_count_; }
 
   /// Novelty of pressures (n) and backbone (3m numbers, (x_m, y_m, theta_rad) plate by plate, as
-  /// Backbone::data() has them). @pre all finite, headings within ±100 rad
+  /// Backbone::data() has them), without those a frame before or with them.
+  /// @pre all finite, headings within ±100 rad
   float novelty(const float* pressures_kpa, const float* backbone, Workspace& workspace) const;
-  float novelty(const float* pressures_kpa, const Backbone& backbone, Workspace& workspace) const {
-    return novelty(pressures_kpa, backbone.data(), workspace);
-  }
+  float novelty(const float* pressures_kpa, const float* backbone, const float* before_kpa,
+                const float* backbone_before, Workspace& workspace) const;
 
  private:
   const GemmKernels* kernels_;
@@ -86,6 +91,7 @@ class NoveltyMeasure {
   int padded_gaps_;
   AlignedFloats weight_;  // padded_rows × joint_size, column-major: distances in half ranges
   AlignedFloats bias_;    // padded_rows
+  Eigen::VectorXf joint_change_;
 };
 
 /// @throws InputError beginning with `where` and naming the tensor, unless sizes fit n segments and
