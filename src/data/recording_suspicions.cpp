@@ -73,10 +73,6 @@ std::string time_advice(double ratio) {
 void look_at_episode(const Recording& recording, std::size_t index, Suspicions& suspicions) {
   const Episode& episode = recording.episodes[index];
   const int frames = episode.frame_count();
-  if (frames < kShortEpisode) {
-    suspicions.add("an episode shorter than a training window", index, 0,
-                   fmt::format("{} frames; {} make one", frames, kShortEpisode));
-  }
   const int untracked = episode.untracked_count();
   if (untracked == frames) {
     suspicions.add("an episode in which the arm was never tracked", index, 0,
@@ -101,6 +97,22 @@ void look_at_episode(const Recording& recording, std::size_t index, Suspicions& 
         "a base that is not the origin of the arm's frame: "
         "import it with 'alignment: base' in the mapping",
         index, 0, offset);
+  }
+}
+
+/// All in one line: what was tracked in pieces is short many times over.
+void look_at_lengths(const std::vector<Episode>& episodes, Suspicions& suspicions) {
+  const auto is_short = [](const Episode& episode) {
+    return episode.frame_count() < kShortEpisode;
+  };
+  const auto first = std::ranges::find_if(episodes, is_short);
+  if (first != episodes.end()) {
+    const auto shortest = std::ranges::min_element(episodes, {}, &Episode::frame_count);
+    suspicions.add("an episode shorter than a training window",
+                   static_cast<std::size_t>(first - episodes.begin()), 0,
+                   fmt::format("the shortest of {} has {} frames; {} make one", episodes.size(),
+                               shortest->frame_count(), kShortEpisode),
+                   static_cast<int>(std::ranges::count_if(episodes, is_short)));
   }
 }
 
@@ -146,6 +158,7 @@ void look_at_whole(const Recording& recording, const ArmDescription* arm, Suspic
   for (std::size_t i = 0; i < recording.episodes.size(); ++i) {
     look_at_episode(recording, i, suspicions);
   }
+  look_at_lengths(recording.episodes, suspicions);
   look_at_distances(recording, arm, suspicions);
 }
 

@@ -12,14 +12,15 @@ namespace limber {
 /// Collects what is odd, by kind, in the order of first appearance.
 class Suspicions {
  public:
-  void add(const std::string& what, std::size_t episode, int frame, const std::string& numbers) {
+  void add(const std::string& what, std::size_t episode, int frame, const std::string& numbers,
+           int count = 1) {
     for (Suspicion& known : list_) {
       if (known.what == what) {
-        ++known.count;
+        known.count += count;
         return;
       }
     }
-    list_.push_back({what, 1, static_cast<int>(episode), {}, frame, numbers});
+    list_.push_back({what, count, static_cast<int>(episode), {}, frame, numbers});
   }
 
   std::vector<Suspicion> take() { return std::move(list_); }

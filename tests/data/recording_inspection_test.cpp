@@ -191,6 +191,7 @@ TEST(RecordingInspection, FindsCommandsThatNeverChange) {
 
 TEST(RecordingInspection, FindsEpisodesTooShortOrNeverTracked) {
   Recording recording = corner_recording({0, 1, 0, -1});
+  recording.episodes.push_back(corner_recording({0, 1, -1}).episodes[0]);
   recording.episodes.push_back(corner_recording({0, 1}).episodes[0]);
   recording.episodes[0].tracked.assign(recording.episodes[0].tracked.size(), 0);
   const std::vector<Suspicion> found = inspect_it(recording).suspicions;
@@ -198,6 +199,8 @@ TEST(RecordingInspection, FindsEpisodesTooShortOrNeverTracked) {
   EXPECT_EQ(found[0].what, "an episode in which the arm was never tracked");
   EXPECT_EQ(found[1].what, "an episode shorter than a training window");
   EXPECT_EQ(found[1].episode, 1);
+  EXPECT_EQ(found[1].count, 2);
+  EXPECT_EQ(found[1].first, "the shortest of 3 has 13 frames; 33 make one");
 }
 
 TEST(RecordingInspection, FindsFramesAtAnotherRate) {
