@@ -46,6 +46,7 @@ ELSEWHERE = {
     ("docs/importing.md", "pressures:"): "an excerpt; test_setpoints.py reads one",
     ("docs/importing.md", "commands:"): "an excerpt; examples/six_motors has it",
     ("docs/importing.md", "cp -r examples/six_motors"): "test_six_motors.py",
+    ("docs/importing.md", "limber characterize --arm arm.yaml --commands"): "test_six_motors.py",
     ("docs/formats.md", "commands:"): "an excerpt; tests/arm/arm_commands_test.cpp",
     ("docs/importing.md", "command:"): "an excerpt; test_import.py has such arms",
     ("docs/families.md", "limber collect"): "test_family.py adapts, and plans with what it made",
