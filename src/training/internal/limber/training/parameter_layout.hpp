@@ -46,7 +46,7 @@ class ParameterLayout {
 /// An optimiser whose steps are of one size moves the arms' vectors by so much more than weights.
 inline constexpr float kArmVectorScale = 7.0F;
 
-/// He's weights are uniform within ± √(6 / inputs), those of the last layer a tenth of that, so that
+/// He's weights are uniform within ± √(6 / inputs), those of the last layer a tenth of that: so
 /// training starts near the no-load model. Draws from the streams `first_stream`,
 /// `first_stream` + 1, … of `seed`, one per layer, and one for the arms' vectors, which are normal
 /// with a standard deviation of 0.3.
