@@ -739,6 +739,18 @@ class FirstSolution:
     def certificate_s(self) -> float:
         """What building and certifying it then took [s]."""
 
+class FirstWeights:
+    """What weights are before training."""
+    he: FirstWeights
+    torch: FirstWeights
+    def __init__(self, value: int) -> None: ...
+    def __int__(self) -> int: ...
+    def __index__(self) -> int: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def value(self) -> int: ...
+
 class ForwardModel:
     """B_t = F(q_(t-1), q_t, B_(t-1)): the no-load model, or the no-load model compensated by a network. A pure function: any number of threads may share it."""
     @property
@@ -1579,6 +1591,7 @@ class Scaling:
     unit_range: Scaling
     unit_spread: Scaling
     shared_range: Scaling
+    range_by_unit: Scaling
     def __init__(self, value: int) -> None: ...
     def __int__(self) -> int: ...
     def __index__(self) -> int: ...
@@ -1860,6 +1873,21 @@ class TrainingSettings:
     @scaling.setter
     def scaling(self, value: Scaling) -> None: ...
     @property
+    def error_in_user_units(self) -> bool:
+        """True: frame errors count in metres and radians; False: in units of the spread of what is added to the no-load model."""
+    @error_in_user_units.setter
+    def error_in_user_units(self, value: bool) -> None: ...
+    @property
+    def first_weights(self) -> FirstWeights:
+        """FirstWeights: what training begins with."""
+    @first_weights.setter
+    def first_weights(self, value: FirstWeights) -> None: ...
+    @property
+    def bounded(self) -> bool:
+        """Whether gaps between plates stay within what was recorded of them."""
+    @bounded.setter
+    def bounded(self, value: bool) -> None: ...
+    @property
     def reduction(self) -> LossReduction:
         """LossReduction: how a batch's errors become one number."""
     @reduction.setter
@@ -1899,6 +1927,11 @@ class TrainingSettings:
         """A window's frame k, from 0, counts (k + 1)^-power; 0: all count alike."""
     @first_frames_power.setter
     def first_frames_power(self, value: float) -> None: ...
+    @property
+    def weight_decay(self) -> float:
+        """By this times the learning rate every step shortens the weights, >= 0."""
+    @weight_decay.setter
+    def weight_decay(self, value: float) -> None: ...
     @property
     def average_decay(self) -> float:
         """Decay of the weights' moving average, in [0, 1); 0: none."""
@@ -1972,8 +2005,8 @@ class TrainingSettings:
     @property
     def epoch_count(self) -> int:
         """Epochs of all stages together."""
-    def __init__(self, *, preset: str = ..., layout: BackboneLayout = ..., form: OutputForm = ..., reads_velocity: bool = ..., hidden_units: list[int] = ..., scaling: Scaling = ..., reduction: LossReduction = ..., stages: list[TrainingStage] = ..., optimiser: Optimiser = ..., learning_rate: float = ..., cosine_decay: bool = ..., gradient_norm_limit: float = ..., growth_limit: float = ..., first_frames_power: float = ..., average_decay: float = ..., input_noise: float = ..., shift_windows: bool = ..., family_size: int = ..., ensemble: int = ..., replay_share: float = ..., seed: int = ..., jobs: int = ..., time_limit_s: float = ..., keep_epoch: int = ..., validation_interval: int = ..., checkpoint: str | os.PathLike[str] = ..., checkpoint_interval_s: float = ..., resume: bool = ...) -> None:
-        """Fields are keyword arguments, all optional. The defaults: TrainingSettings(preset='best', layout=<BackboneLayout.gap_poses: 1>, form=<OutputForm.gated_change: 1>, reads_velocity=True, hidden_units=[100, 100, 100], scaling=<Scaling.unit_spread: 1>, reduction=<LossReduction.mean_over_batch: 1>, stages=[], optimiser=<Optimiser.adam: 1>, learning_rate=0.003, cosine_decay=True, gradient_norm_limit=0.0, growth_limit=0.0, first_frames_power=0.0, average_decay=0.0, input_noise=0.0, shift_windows=True, family_size=0, ensemble=1, replay_share=0.25, seed=1, jobs=0, time_limit_s=0.0, keep_epoch=0, validation_interval=1, checkpoint=PosixPath('.'), checkpoint_interval_s=20.0, resume=False)."""
+    def __init__(self, *, preset: str = ..., layout: BackboneLayout = ..., form: OutputForm = ..., reads_velocity: bool = ..., hidden_units: list[int] = ..., scaling: Scaling = ..., error_in_user_units: bool = ..., first_weights: FirstWeights = ..., bounded: bool = ..., reduction: LossReduction = ..., stages: list[TrainingStage] = ..., optimiser: Optimiser = ..., learning_rate: float = ..., cosine_decay: bool = ..., gradient_norm_limit: float = ..., growth_limit: float = ..., first_frames_power: float = ..., weight_decay: float = ..., average_decay: float = ..., input_noise: float = ..., shift_windows: bool = ..., family_size: int = ..., ensemble: int = ..., replay_share: float = ..., seed: int = ..., jobs: int = ..., time_limit_s: float = ..., keep_epoch: int = ..., validation_interval: int = ..., checkpoint: str | os.PathLike[str] = ..., checkpoint_interval_s: float = ..., resume: bool = ...) -> None:
+        """Fields are keyword arguments, all optional. The defaults: TrainingSettings(preset='best', layout=<BackboneLayout.gap_poses: 1>, form=<OutputForm.gated_change: 1>, reads_velocity=True, hidden_units=[100, 100, 100], scaling=<Scaling.unit_spread: 1>, error_in_user_units=False, first_weights=<FirstWeights.he: 0>, bounded=True, reduction=<LossReduction.mean_over_batch: 1>, stages=[], optimiser=<Optimiser.adam: 1>, learning_rate=0.003, cosine_decay=True, gradient_norm_limit=0.0, growth_limit=0.0, first_frames_power=0.0, weight_decay=0.0, average_decay=0.0, input_noise=0.0, shift_windows=True, family_size=0, ensemble=1, replay_share=0.25, seed=1, jobs=0, time_limit_s=0.0, keep_epoch=0, validation_interval=1, checkpoint=PosixPath('.'), checkpoint_interval_s=20.0, resume=False)."""
 
 class TrainingStage:
     """A part of training, windows of one length."""
