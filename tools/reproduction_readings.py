@@ -4,7 +4,7 @@
     PYTHONPATH=build/release/python tools/reproduction_readings.py --out OUT [--arms own] [--readings published]
 
 Every reading is trained once and kept in OUT; those that are there are not trained again. A reading takes some ten
-minutes of one core. --epochs and --transitions make it small, for a test.
+minutes of one core. --epochs, --transitions and --motions make it small, for a test.
 """
 
 import argparse
@@ -17,7 +17,7 @@ from kept_parts import KeptParts
 
 TRANSITIONS_SEED = 11
 TEST_SEED = 1_600_001  # used for nothing else
-MOTIONS_OF_A_TEST, EPISODES_OF_A_TEST = 100, 4
+EPISODES_OF_A_TEST = 4
 CM = 100.0
 # One frame after a measured pose, ..., never set back; "ends" are the last frames of motions.
 HORIZONS = {"one step": (limber.Restart.every_frame, False),
@@ -27,8 +27,7 @@ HORIZONS = {"one step": (limber.Restart.every_frame, False),
             "open loop": (limber.Restart.at_the_start_only, False),
             "ends, open loop": (limber.Restart.at_the_start_only, True)}
 # Set points anywhere within the limits, or those of the transitions: fully left, off, fully right.
-TESTS = {"between": ("--schedule", "random", "--count", MOTIONS_OF_A_TEST),
-         "among": ("--schedule", "transitions", "--count", MOTIONS_OF_A_TEST * EPISODES_OF_A_TEST)}
+TESTS = ("between", "among")
 PAPER_CM, PAPER_RAD = (5.8, 4.7), (0.16, 0.13)
 PAPER_LESS = (62, 73)
 
@@ -184,8 +183,11 @@ class Readings(KeptParts):
                              TRANSITIONS_SEED, *count, *flags)
 
     def tests(self):
-        return {name: self.episodes(name, "--episodes", EPISODES_OF_A_TEST, "--seed", TEST_SEED, *flags)
-                for name, flags in TESTS.items()}
+        motions = self.options.motions
+        flags = {"between": ("--schedule", "random", "--count", motions // EPISODES_OF_A_TEST),
+                 "among": ("--schedule", "transitions", "--count", motions)}
+        return {name: self.episodes(name, "--episodes", EPISODES_OF_A_TEST, "--seed", TEST_SEED, *flags[name])
+                for name in TESTS}
 
     def errors(self, predict):
         """Of each test and horizon."""
@@ -308,6 +310,7 @@ def main():
     parser.add_argument("--readings", nargs="*", choices=READINGS, default=list(READINGS))
     parser.add_argument("--epochs", type=int, help="of each reading, in place of the paper's 6000")
     parser.add_argument("--transitions", type=int, help="of the arm, in place of 729")
+    parser.add_argument("--motions", type=int, default=400, help="of each test")
     parser.add_argument("--print", action="store_true", help="only what is there already")
     parser.add_argument("--picture", type=pathlib.Path, help="Fig. 4 as SVG: needs Debian's python3-matplotlib")
     parser.add_argument("--jobs", type=int, default=0, help="threads; 0: one per core")

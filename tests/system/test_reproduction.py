@@ -27,7 +27,7 @@ def rows(text):
 class Reproduction(InFolder):
     def test_a_reading_is_trained_measured_and_kept(self):
         arguments = ("--out", self.folder, "--arms", "own", "--readings", "unbounded", "--epochs", 12,
-                     "--transitions", 24)
+                     "--transitions", 24, "--motions", 8)
         printed = script("reproduction_readings.py", *arguments)
         kept = self.folder / "own/reading_unbounded.json"
         self.assertEqual(json.loads(kept.read_text(encoding="utf-8"))["epochs"], 12)
