@@ -1,10 +1,8 @@
 #include "driver_flags.hpp"
 
 #include <cmath>
-#include <ctime>
-#include <filesystem>
 
-#include <fmt/chrono.h>
+#include <fmt/format.h>
 
 #include "limber/arm/names.hpp"
 #include "limber/common/atomic_file.hpp"
@@ -20,17 +18,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kModel = "model:";
-
-/// stem + suffix; numbered, with the separator before the number, where an earlier run's file has
-/// that name.
-std::string free_name(const std::string& stem, std::string_view separator,
-                      std::string_view suffix) {
-  std::string name = fmt::format("{}{}", stem, suffix);
-  for (int run = 1; std::filesystem::exists(name); ++run) {
-    name = fmt::format("{}{}{}{}", stem, separator, run, suffix);
-  }
-  return name;
-}
 
 }  // namespace
 
@@ -85,8 +72,7 @@ std::string DriverFlags::recording_or_default(const std::string& out,
   if (!out.empty() || !is_program() || dry_run_) {
     return out;
   }
-  const std::string stem = fmt::format("run_{:%Y%m%d_%H%M%S}", fmt::gmtime(std::time(nullptr)));
-  const std::string name = free_name(stem, "_", ".h5");  // there may be more than one in a second
+  const std::string name = free_name(time_stamped_run_name(), "_", ".h5");
   say(flags, "{}: every run on an arm is recorded; --out names the file", name);
   return name;
 }

@@ -102,9 +102,7 @@ class ExecuteVerb final : public Verb {
     if (driver_.is_program()) {
       const std::unique_ptr<ProcessDriver> driver = driver_.start(arm, arm_file, out_, true, flags);
       require_within(plan, driver->limits_kpa(), plan_, "the driver");
-      constexpr double kMeasured_m = 0.01;  // what trackers and a base's frame are off by
-      settings_.max_start_error_m =
-          max_start_error_m_.value_or(std::max(plan.margin_m, kMeasured_m));
+      settings_.max_start_error_m = max_start_error_m_.value_or(allowed_start_error_m(plan));
       replan_.settings().corrections.limits = driver->limits_kpa();
       settings_.obstacle = met.obstacle ? &*met.obstacle : nullptr;
       const ExecutionResult result = run_plan(arm, environment, plan, *driver, flags);
@@ -295,16 +293,9 @@ class ExecuteVerb final : public Verb {
     if (out_.empty() || result.episode.frame_count() == 0) {
       return;
     }
-    Recording recording = make_recording(arm, source_of(driver), plan.seed);
-    recording.settings =
-        fmt::format("executed plan, environment '{}', model {}, planner {}, {}",
-                    plan.environment_name, plan.model, plan.planner, to_string(result.status));
-    if (replan_.is_asked_for()) {
-      recording.settings +=
-          fmt::format(", closed loop, {} queries in motion", replan_.settings().motion_queries);
-    }
-    recording.episodes = {result.episode};
-    write_recording(out_, recording);
+    const std::optional<std::uint64_t> motion_queries =
+        replan_.is_asked_for() ? std::optional(replan_.settings().motion_queries) : std::nullopt;
+    write_recording(out_, recording_of(arm, source_of(driver), plan, result, motion_queries));
   }
 
   std::string plan_;

@@ -21,10 +21,11 @@ constexpr auto kLastWords = milliseconds(20);     // for `vent` and `bye` to a d
 constexpr auto kUntilEnded = milliseconds(100);   // after it closed its output, on a busy machine
 constexpr double kMaxStepFrames = 20.0;           // between two samples by the driver's clock
 constexpr double kMaxRepeatFrames = 3.0;          // that a sample may be the newest for
-constexpr double kMinStepS = 1e-6;   // of others: no device samples pressures faster …
-constexpr int kPaceFrames = 20;      // … and over so many frames
-constexpr double kMinPace = 0.1;     // they go on by this share of them at least
-constexpr std::size_t kQuoted = 80;  // bytes of a wrong line in a message
+constexpr double kMinStepS = 1e-6;       // of others: no device samples pressures faster …
+constexpr int kPaceFrames = 20;          // … and over so many frames
+constexpr double kMinPace = 0.1;         // they go on by this share of them at least
+constexpr auto kLook = milliseconds(5);  // whether a vent is asked for
+constexpr std::size_t kQuoted = 80;      // bytes of a wrong line in a message
 
 }  // namespace
 
@@ -36,7 +37,8 @@ DriverLink::DriverLink(const ArmDescription& arm, const ProcessDriverSettings& s
       period_s_(arm.frame_period_s()),
       child_(command_words(settings.command), kMaxDriverLine),
       log_(settings.log, settings.command),
-      say_(settings.say) {
+      say_(settings.say),
+      vent_asked_(settings.vent_asked) {
   last_words_.emplace(child_.input());
   if (calibration_) {
     host_.limit_kpa = calibration_->to_wire(host_.limit_kpa);
@@ -77,9 +79,41 @@ const DriverHello& DriverLink::exchange_hellos() {
 ArmState DriverLink::set(const Pressures& setpoint_kpa, Clock::duration reply_time) {
   ++seq_;
   const Pressures on_wire = calibration_ ? calibration_->to_wire(setpoint_kpa) : setpoint_kpa;
-  ArmState state = exchange(set_line(seq_, since_start_s(), on_wire), reply_time);
+  const Time deadline = Clock::now() + reply_time;
+  send(set_line(seq_, since_start_s(), on_wire), deadline);
+  if (is_vent_asked_until_input(deadline)) {
+    send_ahead();
+    (void)receive(deadline);
+    throw Interrupted("stopped on request");
+  }
+  ArmState state = receive(deadline);
   require_pace();
   return state;
+}
+
+/// Until the driver says something, or `until`.
+bool DriverLink::is_vent_asked_until_input(Time until) {
+  while (vent_asked_ && Clock::now() < until) {
+    if (vent_asked_()) {
+      return true;
+    }
+    if (child_.output().has_input(std::min(until, Clock::now() + kLook))) {
+      return false;
+    }
+  }
+  return false;
+}
+
+void DriverLink::send_ahead() {
+  try_to_send(vent_line(seq_ + 1, since_start_s()));
+  vent_ahead_ = true;
+}
+
+void DriverLink::wait_for_slot(Time slot) {
+  if (is_vent_asked_until_input(slot)) {
+    throw Interrupted("stopped on request");
+  }
+  wait_quietly(slot);
 }
 
 /// Samples of frames in a row: a clock that hardly goes on is no clock, or one of another unit.
@@ -101,11 +135,15 @@ void DriverLink::require_pace() {
 
 ArmState DriverLink::vent(Clock::duration reply_time) {
   ++seq_;
-  return exchange(vent_line(seq_, since_start_s()), reply_time);
+  if (std::exchange(vent_ahead_, false)) {
+    return receive(Clock::now() + reply_time);
+  }
+  const Time deadline = Clock::now() + reply_time;
+  send(vent_line(seq_, since_start_s()), deadline);
+  return receive(deadline);
 }
 
-ArmState DriverLink::exchange(const std::string& line, Clock::duration reply_time) {
-  const Time deadline = Clock::now() + reply_time;
+void DriverLink::send(const std::string& line, Time deadline) {
   since_last_s_ = since_start_s() - std::exchange(asked_s_, since_start_s());
   log_.sent(line);
   if (last_words_) {
@@ -114,7 +152,6 @@ ArmState DriverLink::exchange(const std::string& line, Clock::duration reply_tim
   if (!child_.write_line(line, deadline)) {
     say_why_it_is_silent("does not read its input", kLastWords);
   }
-  return receive(deadline);
 }
 
 ArmState DriverLink::receive(Time deadline) {
@@ -241,7 +278,7 @@ std::string DriverLink::next_line(Time deadline, const std::string& what) {
 }
 
 void DriverLink::wait_quietly(Time until) {
-  if (!child_.output().has_input(until)) {
+  if (vent_ahead_ || !child_.output().has_input(until)) {
     return;
   }
   const std::string line = next_line(Clock::now(), fmt::format("request {}", seq_));
@@ -250,7 +287,7 @@ void DriverLink::wait_quietly(Time until) {
 }
 
 void DriverLink::send_vent() {
-  ++seq_;
+  seq_ += std::exchange(vent_ahead_, false) ? 2 : 1;
   try_to_send(vent_line(seq_, since_start_s()));
 }
 

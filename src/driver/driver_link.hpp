@@ -40,12 +40,16 @@ class DriverLink {
   const DriverHello& exchange_hellos();
   const DriverHello& hello() const { return hello_; }
 
-  /// One request and its state, which has to come before `reply_time` has passed.
+  /// One request and its state, which has to come before `reply_time` has passed. A vent that is
+  /// asked for meanwhile goes out at once, and is the next `vent`.
+  /// @throws Interrupted after that.
   ArmState set(const Pressures& setpoint_kpa, Clock::duration reply_time);
   ArmState vent(Clock::duration reply_time);
 
-  /// Waits until `until`, in which time the driver has nothing to say.
+  /// Waits until `until`, in which time the driver has nothing to say, but to a vent sent ahead.
   void wait_quietly(Time until);
+  /// The same, before a `set`. @throws Interrupted where a vent is asked for.
+  void wait_for_slot(Time slot);
 
   /// Another run of frames begins: its first sample may be any time after the last one.
   void forget_pace() { paced_ = false; }
@@ -75,7 +79,9 @@ class DriverLink {
   const std::optional<BodyPoses>& bodies() const { return bodies_; }
 
  private:
-  ArmState exchange(const std::string& line, Clock::duration reply_time);
+  bool is_vent_asked_until_input(Time until);
+  void send(const std::string& line, Time deadline);
+  void send_ahead();
   ArmState receive(Time deadline);
   void require_order(const DriverReply& reply) const;
   void require_recent() const;
@@ -97,6 +103,8 @@ class DriverLink {
   std::optional<LastWords> last_words_;  // until its input is closed
   DriverLog log_;
   std::function<void(const std::string&)> say_;
+  std::function<bool()> vent_asked_;
+  bool vent_ahead_ = false;  // was sent before the state of seq_ was there, with the next number
   DriverHello hello_;
   Time start_ = Clock::now();
   std::int64_t seq_ = 0;

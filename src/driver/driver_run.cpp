@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
+#include <filesystem>
 #include <memory>
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include "limber/arm/names.hpp"
@@ -38,6 +41,24 @@ std::string describe(const ProcessDriver& driver) {
   const auto or_unnamed = [](const std::string& text) { return text.empty() ? "unnamed" : text; };
   return fmt::format("driver {} (device: {}), started by {}", or_unnamed(hello.driver),
                      or_unnamed(hello.device), who_started_this());
+}
+
+std::string time_stamped_run_name() {
+  return fmt::format("run_{:%Y%m%d_%H%M%S}", fmt::gmtime(std::time(nullptr)));
+}
+
+std::string free_name(const std::string& stem, std::string_view separator,
+                      std::string_view suffix) {
+  std::string name = fmt::format("{}{}", stem, suffix);
+  for (int run = 1; std::filesystem::exists(name); ++run) {
+    name = fmt::format("{}{}{}{}", stem, separator, run, suffix);
+  }
+  return name;
+}
+
+double allowed_start_error_m(const Plan& plan) {
+  constexpr double kMeasuredM = 0.01;
+  return std::max(plan.margin_m, kMeasuredM);
 }
 
 DriverFactory on_one_driver(ProcessDriver& driver) {

@@ -209,7 +209,7 @@ class ProcessDriver::Session {
         ++timing_.skipped_slots;
       }
     }
-    link_.wait_quietly(slot_);
+    link_.wait_for_slot(slot_);
     timing_.late_s.push_back(seconds(Clock::now() - slot_));
   }
 

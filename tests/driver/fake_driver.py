@@ -43,6 +43,9 @@ def answer_wrongly(request):
     if fault == "late":
         time.sleep(0.2)
         send(whole)
+    elif fault == "frame":  # answers at its end
+        time.sleep(0.045)
+        send(whole)
     elif fault == "repeat":
         send(whole)
         send(whole)

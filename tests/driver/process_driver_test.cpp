@@ -1,8 +1,10 @@
 #include "limber/driver/process_driver.hpp"
 
+#include <atomic>
 #include <chrono>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include <gmock/gmock.h>
 
@@ -100,6 +102,48 @@ TEST_F(ProcessDriverTest, RunsInItsOwnGroupWithoutAShell) {
   { const ProcessDriver driver(arm_, settings("$HOME")); }
   EXPECT_THAT(heard(), HasSubstr("group True"));
   EXPECT_THAT(heard(), HasSubstr("words 3"));
+}
+
+/// Seconds from then until the driver read its first `vent` after a `set`.
+double vent_read_after_s(const std::string& heard, double since_s) {
+  std::istringstream lines(heard.substr(heard.find(" set\n")));
+  double time_s = 0.0;
+  for (std::string what; lines >> time_s >> what;) {
+    if (what == "vent") {
+      break;
+    }
+  }
+  return time_s - since_s;
+}
+
+TEST_F(ProcessDriverTest, AVentThatIsAskedForWaitsForNoFrame) {
+  constexpr double kSoonS = 0.04;  // less than a frame: looked at every 5 ms; the rest is for load
+  for (const char* fault : {"", "frame"}) {
+    std::filesystem::remove(log_);
+    std::atomic<bool> asked = false;
+    std::atomic<double> asked_s = 0.0;
+    ProcessDriverSettings asking = settings(fault);
+    asking.vent_asked = [&asked] { return asked.load(); };
+    ProcessDriver driver(arm_, asking);
+    EXPECT_THAT(ramp(driver, 5), IsEmpty());
+    std::thread press([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(8));
+      asked_s = std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+      asked = true;
+    });
+    const auto go_on = [&driver] {
+      for (int k = 0; k < 3; ++k) {
+        driver.command(pressures(40, 20));
+      }
+    };
+    EXPECT_THROW(go_on(), Interrupted) << fault;
+    press.join();
+    driver.vent();
+    EXPECT_TRUE(driver.last_vent().confirmed) << fault;
+    EXPECT_LT(vent_read_after_s(heard(), asked_s), kSoonS) << fault;
+    asked = false;
+    EXPECT_THAT(ramp(driver, 3), IsEmpty()) << "it goes on where it was stopped on purpose";
+  }
 }
 
 TEST_F(ProcessDriverTest, VentsUntilPressuresAreDownAndSaysSo) {

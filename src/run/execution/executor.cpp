@@ -87,6 +87,11 @@ class Execution {
           thinking.end();
           tell_of_obstacle();
         }
+        if (is_held()) {
+          controller_.held();
+          send({.setpoint_kpa = Pressures(estimate_.setpoint_kpa()), .motion = motion_});
+          continue;
+        }
         Decision decision = controller_.step({estimate_, is_busy});
         if (decision.question && is_busy) {  // to wait for the first would leave the arm alone
           throw InputError("a controller asks a second question while its first is worked out");
@@ -119,7 +124,11 @@ class Execution {
     throw_if_stopped();
     const ArmState& state = driver_.command(setpoint_kpa);
     estimate_.observe(setpoint_kpa, state);
-    const Environment* now = watch_.take_in(setpoint_kpa, decision.motion);
+    motion_ = decision.motion;
+    const Environment* now = watch_.take_in(setpoint_kpa, motion_);
+    if (settings_.on_frame) {
+      settings_.on_frame({watch_.frames() * arm_.frame_period_s(), setpoint_kpa, state, now});
+    }
     appeared_ = now != nullptr ? now : appeared_;
     if (decision.plan != nullptr) {
       watch_.compare(*decision.plan, decision.frame);
@@ -139,6 +148,10 @@ class Execution {
     return settings_.controller == nullptr ? Correction::none
            : controller_.plans_again()     ? Correction::replans
                                            : Correction::feedback;
+  }
+
+  bool is_held() const {
+    return driver_.is_real_time() && settings_.should_hold && settings_.should_hold();
   }
 
   void throw_if_stopped() const {
@@ -170,6 +183,7 @@ class Execution {
   const Environment& environment_;
   const Plan& plan_;
   const Plan* followed_ = nullptr;  // the one that was followed last
+  int motion_ = 0;                  // of the last frame
   GatedDriver driver_;
   const ExecutionSettings& settings_;
   OpenLoop open_loop_;

@@ -64,6 +64,38 @@ TEST_F(Executor, CommandsEveryFrameThenHoldsOneSecond) {
   }
 }
 
+/// A fake arm that says that its frames take their time.
+class PunctualArm final : public ArmDriver {
+ public:
+  explicit PunctualArm(const ArmDescription& arm) : arm_(arm, kInstant_s) {}
+  const ArmState& state() const override { return arm_.state(); }
+  const ArmState& command(const Eigen::Ref<const Pressures>& kpa) override {
+    return arm_.command(kpa);
+  }
+  bool is_real_time() const override { return true; }
+  void vent() noexcept override { arm_.vent(); }
+
+ private:
+  FakeArm arm_;
+};
+
+TEST_F(Executor, HoldsAsLongAsItIsAskedToAndTellsOfEveryFrame) {
+  PunctualArm driver(arm_);
+  ExecutionSettings settings;
+  std::vector<Pressures> sent;
+  settings.should_hold = [&sent] { return sent.size() >= 5 && sent.size() < 12; };
+  settings.on_frame = [&sent](const ExecutedFrame& frame) { sent.push_back(frame.setpoint_kpa); };
+  const ExecutionResult result = execute(arm_, environment_, plan(), driver, settings);
+  EXPECT_EQ(result.status, ExecutionStatus::done);
+  ASSERT_EQ(sent.size(), 16U + 7U + 20U);
+  const Plan planned = plan();
+  for (std::size_t k = 0; k < sent.size(); ++k) {
+    const std::size_t frame = k < 5 ? k + 1 : k < 12 ? 5 : std::min<std::size_t>(k - 6, 16);
+    EXPECT_EQ(sent[k], planned.frames[frame].setpoint_kpa) << k;
+  }
+  EXPECT_NEAR(result.prediction->max_m, 0.0, 1e-6) << "held frames are compared with nothing";
+}
+
 TEST_F(Executor, CountsThePlansOwnHold) {
   Plan holding = plan();
   for (int k = 0; k < 15; ++k) {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "limber/driver/process_driver.hpp"
@@ -13,6 +14,16 @@ namespace limber {
 
 /// "driver arduino (device: limber-sketch 2), started by user@host", as recordings say it.
 std::string describe(const ProcessDriver& driver);
+
+/// "run_20260102_030405": by the time of now, UTC.
+std::string time_stamped_run_name();
+/// stem + suffix; numbered, with the separator before the number, where an earlier run's file has
+/// that name.
+std::string free_name(const std::string& stem, std::string_view separator, std::string_view suffix);
+
+/// How far a plate may be from where the plan starts: what plans keep free, and at least what
+/// trackers and a base's frame are off by.
+double allowed_start_error_m(const Plan& plan);
 
 /// Every episode on the same driver, which has to outlive the factory.
 DriverFactory on_one_driver(ProcessDriver& driver);

@@ -28,6 +28,9 @@ struct ProcessDriverSettings {
   SafetySettings safety;
   /// Told what becomes of the arm at a vent, "vented: 0.8 kPa after 0.6 s"; may be empty.
   std::function<void(const std::string&)> say;
+  /// Looked at every 5 ms while set points wait for their frame or their state: once it is true,
+  /// whatever thread made it so, a `vent` goes out and `command` throws Interrupted. Empty: never.
+  std::function<bool()> vent_asked = {};
   std::filesystem::path log;  ///< every line of both sides with its time; empty: none
   std::optional<WireCalibration> calibration;  ///< none: the wire is the arm's
   /// For `limber driver calibrate`: bodies in 3D, which no plane is known for, are no fault. They
@@ -80,6 +83,8 @@ class ProcessDriver final : public ArmDriver {
   ~ProcessDriver() override;
 
   const ArmState& state() const override;
+  /// @throws Interrupted where a vent was asked for (ProcessDriverSettings): it is sent, or is the
+  /// next thing to send.
   const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) override;
 
   /// Watches the measured pressures until all are down, 5 s at most; says what came of it.

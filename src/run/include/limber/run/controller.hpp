@@ -78,6 +78,8 @@ class Controller {
   /// An obstacle has appeared: from now on the environment is this one, which outlives the run.
   /// Said between frames, while no question is being worked out.
   virtual void obstacle_appeared(const Environment& now) { (void)now; }
+  /// Somebody else has held the arm for a frame: what is being worked out comes too late.
+  virtual void held() {}
   /// Whether it makes plans of its own: the message of a run that missed speaks of them.
   virtual bool plans_again() const { return false; }
   /// Adds what the controller did (replans, waits, …) to the result of a run that has ended.

@@ -1,6 +1,7 @@
 #pragma once
 // For those who move an arm, real or virtual.
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -40,6 +41,14 @@ Pressures within_frame_rule(const std::vector<PressureLimits>& limits, double st
                             const Pressures& before_kpa,
                             const Eigen::Ref<const Eigen::VectorXd>& wanted_kpa);
 
+/// One frame of a run, after its set points were sent; borrowed.
+struct ExecutedFrame {
+  double time_s = 0.0;  ///< since the run's start
+  const Pressures& setpoint_kpa;
+  const ArmState& state;
+  const Environment* appeared = nullptr;  ///< with the obstacle, if that has just appeared
+};
+
 struct ExecutionSettings {
   /// The last set point is held this long in all, including the plan's own hold (which is never
   /// cut); then the goal is judged. [s], ≥ 0.
@@ -50,6 +59,11 @@ struct ExecutionSettings {
   const AppearingObstacle* obstacle = nullptr;
   /// Asked before every set point; true stops the execution as Ctrl-C does. Empty: never.
   std::function<bool()> should_stop = {};
+  /// Asked before every set point, in real time only; while true the last set points are sent again
+  /// and nobody decides about others. Empty: never.
+  std::function<bool()> should_hold = {};
+  /// Told of every frame; the next one waits for it. Empty: nobody is.
+  std::function<void(const ExecutedFrame&)> on_frame = {};
   /// A start whose plates are seen farther than that from the plan's is refused; none: any start.
   std::optional<double> max_start_error_m;
 };
@@ -130,6 +144,11 @@ inline bool has_run(const ExecutionResult& result) {
 inline bool has_arrived(const ExecutionResult& result) {
   return result.goal_reached && !result.collided;
 }
+
+/// The run as a file keeps it. @param source  what moved, in words
+/// @param motion_queries  of a closed loop, ClosedLoopSettings; none: the run was open loop
+Recording recording_of(const ArmDescription& arm, const std::string& source, const Plan& plan,
+                       const ExecutionResult& result, std::optional<std::uint64_t> motion_queries);
 
 /// The environment in which the run ended: an obstacle that appeared is the last one.
 Environment with_appeared(const Environment& environment, const ExecutionResult& result);

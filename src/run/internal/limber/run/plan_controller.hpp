@@ -61,6 +61,7 @@ class PlanController : public Controller {
   /// @throws InputError the second time: its state is that of the first run.
   void begin(const RunStart& start) override;
   Decision step(const Moment& now) final;
+  void held() override { is_late_ = advised_ != nullptr; }
   bool plans_again() const override { return true; }
   void report(ExecutionResult& result) const override;
 
