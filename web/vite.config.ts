@@ -14,5 +14,6 @@ export default defineConfig({
       },
     },
   },
+  worker: { rollupOptions: { output: { entryFileNames: 'assets/[name].js' } } },
   test: { include: ['tests/*.test.ts'] },
 });

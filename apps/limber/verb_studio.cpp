@@ -5,6 +5,7 @@
 #include "limber/common/interrupt.hpp"
 #include "limber/studio/studio.hpp"
 #include "verbs.hpp"
+#include "wire_flags.hpp"
 
 namespace limber {
 
@@ -31,6 +32,10 @@ class StudioVerb final : public Verb {
     app.add_option("--arm", arm_, "Arm to show first: a file, or the name of one of limber's own")
         ->capture_default_str();
     app.add_option("--model", model_, "Network to plan with first; else the no-load model");
+    app.add_option("--driver", driver_,
+                   "exec:COMMAND, the driver of --arm (docs/driver.md): pages can arm it and run "
+                   "plans on it");
+    wire_.add_to(app);
     app.add_option("--port", settings_.port, "Port to listen at; 0: any that is free")
         ->check(CLI::Range(0, kMaxPort))
         ->capture_default_str();
@@ -41,9 +46,16 @@ class StudioVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
-    (void)load_asked_arm(arm_);
-    settings_.arm = find_arm_file(arm_);
+    const std::string arm_file = find_arm_file(arm_);
+    const ArmDescription arm = load_asked_arm(arm_file);
+    settings_.arm = arm_file;
     settings_.model = model_;
+    if (!driver_.empty()) {
+      settings_.driver = wire_.settings(driver_, arm, arm_file);
+      settings_.driver->say = [](const std::string& message) {
+        print_to_stderr(printable(message) + "\n");
+      };
+    }
     Studio studio(settings_);
     print_result(flags, {{"address", studio.address()}}, studio.address());
     std::fflush(stdout);  // whoever reads it through a pipe waits for it
@@ -62,6 +74,8 @@ class StudioVerb final : public Verb {
 
  private:
   StudioSettings settings_;
+  std::string driver_;
+  WireFlags wire_;
   std::string arm_ = "three_segment";
   std::string model_;
 };

@@ -21,10 +21,13 @@ struct PlanJob {
   double time_limit_s = 5.0;
   std::uint64_t seed = 1;
   bool with_tree = false;
+  double limit_scale = 1.0;  ///< of the arm's pressure limits, in (0, 1]
 };
 /// The plan that stands, by every model.
 struct RunJob {
   std::uint64_t request = 0;
+  bool replan = false;         ///< the virtual arm, closed loop
+  bool drop_obstacle = false;  ///< into its way while it moves
 };
 /// Models moved by hand, side by side, from rest.
 struct DriveJob {

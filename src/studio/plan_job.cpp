@@ -1,8 +1,10 @@
 #include "jobs.hpp"
+#include "limber/arm/pressure_limits.hpp"
 #include "limber/forward/error_room.hpp"
 #include "limber/planning/planner_factory.hpp"
 #include "limber/planning/problem_check.hpp"
 #include "limber/report/plan_report.hpp"
+#include "limber/run/safety_settings.hpp"
 #include "scene_json.hpp"
 
 namespace limber {
@@ -87,6 +89,7 @@ void run_plan_job(const PlanJob& job, const StudioScene& scene, const std::atomi
   PlanSettings settings;
   settings.callback = [&](const PlannerProgress& progress) { return reporter.note(progress); };
   settings.on_plan = keep;
+  settings.within = limits_of(with_scaled_limits(scene.arm(), job.limit_scale));
   PlannerLimits limits;
   limits.time_s = job.time_limit_s;
   const PlanResult result =

@@ -1,10 +1,12 @@
-#include <fmt/format.h>
+#include <optional>
 
 #include "jobs.hpp"
+#include "limber/forward/error_room.hpp"
 #include "limber/forward/motion_simulator.hpp"
-#include "limber/run/executor.hpp"
+#include "limber/run/closed_loop.hpp"
 #include "limber/sim/virtual_arm.hpp"
 #include "scene_json.hpp"
+#include "track.hpp"
 
 namespace limber {
 
@@ -12,34 +14,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A motion frame by frame, the first one the start, and what is said about it.
-struct Track {
-  const char* key = "";  ///< "simple", "network" or "virtual_arm"
-  std::string outcome;
-  Json shapes = Json::array();
-  Json pressures_kpa = Json::array();
-
-  void add(const Eigen::Ref<const Pressures>& kpa, const Eigen::Ref<const Backbone>& shape) {
-    pressures_kpa.push_back(pressures_to_json(kpa));
-    shapes.push_back(shape_to_json(shape));
-  }
-  Json json() const {
-    return {
-        {"key", key}, {"outcome", outcome}, {"shapes", shapes}, {"pressures_kpa", pressures_kpa}};
-  }
-};
-
-std::string miss_text(const PoseGoal& goal, const Backbone& shape) {
-  constexpr double kCmPerM = 100.0;
-  const Pose tip = tip_pose(shape);
-  const double miss_m = std::hypot(tip.x_m - goal.x_m, tip.y_m - goal.y_m);
-  return fmt::format("ends {:.2f} cm from the goal's centre", kCmPerM * miss_m);
-}
-
 Track track_of_model(const char* key, const MotionModel& model, const FoundPlan& found,
                      const ArmDescription& arm) {
-  Track track;
-  track.key = key;
+  Track track(key, arm, found.environment.obstacles);
   MotionState state = state_of(start_state(found.environment, arm), model);
   MotionModel::Workspace workspace;
   const std::vector<PlanFrame>& frames = found.plan.frames;
@@ -48,29 +25,49 @@ Track track_of_model(const char* key, const MotionModel& model, const FoundPlan&
     model.step(frames[k].setpoint_kpa, state, workspace);
     track.add(state.pressure_kpa(), state.backbone);
   }
-  track.outcome = miss_text(found.environment.goal, state.backbone);
+  track.set_outcome(miss_text(found.environment.goal, state.backbone));
   return track;
 }
 
-Track track_of_virtual_arm(const FoundPlan& found, const ArmDescription& arm,
-                           const std::atomic<bool>& stop) {
+ExecutionResult run_virtual_arm(const RunJob& job, const StudioScene& scene, const FoundPlan& found,
+                                const std::atomic<bool>& stop) {
   ExecutionSettings settings;
   settings.should_stop = [&stop] { return stop.load(); };
-  VirtualArm driver(arm);
-  const ExecutionResult result = execute(arm, found.environment, found.plan, driver, settings);
-  Track track;
-  track.key = "virtual_arm";
+  std::optional<ClosedLoop> loop;
+  if (job.replan) {
+    loop.emplace(scene.arm(), scene.motion(), found.environment,
+                 error_room(scene.motion().forward()), ClosedLoopSettings{}, found.plan.seed);
+    settings.controller = &*loop;
+  }
+  const std::optional<AppearingObstacle> obstacle =
+      dropped_obstacle(job.drop_obstacle, scene.arm(), found.plan);
+  settings.obstacle = obstacle ? &*obstacle : nullptr;
+  VirtualArm driver(scene.arm());
+  return execute(scene.arm(), found.environment, found.plan, driver, settings);
+}
+
+Track track_of(const ExecutionResult& result, const FoundPlan& found, const ArmDescription& arm) {
+  Track track("virtual_arm", arm, found.environment.obstacles);
   const Episode& episode = result.episode;
+  bool has_appeared = false;
   for (int k = 0; k < episode.frame_count(); ++k) {
+    if (result.appeared && !has_appeared &&
+        episode.time_s[k] - episode.time_s[0] >= result.appeared->time_s) {
+      has_appeared = true;
+      track.add_obstacle(result.appeared->circle);
+    }
     track.add(episode.pressure_kpa.row(k).transpose(), backbone_at(episode.backbone, k));
   }
-  track.outcome = !has_run(result)  ? result.message
-                  : result.collided ? "strikes: " + result.message
-                  : result.final_backbone
-                      ? miss_text(found.environment.goal, *result.final_backbone) +
-                            (result.goal_reached ? ", arrives" : ", misses it")
-                      : result.message;
+  track.set_outcome(outcome_text(found.environment.goal, result));
   return track;
+}
+
+Json rows_to_json(const FrameMatrix& rows) {
+  Json json = Json::array();
+  for (Eigen::Index k = 0; k < rows.rows(); ++k) {
+    json.push_back(pressures_to_json(rows.row(k).transpose()));
+  }
+  return json;
 }
 
 }  // namespace
@@ -88,8 +85,14 @@ void run_run_job(const RunJob& job, const StudioScene& scene, const FoundPlan& f
   if (scene.has_network()) {
     json["tracks"].push_back(track_of_model("network", scene.motion(), found, scene.arm()).json());
   }
+  json["appeared"] = nullptr;
   if (scene.has_virtual_arm()) {
-    json["tracks"].push_back(track_of_virtual_arm(found, scene.arm(), stop).json());
+    const ExecutionResult result = run_virtual_arm(job, scene, found, stop);
+    if (result.episode.frame_count() > 0) {
+      json["setpoints_kpa"] = rows_to_json(result.episode.setpoint_kpa);
+    }
+    json["appeared"] = appeared_to_json(result.appeared);
+    json["tracks"].push_back(track_of(result, found, scene.arm()).json());
   }
   if (!stop) {
     events.push("run", json.dump());

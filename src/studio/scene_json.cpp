@@ -67,25 +67,6 @@ Cells without_holes(const Cells& cells) {
   return filled;
 }
 
-Json obstacle_to_json(const Obstacle& obstacle) {
-  if (const auto* c = std::get_if<Circle>(&obstacle)) {
-    return {{"circle", {{"x_m", c->x_m}, {"y_m", c->y_m}, {"radius_m", c->radius_m}}}};
-  }
-  if (const auto* r = std::get_if<Rectangle>(&obstacle)) {
-    return {{"rectangle",
-             {{"x_m", r->x_m},
-              {"y_m", r->y_m},
-              {"width_m", r->width_m},
-              {"height_m", r->height_m},
-              {"angle_rad", r->angle_rad}}}};
-  }
-  Json points = Json::array();
-  for (const Eigen::Vector2d& p : std::get<Polygon>(obstacle).points_m) {
-    points.push_back({p.x(), p.y()});
-  }
-  return {{"polygon", points}};
-}
-
 }  // namespace
 
 Json arm_to_json(const ArmDescription& arm) {
@@ -105,6 +86,25 @@ Json arm_to_json(const ArmDescription& arm) {
   }
   json["rest"] = shape_to_json(start_state(Environment(), arm).backbone);
   return json;
+}
+
+Json obstacle_to_json(const Obstacle& obstacle) {
+  if (const auto* c = std::get_if<Circle>(&obstacle)) {
+    return {{"circle", {{"x_m", c->x_m}, {"y_m", c->y_m}, {"radius_m", c->radius_m}}}};
+  }
+  if (const auto* r = std::get_if<Rectangle>(&obstacle)) {
+    return {{"rectangle",
+             {{"x_m", r->x_m},
+              {"y_m", r->y_m},
+              {"width_m", r->width_m},
+              {"height_m", r->height_m},
+              {"angle_rad", r->angle_rad}}}};
+  }
+  Json points = Json::array();
+  for (const Eigen::Vector2d& p : std::get<Polygon>(obstacle).points_m) {
+    points.push_back({p.x(), p.y()});
+  }
+  return {{"polygon", points}};
 }
 
 Json environment_to_json(const Environment& environment) {
@@ -143,6 +143,10 @@ Json shape_to_json(const Eigen::Ref<const Backbone>& backbone) {
     numbers.push_back(rounded_to(double(backbone(i, 2)), 1e4));
   }
   return numbers;
+}
+
+Json length_to_json(double length_m) {
+  return std::isfinite(length_m) ? Json(rounded_to(length_m, 1e5)) : Json(nullptr);
 }
 
 Json pressures_to_json(const Eigen::Ref<const Pressures>& kpa) {

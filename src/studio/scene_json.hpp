@@ -16,6 +16,7 @@ namespace limber {
 
 nlohmann::ordered_json arm_to_json(const ArmDescription& arm);
 
+nlohmann::ordered_json obstacle_to_json(const Obstacle& obstacle);
 /// The keys of the environment's file; `environment_from_json` is the inverse.
 nlohmann::ordered_json environment_to_json(const Environment& environment);
 /// @throws InputError naming field, what was found and what is allowed.
@@ -23,6 +24,8 @@ Environment environment_from_json(const nlohmann::json& json, const ArmDescripti
 
 /// A shape's 3m numbers, to 0.01 mm and 0.0001 rad: far below a pixel.
 nlohmann::ordered_json shape_to_json(const Eigen::Ref<const Backbone>& backbone);
+/// To 0.01 mm; null if it is not finite.
+nlohmann::ordered_json length_to_json(double length_m);
 /// To 0.001 of the unit.
 nlohmann::ordered_json pressures_to_json(const Eigen::Ref<const Pressures>& kpa);
 nlohmann::ordered_json plan_to_json(const Plan& plan);

@@ -4,6 +4,10 @@
 
 #include <fmt/format.h>
 
+#include "admission.hpp"
+#include "answers.hpp"
+#include "arm_requests.hpp"
+#include "arm_station.hpp"
 #include "connections.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
@@ -11,7 +15,6 @@
 #include "limber/common/version.hpp"
 #include "page_files.hpp"
 #include "project_folder.hpp"
-#include "request_rules.hpp"
 #include "scene_json.hpp"
 #include "tabs.hpp"
 
@@ -22,36 +25,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 using httplib::Request;
 using httplib::Response;
-using Outcome = httplib::Server::HandlerResponse;
 
-constexpr double kRequestsPerS = 400.0;  // a hand drags at the screen's rate, in up to five tabs
-constexpr double kRequestsAtOnce = 400.0;
 constexpr double kMaxTimeLimitS = 60.0;
-
-enum HttpStatus {
-  kSeeOther = 303,
-  kBadRequest = 400,
-  kForbidden = 403,
-  kNotFound = 404,
-  kConflict = 409,
-  kLengthRequired = 411,
-  kTooLarge = 413,
-  kUnsupportedMedia = 415,
-  kTooManyRequests = 429,
-  kInternalError = 500,
-};
-
-void answer(Response& response, const Json& json, int status = 200) {
-  response.status = status;
-  // What a file is called may be no UTF-8.
-  response.set_content(json.dump(-1, ' ', false, Json::error_handler_t::replace),
-                       "application/json");
-}
-
-Outcome refuse(Response& response, int status, const std::string& why) {
-  answer(response, {{"error", why}}, status);
-  return Outcome::Handled;
-}
+constexpr double kMinLimitScale = 0.01;
 
 /// Only this machine's own program listens here: cpp-httplib would share the port with others.
 void reuse_address(socket_t socket) {
@@ -75,9 +51,9 @@ class Studio::Server {
   explicit Server(const StudioSettings& settings)
       : listen_(settings.listen),
         project_(settings.project),
-        token_(make_token()),
+        admission_(settings.listen),
         tabs_(project_),
-        http_([this](const Request& request) { return shows_token(request); }) {
+        http_([this](const Request& request) { return admission_.shows_token(request); }) {
     if (!settings.arm.empty()) {
       first_arm_ = project_.give(ProjectItem::arm, settings.arm);
     }
@@ -85,7 +61,14 @@ class Studio::Server {
       first_model_ = project_.give(ProjectItem::model, settings.model);
     }
     bind(settings);
-    cookie_ = fmt::format("limber_studio_{}", port_);
+    admission_.set_port(port_);
+    if (settings.driver) {
+      driver_ = settings.driver->command;
+      const auto send = [this](const std::string& kind, const std::string& json) {
+        tabs_.send_to_all(kind, json);
+      };
+      station_.emplace(project_, first_arm_, *settings.driver, send);
+    }
     add_rules();
     add_files();
     add_work();
@@ -93,11 +76,11 @@ class Studio::Server {
   }
 
   int port() const { return port_; }
-  const std::string& token() const { return token_; }
+  const std::string& token() const { return admission_.token(); }
   std::string address() const {
     const bool is_v6 = listen_.find(':') != std::string::npos;
     return fmt::format("http://{}:{}/?token={}", is_v6 ? "[" + listen_ + "]" : listen_, port_,
-                       token_);
+                       token());
   }
   void serve() { http_.listen_after_bind(); }
   void stop() {
@@ -127,63 +110,6 @@ class Studio::Server {
     }
   }
 
-  bool shows_token(const Request& request) const {
-    return is_same_secret(cookie_value(request.get_header_value("Cookie"), cookie_), token_);
-  }
-
-  /// Who may ask, and how much. What is refused here has no effect, and its body is never read.
-  Outcome admit(const Request& request, Response& response) {
-    const std::string host = request.get_header_value("Host");
-    const bool changes = request.method != "GET" && request.method != "HEAD";
-    if (request.get_header_value_count("Host") != 1 || !is_own_host(host, listen_)) {
-      return refuse(response, kForbidden, "Host: expected this machine");
-    }
-    if (!is_own_origin(request.get_header_value("Origin"), host, changes)) {
-      return refuse(response, kForbidden, "Origin: expected this page");
-    }
-    if (request.path == "/" && request.has_param("token")) {
-      return enter(request, response);
-    }
-    if (!shows_token(request)) {
-      return refuse(response, kForbidden, "open the address that limber studio printed");
-    }
-    {
-      const std::lock_guard lock(rate_mutex_);
-      if (!rate_.admits(RateLimit::Clock::now())) {
-        return refuse(response, kTooManyRequests, "too many requests");
-      }
-    }
-    return changes ? admit_body(request, response) : Outcome::Unhandled;
-  }
-
-  static Outcome admit_body(const Request& request, Response& response) {
-    if (request.has_header("Transfer-Encoding") || !request.has_header("Content-Length")) {
-      return refuse(response, kLengthRequired, "Content-Length: expected");
-    }
-    const std::string length = request.get_header_value("Content-Length");
-    constexpr std::size_t kMaxDigits = 9;
-    if (length.empty() || length.size() > kMaxDigits ||
-        length.find_first_not_of("0123456789") != std::string::npos ||
-        std::stoul(length) > GuardedServer::kMaxBody) {
-      return refuse(response, kTooLarge, "Content-Length: expected at most 262144");
-    }
-    if (!request.get_header_value("Content-Type").starts_with("application/json")) {
-      return refuse(response, kUnsupportedMedia, "Content-Type: expected application/json");
-    }
-    return Outcome::Unhandled;
-  }
-
-  /// The printed address: its token becomes a cookie, and leaves the address bar.
-  Outcome enter(const Request& request, Response& response) {
-    if (!is_same_secret(request.get_param_value("token"), token_)) {
-      return refuse(response, kForbidden, "open the address that limber studio printed last");
-    }
-    response.set_header("Set-Cookie",
-                        fmt::format("{}={}; HttpOnly; SameSite=Strict; Path=/", cookie_, token_));
-    response.set_redirect("/", kSeeOther);
-    return Outcome::Handled;
-  }
-
   void add_rules() {
     http_.set_pre_routing_handler([this](const Request& request, Response& response) {
       response.set_header("Content-Security-Policy",
@@ -192,7 +118,7 @@ class Studio::Server {
       response.set_header("X-Content-Type-Options", "nosniff");
       response.set_header("Referrer-Policy", "no-referrer");
       response.set_header("Cache-Control", "no-store");
-      return admit(request, response);
+      return admission_.admit(request, response);
     });
     http_.set_exception_handler([](const Request&, Response& response, std::exception_ptr thrown) {
       try {
@@ -225,7 +151,9 @@ class Studio::Server {
                         {"models", project_.names(ProjectItem::model)},
                         {"environments", project_.names(ProjectItem::environment)},
                         {"first_arm", first_arm_},
-                        {"first_model", first_model_}});
+                        {"first_model", first_model_},
+                        {"driver", driver_},
+                        {"driver_arm", driver_.empty() ? "" : first_arm_}});
     });
     get("/api/arm", [this](const Request& request, Response& response) {
       const ArmDescription arm = arm_named(request.get_param_value("name"));
@@ -268,10 +196,12 @@ class Studio::Server {
       job.time_limit_s = body.at("time_limit_s").number(0.01, kMaxTimeLimitS);
       job.seed = body.at("seed").count(UINT32_MAX);
       job.with_tree = body.at("tree").boolean();
+      job.limit_scale = body.at("limit_scale").number(kMinLimitScale, 1.0);
       with_tab(body, response, [&](Tab& tab) { tab.post(std::move(job)); });
     });
     post("/api/run", [this](const JsonReader& body, Response& response) {
-      const RunJob job{request_of(body)};
+      const RunJob job{request_of(body), body.at("replan").boolean(),
+                       body.at("obstacle").boolean()};
       with_tab(body, response, [&](Tab& tab) {
         if (tab.found()) {
           tab.post(job);
@@ -295,6 +225,8 @@ class Studio::Server {
     post("/api/stop", [this](const JsonReader& body, Response& response) {
       with_tab(body, response, [](Tab& tab) { tab.stop(); });
     });
+    add_arm_requests(station_ ? &*station_ : nullptr, tabs_,
+                     [this](const char* path, Post handle) { post(path, std::move(handle)); });
   }
 
   void stream_events(Response& response) {
@@ -304,6 +236,10 @@ class Studio::Server {
           response, kTooManyRequests,
           fmt::format("{} studio tabs are open: close one, then load this one again", Tabs::kMax));
       return;
+    }
+    if (station_) {
+      const std::string status = station_->status();
+      tabs_.with(id, [&](Tab& tab) { tab.events().push("arm", status); });
     }
     response.set_chunked_content_provider(
         "text/event-stream",
@@ -355,15 +291,14 @@ class Studio::Server {
 
   std::string listen_;
   ProjectFolder project_;
-  std::string token_;
+  Admission admission_;
   std::string first_arm_;
   std::string first_model_;
   int port_ = 0;
-  std::string cookie_;
-  std::mutex rate_mutex_;
-  RateLimit rate_{kRequestsPerS, kRequestsAtOnce};
+  std::string driver_;  // its command
   std::atomic<bool> stopping_ = false;
   Tabs tabs_;
+  std::optional<ArmStation> station_;
   GuardedServer http_;
 };
 

@@ -33,6 +33,13 @@ void Tabs::close(const std::string& id) {
   }
 }
 
+void Tabs::send_to_all(const std::string& kind, const std::string& json) {
+  const std::lock_guard lock(mutex_);
+  for (const auto& [id, tab] : tabs_) {
+    tab->events().push(kind, json);
+  }
+}
+
 /// Only its own stream closes a tab, so that it outlives this call.
 std::string Tabs::pop_event(const std::string& id) {
   EventQueue* events = nullptr;

@@ -25,6 +25,9 @@ class Tabs {
   /// The stream's next piece; empty after a while without one.
   std::string pop_event(const std::string& id);
 
+  /// The same event for every tab.
+  void send_to_all(const std::string& kind, const std::string& json);
+
   /// use(tab), while it can't be closed. @return whether there is such a tab
   template <class Use>
   bool with(const std::string& id, Use&& use) {

@@ -26,6 +26,7 @@ case $1 in
       'data:text/html,<p>it starts' 2>/dev/null </dev/null | grep -q "it starts" ||
       missing "chromium does not start here"
     node tests/browser.mjs
+    node tests/browser_arm.mjs
     ;;
   *) exit 2 ;;
 esac

@@ -258,6 +258,7 @@ TEST_F(StudioServer, APageGetsACertifiedPlanAndSavesIt) {
                             {"arm", "limber:three_segment"},
                             {"model", ""},
                             {"time_limit_s", 20.0},
+                            {"limit_scale", 1.0},
                             {"seed", 1},
                             {"tree", true}};
   const std::string answer = get("/api/environment?arm=limber:three_segment&name=limber:01_pillar");

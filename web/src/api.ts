@@ -39,6 +39,8 @@ export type Project = {
   environments: string[];
   first_arm: string;
   first_model: string;
+  driver: string; // its command; empty: none
+  driver_arm: string;
 };
 export type Tube = {
   level: number;
@@ -79,23 +81,34 @@ export type Result = {
   largest_clearance_cm: number | null;
   tree: number[] | null;
 };
-export type TrackKey = 'simple' | 'network' | 'virtual_arm';
+export type TrackKey = 'simple' | 'network' | 'virtual_arm' | 'arm';
 export type Track = {
   key: TrackKey;
   outcome: string;
   shapes: number[][];
   pressures_kpa: number[][];
+  clearances_m: (number | null)[]; // empty without obstacles
 };
-export type Run = {
-  request: number;
+export type Motion = {
   frame_rate_hz: number;
   setpoints_kpa: number[][];
+  appeared: { time_s: number; obstacle: Obstacle } | null;
   tracks: Track[];
 };
+export type Run = Motion & { request: number };
 export type Drive = { request: number; time_s: number; setpoint_kpa: number[] } & Record<
-  TrackKey,
+  Exclude<TrackKey, 'arm'>,
   number[] | null
 >;
+export type ArmStatus = { state: 'off' | 'armed' | 'running'; message: string; recording: string };
+export type ArmFrame = {
+  time_s: number;
+  setpoint_kpa: number[];
+  pressure_kpa: number[];
+  shape: number[];
+  obstacle: Obstacle | null;
+  holds: string;
+};
 
 export type Events = {
   tab: { id: string };
@@ -104,6 +117,9 @@ export type Events = {
   result: Result;
   run: Run;
   drive: Drive;
+  arm: ArmStatus;
+  arm_frame: ArmFrame;
+  arm_run: Motion;
   fault: { request: number; message: string };
 };
 
@@ -125,18 +141,52 @@ async function read<T>(response: Response): Promise<T> {
   return body;
 }
 
-export async function get<T>(path: string, query: Record<string, string> = {}): Promise<T> {
-  return read<T>(await fetch(`/api/${path}?${new URLSearchParams(query)}`));
+let others = new AbortController(); // of all requests but VENT
+
+async function ask<T>(path: string, request: RequestInit, signal: AbortSignal): Promise<T> {
+  try {
+    return await read<T>(await fetch(`/api/${path}`, { ...request, signal }));
+  } catch (error) {
+    throw signal.aborted ? new Refusal(0, 'VENT was pressed, and nothing else is done.') : error;
+  }
 }
+
+export async function get<T>(path: string, query: Record<string, string> = {}): Promise<T> {
+  return ask<T>(`${path}?${new URLSearchParams(query)}`, {}, others.signal);
+}
+
+const asJson = (body: object): RequestInit => ({
+  method: 'POST',
+  headers: { 'Content-Type': 'application/json' },
+  body: JSON.stringify(body),
+});
 
 let lastPost: Promise<unknown> = Promise.resolve();
 
 /** One after another: what is asked for later arrives later. */
 export function post<T>(path: string, body: object): Promise<T> {
-  const request = { method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify(body) };
-  const answer = lastPost.then(async () => read<T>(await fetch(`/api/${path}`, request)));
+  const { signal } = others;
+  const answer = lastPost.then(() => ask<T>(path, asJson(body), signal));
   lastPost = answer.catch(() => {});
   return answer;
+}
+
+const kVentTries = 100; // where a crowd of other connections costs it its own
+
+/** Behind nothing: what else this page has asked for gives up its connections first. */
+export async function vent(): Promise<void> {
+  others.abort();
+  others = new AbortController();
+  lastPost = Promise.resolve();
+  const send = () => fetch('/api/arm/vent', { ...asJson({}), priority: 'high', keepalive: true });
+  for (let tries = 1; ; ++tries) {
+    try {
+      await read(await send());
+      return;
+    } catch (error) {
+      if (error instanceof Refusal || tries === kVentTries) throw error;
+    }
+  }
 }
 
 /** The page's own stream. A browser connects again by itself after a loss, as another tab. */

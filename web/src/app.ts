@@ -1,4 +1,5 @@
 import { type Arm, type Environment, get, listen, type Plan, type Project, Refusal } from './api';
+import { ArmLink } from './arm_link';
 import { toWorld } from './camera';
 import { byId } from './dom';
 import { DriveMode } from './drive_mode';
@@ -39,8 +40,10 @@ export class App {
   tab = '';
   live = true;
   timeLimit_s = 5;
+  limitScale = 1; // of the pressures that plans may use
   view = { tree: false, tube: false, reach: true };
   readonly planner = new LivePlanner(() => this.tab, () => this.refresh());
+  readonly armLink = new ArmLink(() => this.tab, () => this.armChanged());
   readonly stage: Stage;
   private readonly plan = new PlanMode(this);
   private readonly play = new PlayMode(this);
@@ -78,6 +81,10 @@ export class App {
       byId(`mode-${name}`).addEventListener('click', () => this.enter(name));
     }
     document.addEventListener('keydown', (event) => this.key(event));
+    byId('arm').hidden = this.project.driver === '';
+    if (this.project.driver !== '') this.armLink.prepare();
+    byId('vent').addEventListener('click', () => this.vent());
+    document.addEventListener('keydown', (event) => this.ventKey(event), { capture: true });
     this.enter('plan');
     this.listen();
   }
@@ -96,6 +103,9 @@ export class App {
         result: (result) => this.planner.onResult(result),
         run: (run) => this.play.onRun(run),
         drive: (drive) => this.drive.onDrive(drive),
+        arm: (status) => this.armLink.onStatus(status),
+        arm_frame: (frame) => this.armLink.onFrame(frame),
+        arm_run: (motion) => this.play.onArmRun(motion),
         fault: ({ request, message }) => {
           if (this.mode === 'plan') this.planner.onFault(request, message);
           else this.say(message);
@@ -170,10 +180,33 @@ export class App {
     this.planner.ask(
       {
         arm: this.armName, model: this.model, environment: this.environment,
-        time_limit_s: this.timeLimit_s, tree: this.view.tree,
+        time_limit_s: this.timeLimit_s, tree: this.view.tree, limit_scale: this.limitScale,
       },
       at_ms,
     );
+  }
+
+  private vent(): void {
+    void this.attempt(() => this.armLink.vent());
+  }
+  /**
+   * While the arm moves, before anybody else gets them; and on the page that has armed it, where
+   * Space would else press Play once more just after a run's end.
+   */
+  private ventKey(event: KeyboardEvent): void {
+    const { runs, isMine } = this.armLink;
+    const isField = event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement;
+    if ((event.key !== ' ' && event.key !== 'Escape') || !(runs || (isMine && !isField))) return;
+    event.preventDefault();
+    event.stopImmediatePropagation();
+    if (!event.repeat) this.vent();
+  }
+  private armChanged(): void {
+    const { status, isMine } = this.armLink;
+    const words = { off: '', armed: isMine ? 'armed here' : 'armed by another page', running: 'the arm moves' };
+    byId('arm-state').textContent = words[status.state];
+    byId('arm-state').className = status.state;
+    this.refresh();
   }
 
   /** The environment as one step of its history. */
@@ -220,7 +253,7 @@ export class App {
     this.stage.draw();
   }
 
-  private scene(): Scene {
+  scene(): Scene {
     return {
       arm: this.arm ?? null,
       environment: this.environment,

@@ -40,3 +40,22 @@ export function gridStep_m(c: Camera, least_px = 72): number {
   const power = 10 ** Math.floor(Math.log10(least));
   return power * ([1, 2, 5, 10].find((k) => k * power >= least) ?? 10);
 }
+
+/** Numbers along the picture's lower and right edge, clear of the corners. [px] */
+export function axisLabels(c: Camera): { axis: 'x' | 'y'; at: number; text: string }[] {
+  const step = gridStep_m(c);
+  const digits = Math.max(0, -Math.floor(Math.log10(step)));
+  const [left, top] = toWorld(c, [0, 0]);
+  const [right, bottom] = toWorld(c, [c.width, c.height]);
+  const steps = (from: number, to: number) => {
+    const first = Math.ceil(from / step);
+    return Array.from({ length: Math.max(0, Math.floor(to / step) - first + 1) }, (_, i) => (first + i) * step);
+  };
+  const rounded = (px: number) => Number(px.toFixed(1));
+  return [
+    ...steps(left, right).map((x) => ({ axis: 'x' as const, at: rounded(toPixels(c, [x, 0])[0]), text: `${x.toFixed(digits)} m` }))
+      .filter(({ at }) => at > 56 && at < c.width - 28),
+    ...steps(bottom, top).map((y) => ({ axis: 'y' as const, at: rounded(toPixels(c, [0, y])[1]), text: y.toFixed(digits) }))
+      .filter(({ at }) => at > 64 && at < c.height - 28),
+  ];
+}

@@ -16,6 +16,14 @@ export function h<Tag extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
+/** The same of a drawing. */
+export function svg(tag: string, attributes: Record<string, string | number> = {}, ...children: (Node | string)[]): SVGElement {
+  const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
+  element.append(...children);
+  return element;
+}
+
 export const byId = <T extends HTMLElement>(id: string): T => document.getElementById(id) as T;
 
 export function button(text: string, press: () => void, attributes: Attributes = {}): HTMLButtonElement {

@@ -2,11 +2,12 @@ import { type Drive, post, type TrackKey } from './api';
 import type { App, Mode } from './app';
 import { button, facts, h } from './dom';
 import type { Point } from './environment';
-import { cm, driveSliders, trackNames } from './panels';
+import { trackNames } from './names';
+import { cm, driveSliders } from './panels';
 import type { Figure, Scene } from './picture';
 import { distance, tipOf } from './shape';
 
-const kKeys: TrackKey[] = ['virtual_arm', 'network', 'simple'];
+const kKeys: Exclude<TrackKey, 'arm'>[] = ['virtual_arm', 'network', 'simple'];
 const kTrail = 1200; // frames: a minute
 
 /** Pressures by hand: every model gets the same ones at once. */

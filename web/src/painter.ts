@@ -1,25 +1,12 @@
 import * as THREE from 'three';
+import { type Brush, circle, type Colour } from './brush';
 import type { Point } from './environment';
-
-/** Red, green, blue, opacity, from 0 to 1. */
-export type Colour = [number, number, number, number];
-
-export const faded = ([r, g, b, a]: Colour, share: number): Colour => [r, g, b, a * share];
-export const mixed = (a: Colour, b: Colour, share: number): Colour =>
-  a.map((v, i) => v + (b[i] - v) * share) as Colour;
-
-/** A colour of the style sheet: `--name: #rrggbb`. */
-export function cssColour(name: string): Colour {
-  const text = getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-  const bytes = [1, 3, 5].map((i) => parseInt(text.slice(i, i + 2), 16) / 255);
-  return [...bytes, 1] as unknown as Colour;
-}
 
 /**
  * Collects triangles in the order in which they are painted, all in one mesh and one draw call.
  * A whole picture is rebuilt in a millisecond or two, so nothing has to be kept up to date.
  */
-export class Painter {
+export class Painter implements Brush {
   private positions = new Float32Array(3 * 4096);
   private colours = new Float32Array(4 * 4096);
   private count = 0;
@@ -140,11 +127,4 @@ export class Painter {
     this.geometry.dispose();
     this.attach();
   }
-}
-
-function circle([x, y]: Point, radius: number, sides = 48): Point[] {
-  return Array.from({ length: sides }, (_, i) => {
-    const angle = (2 * Math.PI * i) / sides;
-    return [x + radius * Math.cos(angle), y + radius * Math.sin(angle)];
-  });
 }

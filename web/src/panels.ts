@@ -1,13 +1,9 @@
-import type { Arm, Environment, Obstacle, Run, TrackKey } from './api';
+import type { Arm, Environment, Motion, Obstacle, TrackKey } from './api';
 import { button, checkbox, choice, facts, field, h, numberInput } from './dom';
 import { kindOf, type Point, type Selection, withObstacle } from './environment';
+import { trackNames } from './names';
 import type { LivePlanner } from './planner';
 
-export const trackNames: Record<TrackKey, string> = {
-  simple: 'Simple model',
-  network: 'Network',
-  virtual_arm: 'Virtual arm',
-};
 const seconds = (s: number): string => (s < 1 ? `${Math.round(s * 1000)} ms` : `${s.toFixed(1)} s`);
 const cm = (m: number): string => `${(m * 100).toFixed(2)} cm`;
 const thousands = (n: number): string => Math.round(n).toLocaleString('en');
@@ -106,8 +102,24 @@ export function planPanel(planner: LivePlanner, unit: string): HTMLElement {
   return h('div', { class: 'status' }, h('strong', {}, 'Not planned yet'));
 }
 
+/** Shares of the arm's pressure limits. */
+export function scaleChoice(label: string, chosen: number, change: (scale: number) => void): HTMLSelectElement {
+  const select = h('select', { 'aria-label': label },
+    ...[0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1].map((scale) =>
+      h('option', { value: scale, selected: scale === chosen }, `${Math.round(100 * scale)} %`)));
+  select.addEventListener('change', () => change(Number(select.value)));
+  return select;
+}
+
+/** The share of its limits that a plan needs. */
+export function neededScale(arm: Arm, setpoints_kpa: number[][]): number {
+  const share = (kpa: number, { lower_kpa, upper_kpa }: Arm['segments'][number]): number =>
+    kpa === 0 ? 0 : kpa / (kpa > 0 ? upper_kpa : lower_kpa);
+  return Math.max(0, ...setpoints_kpa.flatMap((row) => row.map((kpa, i) => share(kpa, arm.segments[i]))));
+}
+
 /** One track's line: whether it is shown, and how it ended. */
-export function tracksPanel(run: Run, shown: Set<TrackKey>, toggle: (key: TrackKey, on: boolean) => void): HTMLElement {
+export function tracksPanel(run: Motion, shown: Set<TrackKey>, toggle: (key: TrackKey, on: boolean) => void): HTMLElement {
   return h('ul', { class: 'tracks' },
     ...run.tracks.map(({ key, outcome }) =>
       h('li', {}, h('i', { class: `swatch ${key}` }), checkbox(trackNames[key], shown.has(key), (on) => toggle(key, on)),

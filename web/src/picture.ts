@@ -1,7 +1,7 @@
 import type { Arm, Environment, Plan, TrackKey } from './api';
+import { type Brush, type Colour, cssColour, faded, mixed } from './brush';
 import { type Camera, gridStep_m, toWorld } from './camera';
 import { handlesOf, outlineOf, type Point, type Selection } from './environment';
-import { type Colour, cssColour, faded, mixed, type Painter } from './painter';
 import { centreline, plate, plateCount, sampled, segmentOfGap, tipOf, tubeRadii } from './shape';
 
 /** One arm as it stands, and its pressures where its sides are to be coloured. */
@@ -34,7 +34,7 @@ export type Palette = Record<
 
 export function readPalette(): Palette {
   const names: (keyof Palette)[] = [
-    'simple', 'network', 'virtual_arm', 'ground', 'grid', 'axis', 'reach', 'obstacle', 'goal',
+    'simple', 'network', 'virtual_arm', 'arm', 'ground', 'grid', 'axis', 'reach', 'obstacle', 'goal',
     'body', 'plate', 'pressure', 'plan', 'tree', 'select',
   ];
   return Object.fromEntries(names.map((name) => [name, cssColour(`--${name}`)])) as Palette;
@@ -47,7 +47,7 @@ export class Picture {
   private palette = readPalette();
 
   constructor(
-    private readonly painter: Painter,
+    private readonly painter: Brush,
     private camera: Camera,
   ) {}
 

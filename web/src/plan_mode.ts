@@ -2,7 +2,8 @@ import { type Environment, post, Refusal } from './api';
 import type { App, Mode } from './app';
 import { button, byId, checkbox, choice, field, h } from './dom';
 import type { Selection } from './environment';
-import { planPanel, selectionPanel, thingsList } from './panels';
+import { exportRow } from './export';
+import { planPanel, scaleChoice, selectionPanel, thingsList } from './panels';
 import type { Scene } from './picture';
 
 /** Replaces what is inside; whoever had the focus keeps it, by its place. */
@@ -58,6 +59,10 @@ export class PlanMode implements Mode {
     const limits = h('select', { 'aria-label': 'Seconds to search for' },
       ...[1, 5, 20].map((s) => h('option', { value: s, selected: s === app.timeLimit_s }, `${s} s`)));
     limits.addEventListener('change', () => (app.timeLimit_s = Number(limits.value)));
+    const scales = scaleChoice('Share of the pressure limits to plan with', app.limitScale, (scale) => {
+      app.limitScale = scale;
+      app.ask();
+    });
     this.name.value = app.environment.name;
     panel.append(
       h('section', {}, this.status,
@@ -66,7 +71,7 @@ export class PlanMode implements Mode {
         h('div', { class: 'checks' },
           checkbox('Plan while dragging', app.live, (on) => (app.live = on)),
           toggle('Search tree', 'tree'), toggle('Tube', 'tube'), toggle('Reach', 'reach')),
-        h('div', { class: 'row' }, field('Search for', limits))),
+        h('div', { class: 'row' }, field('Search for', limits), field('Pressures', scales))),
       h('section', {}, h('h2', {}, 'Scene'),
         field('Arm', choice(project.arms, app.armName, (name) =>
           reopen(async () => {
@@ -82,6 +87,7 @@ export class PlanMode implements Mode {
         h('div', { class: 'row' }, button('Save environment', () =>
           this.save('environment', { arm: app.armName, environment: { ...app.environment, name: this.name.value } })))),
       h('section', {}, h('h2', {}, 'Goal and obstacles'), this.things, this.selection),
+      h('section', {}, h('h2', {}, 'Save the picture'), exportRow(app)),
     );
   }
 

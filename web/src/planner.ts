@@ -6,6 +6,7 @@ export type PlanQuestion = {
   environment: Environment;
   time_limit_s: number;
   tree: boolean;
+  limit_scale: number;
 };
 
 /**

@@ -1,5 +1,5 @@
 import * as THREE from 'three';
-import { type Camera, fitted, gridStep_m, panned, toPixels, toWorld, zoomed } from './camera';
+import { axisLabels, type Camera, fitted, panned, toWorld, zoomed } from './camera';
 import type { Point } from './environment';
 import { Painter } from './painter';
 import { Picture, type Scene } from './picture';
@@ -100,28 +100,16 @@ export class Stage {
   }
 
   private label(): void {
-    const step = gridStep_m(this.camera);
-    const [left, top] = toWorld(this.camera, [0, 0]);
-    const [right, bottom] = toWorld(this.camera, [this.camera.width, this.camera.height]);
-    const digits = Math.max(0, -Math.floor(Math.log10(step)));
-    const spans: string[] = [];
-    for (let k = Math.ceil(left / step); k * step <= right; ++k) {
-      const [px] = toPixels(this.camera, [k * step, 0]);
-      if (px > 56 && px < this.camera.width - 28) spans.push(`x ${px.toFixed(1)} ${(k * step).toFixed(digits)}`);
-    }
-    for (let k = Math.ceil(bottom / step); k * step <= top; ++k) {
-      const [, py] = toPixels(this.camera, [0, k * step]);
-      if (py > 64 && py < this.camera.height - 28) spans.push(`y ${py.toFixed(1)} ${(k * step).toFixed(digits)}`);
-    }
-    if (this.labels.dataset.shown === spans.join()) return;
-    this.labels.dataset.shown = spans.join();
+    const labels = axisLabels(this.camera);
+    const shown = JSON.stringify(labels);
+    if (this.labels.dataset.shown === shown) return;
+    this.labels.dataset.shown = shown;
     this.labels.replaceChildren(
-      ...spans.map((text) => {
-        const [axis, at, value] = text.split(' ');
+      ...labels.map(({ axis, at, text }) => {
         const span = document.createElement('span');
         span.className = axis;
         span.style[axis === 'x' ? 'left' : 'top'] = `${at}px`;
-        span.textContent = axis === 'x' ? `${value} m` : value;
+        span.textContent = text;
         return span;
       }),
     );

@@ -2,7 +2,7 @@
 //   node tests/screenshots.mjs FOLDER
 
 import { join } from 'node:path';
-import { drag, network, openPage, startBrowser, startStudio } from './studio.mjs';
+import { drag, network, openPage, program, startBrowser, startStudio } from './studio.mjs';
 
 const folder = process.argv[2];
 const looks = {
@@ -11,7 +11,7 @@ const looks = {
   _phone: { viewport: { width: 390, height: 844 }, hasTouch: true },
   _phone_dark: { viewport: { width: 390, height: 844 }, hasTouch: true, colorScheme: 'dark' },
 };
-const studio = await startStudio('--model', network);
+const studio = await startStudio('--model', network, '--driver', `exec:"${program}" virtual-arm --serve`);
 const browser = await startBrowser();
 for (const [look, options] of Object.entries(looks)) {
   const page = await openPage(browser, studio.address, options);
@@ -26,6 +26,16 @@ for (const [look, options] of Object.entries(looks)) {
   await page.waitForSelector('.tracks');
   await page.getByRole('button', { name: 'Play', exact: true }).waitFor();
   await shot('play');
+  await page.getByLabel('Nobody is within its reach').check();
+  await page.getByRole('button', { name: 'Arm', exact: true }).click();
+  await page.getByLabel('limits that the arm may use').selectOption({ label: '100 %' });
+  await shot('armed');
+  await page.getByRole('button', { name: 'Play on the arm' }).click();
+  await page.waitForFunction(() => document.querySelector('#arm-state.running') && parseFloat(document.querySelector('.play output').textContent) > 1.5);
+  await shot('arm');
+  await page.getByRole('button', { name: 'VENT' }).click();
+  await page.locator('#arm-panel').filter({ hasText: 'VENT was pressed' }).waitFor();
+  await shot('vented');
   await page.getByRole('tab', { name: 'Drive' }).click();
   const slide = async (segment, key) => {
     await page.getByRole('slider', { name: new RegExp(`Segment ${segment}`) }).focus();

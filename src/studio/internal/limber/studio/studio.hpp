@@ -2,7 +2,10 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+
+#include "limber/driver/process_driver.hpp"
 
 namespace limber {
 
@@ -14,6 +17,9 @@ struct StudioSettings {
   std::filesystem::path project = ".";
   std::filesystem::path arm;    ///< shown first
   std::filesystem::path model;  ///< shown first; empty: the simple model
+  /// How `arm` is reached: command, calibration, safety, and who is told of vents. None: nothing
+  /// but models and virtual arms is moved.
+  std::optional<ProcessDriverSettings> driver;
 };
 
 /// The browser studio's server (docs/studio.md, docs/studio_api.md): the page, and a JSON API for

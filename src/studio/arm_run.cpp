@@ -1,0 +1,135 @@
+#include "arm_run.hpp"
+
+#include <fmt/format.h>
+
+#include "limber/arm/names.hpp"
+#include "limber/arm/pressure_limits.hpp"
+#include "limber/common/error.hpp"
+#include "limber/driver/driver_run.hpp"
+#include "limber/forward/error_room.hpp"
+#include "limber/run/closed_loop.hpp"
+#include "scene_json.hpp"
+#include "track.hpp"
+
+namespace limber {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void require_allowed(const Plan& plan, const std::vector<PressureLimits>& limits_kpa,
+                     const std::string& whose) {
+  if (const auto found = first_beyond(plan, limits_kpa)) {
+    throw InputError(fmt::format(
+        "the plan asks for {:.1f} {unit} in {}; {} allows {} {unit}. Nothing was moved. Raise the "
+        "limit scale, or plan within it",
+        found->value, segment_name(found->segment), whose, to_string(found->limits),
+        fmt::arg("unit", plan.command.unit)));
+  }
+}
+
+/// Takes in a run frame by frame, for the page and for its end.
+class FrameWatch {
+ public:
+  FrameWatch(const ArmRunJob& job, const StudioScene& scene, const ArmControl& control,
+             const std::function<void(const Json&)>& on_frame)
+      : control_(control),
+        on_frame_(on_frame),
+        track_("arm", scene.arm(), job.found.environment.obstacles),
+        shape_(job.found.plan.frames.front().backbone) {}
+
+  void take(const ExecutedFrame& frame) {
+    if (frame.state.backbone) {
+      shape_ = *frame.state.backbone;
+    }
+    if (frame.appeared != nullptr) {
+      obstacle_ = obstacle_to_json(frame.appeared->obstacles.back());
+      track_.add_obstacle(frame.appeared->obstacles.back());
+    }
+    track_.add(frame.state.pressure_kpa, shape_);
+    setpoints_kpa_.push_back(pressures_to_json(frame.setpoint_kpa));
+    on_frame_({{"time_s", frame.time_s},
+               {"setpoint_kpa", setpoints_kpa_.back()},
+               {"pressure_kpa", pressures_to_json(frame.state.pressure_kpa)},
+               {"shape", shape_to_json(shape_)},
+               {"obstacle", obstacle_},
+               {"holds", control_.why_held()}});
+  }
+
+  Json json(const Plan& plan, const ExecutionResult& result, const PoseGoal& goal) {
+    track_.set_outcome(outcome_text(goal, result));
+    return {{"frame_rate_hz", plan.frame_rate_hz},
+            {"setpoints_kpa", setpoints_kpa_},
+            {"appeared", appeared_to_json(result.appeared)},
+            {"tracks", {track_.json()}}};
+  }
+
+ private:
+  const ArmControl& control_;
+  const std::function<void(const Json&)>& on_frame_;
+  Track track_;
+  Backbone shape_;  // where it was seen last; before that, where the plan has it
+  Json setpoints_kpa_ = Json::array();
+  Json obstacle_ = nullptr;
+};
+
+/// Of the message of a vent, what whoever stands beside the arm has to know.
+std::string with_vent(std::string message, const ProcessDriver& driver) {
+  const std::string& vent = driver.last_vent().message;
+  return vent.empty() ? message : fmt::format("{}{}{}", message, message.empty() ? "" : "; ", vent);
+}
+
+}  // namespace
+
+ArmRunReport run_on_arm(const ArmRunJob& job, const StudioScene& scene,
+                        ProcessDriverSettings driver_settings,
+                        const std::filesystem::path& recording, const ArmControl& control,
+                        const std::function<void(const Json&)>& on_frame) {
+  const ArmDescription& arm = scene.arm();
+  const Environment& environment = job.found.environment;
+  const Plan& plan = job.found.plan;
+  require_allowed(plan, limits_of(with_scaled_limits(arm, job.limit_scale)),
+                  fmt::format("a limit scale of {:g}", job.limit_scale));
+  ClosedLoopSettings loop_settings;
+  if (job.replan) {
+    loop_settings.motion_queries = queries_within(kMotionSearchS, arm, scene.motion());
+  }
+  driver_settings.limit_scale = job.limit_scale;
+  driver_settings.vent_asked = [&control] { return control.must_vent(); };
+  driver_settings.log = free_name(recording.string() + ".driver", ".", ".jsonl");
+  ProcessDriver driver(arm, driver_settings);
+  require_allowed(plan, driver.limits_kpa(), "the driver");
+
+  FrameWatch watch(job, scene, control, on_frame);
+  bool has_begun = false;
+  ExecutionSettings settings;
+  settings.max_start_error_m = allowed_start_error_m(plan);
+  // An arm that is on its way to a start under pressure is not held there, but vented.
+  settings.should_stop = [&] { return control.must_vent() || (!has_begun && control.must_hold()); };
+  settings.should_hold = [&control] { return control.must_hold(); };
+  settings.on_frame = [&](const ExecutedFrame& frame) {
+    has_begun = true;
+    watch.take(frame);
+  };
+  std::optional<ClosedLoop> loop;
+  if (job.replan) {
+    loop_settings.corrections.limits = driver.limits_kpa();
+    loop.emplace(arm, scene.motion(), environment, error_room(scene.motion().forward()),
+                 loop_settings, plan.seed);
+    settings.controller = &*loop;
+  }
+  const std::optional<AppearingObstacle> obstacle = dropped_obstacle(job.drop_obstacle, arm, plan);
+  settings.obstacle = obstacle ? &*obstacle : nullptr;
+
+  const ExecutionResult result = execute(arm, environment, plan, driver, settings);
+  if (result.episode.frame_count() > 0) {
+    write_recording(recording, recording_of(arm, describe(driver), plan, result,
+                                            job.replan ? std::optional(loop_settings.motion_queries)
+                                                       : std::nullopt));
+  }
+  const std::string why = control.why_vented();
+  return {with_vent(why.empty() ? result.message : why, driver),
+          watch.json(plan, result, environment.goal)};
+}
+
+}  // namespace limber

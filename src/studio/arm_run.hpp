@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "arm_control.hpp"
+#include "jobs.hpp"
+#include "limber/driver/process_driver.hpp"
+
+namespace limber {
+
+/// A plan for the arm behind the driver.
+struct ArmRunJob {
+  FoundPlan found;
+  double limit_scale = 0.1;  ///< of the arm's pressure limits
+  bool replan = false;
+  bool drop_obstacle = false;  ///< into its way while it moves; nothing has to stand there
+};
+
+struct ArmRunReport {
+  std::string message;         ///< how it ended, and what became of the vent
+  nlohmann::ordered_json run;  ///< the whole motion (docs/studio_api.md, `arm_run`)
+};
+
+/// Runs it as `limber execute --driver` does, and records it. Vented when this returns or throws.
+/// @param driver     command, safety and calibration; the rest is filled in
+/// @param recording  file to write; the driver's log lies beside it
+/// @param on_frame   takes each frame as it happens (`arm_frame`)
+/// @throws InputError where the plan does not fit, nothing was moved; SystemFault.
+ArmRunReport run_on_arm(const ArmRunJob& job, const StudioScene& scene,
+                        ProcessDriverSettings driver, const std::filesystem::path& recording,
+                        const ArmControl& control,
+                        const std::function<void(const nlohmann::ordered_json&)>& on_frame);
+
+}  // namespace limber

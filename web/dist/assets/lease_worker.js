@@ -1,0 +1,1 @@
+(function(){"use strict";const e=self;let t;e.onmessage=({data:s})=>{if(clearInterval(t),s==="")return;const n={"Content-Type":"application/json"},a=t=setInterval(async()=>{try{if((await fetch("/api/arm/lease",{method:"POST",headers:n,body:JSON.stringify({lease:s})})).ok)return;clearInterval(a),e.postMessage("over")}catch{}},200)},e.postMessage("ready")})();

@@ -1,0 +1,101 @@
+import { type ArmFrame, type ArmStatus, post, vent } from './api';
+
+export type ArmRun = { limit_scale: number; replan: boolean; obstacle: boolean };
+
+/**
+ * The arm behind the driver, as this page sees it. Who arms it holds a lease, renewed by a worker;
+ * VENT is everybody's.
+ */
+export class ArmLink {
+  status: ArmStatus = { state: 'off', message: '', recording: '' };
+  private frame: ArmFrame | null = null;
+  paused = false;
+  /** Whether what runs, or has just run, is this page's plan. */
+  ownRun = false;
+  private lease = '';
+  private worker: Worker | null = null;
+  private ready: Promise<void> | null = null;
+
+  constructor(
+    private readonly tab: () => string,
+    private readonly changed: () => void,
+  ) {
+    window.addEventListener('beforeunload', (event) => {
+      if (this.isMine) event.preventDefault(); // the browser asks
+    });
+  }
+
+  /** Whether this page has armed it. */
+  get isMine(): boolean {
+    return this.lease !== '' && this.status.state !== 'off';
+  }
+  get runs(): boolean {
+    return this.status.state === 'running' || this.ownRun;
+  }
+  /** The last frame of this page's run, while that goes on. */
+  get live(): ArmFrame | null {
+    return this.runs && this.ownRun ? this.frame : null;
+  }
+
+  /** Has the worker there before there is a lease to renew: its start may take seconds. */
+  prepare(): void {
+    const worker = new Worker(new URL('./lease_worker.ts', import.meta.url), { type: 'module' });
+    this.worker = worker;
+    this.ready = new Promise((resolve) => {
+      worker.onmessage = ({ data }: MessageEvent<'ready' | 'over'>) => (data === 'ready' ? resolve() : this.drop());
+    });
+  }
+  async arm(): Promise<void> {
+    await this.ready;
+    const { lease } = await post<{ lease: string }>('arm/arm', { confirmed: true });
+    this.lease = lease;
+    this.worker?.postMessage(lease);
+    this.changed();
+  }
+  async disarm(): Promise<void> {
+    await post('arm/disarm', { lease: this.lease });
+    this.drop();
+  }
+  async run(options: ArmRun): Promise<void> {
+    this.frame = null;
+    this.paused = false;
+    this.ownRun = true;
+    try {
+      await post('arm/run', { ...options, lease: this.lease, tab: this.tab() });
+    } catch (error) {
+      this.ownRun = false;
+      throw error;
+    }
+  }
+  async pause(paused: boolean): Promise<void> {
+    this.paused = paused;
+    this.changed();
+    await post('arm/pause', { lease: this.lease, paused });
+  }
+  stop(): Promise<unknown> {
+    return post('arm/stop', { lease: this.lease });
+  }
+  vent(): Promise<void> {
+    return vent();
+  }
+
+  onStatus(status: ArmStatus): void {
+    this.status = status;
+    if (status.state !== 'running') {
+      this.frame = null;
+      this.ownRun = false;
+    }
+    if (status.state === 'off') this.drop();
+    this.changed();
+  }
+  onFrame(frame: ArmFrame): void {
+    this.frame = frame;
+    this.changed();
+  }
+
+  private drop(): void {
+    this.worker?.postMessage('');
+    this.lease = '';
+    this.changed();
+  }
+}
