@@ -2,10 +2,9 @@
 
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { existsSync, readFileSync, statSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { pathToFileURL } from 'node:url';
 import { drag, fieldValue, network, openPage, pixelsOf, program, startBrowser, startStudio } from './studio.mjs';
 
 let studio;
@@ -159,43 +158,6 @@ pageTest('an obstacle is dropped into the way; open loop the arm strikes it, clo
   await page.getByLabel('Closed loop').check();
   await page.waitForSelector('.tracks');
   assert.notEqual(await outcome(), open);
-});
-
-pageTest('the picture is saved, and the motion as one page that needs nothing else', async (page) => {
-  await page.getByRole('tab', { name: 'Play' }).click();
-  await page.waitForSelector('.tracks');
-  const save = async (name) => {
-    const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name, exact: true }).click()]);
-    const path = join(studio.project, download.suggestedFilename());
-    await download.saveAs(path);
-    return path;
-  };
-  assert.equal(readFileSync(await save('PNG')).subarray(1, 4).toString(), 'PNG');
-  assert.match(readFileSync(await save('SVG'), 'utf8'), /^<svg xmlns.*<path.*0\.2 m<\/text>/s);
-  const path = await save('Animation');
-  assert.ok(statSync(path).size < 200_000);
-  const context = await browser.newContext({ offline: true });
-  const colleague = await context.newPage();
-  const faults = [];
-  colleague.on('pageerror', (error) => faults.push(String(error)));
-  colleague.on('console', (message) => message.type() === 'error' && faults.push(message.text()));
-  await colleague.goto(pathToFileURL(path).href);
-  await colleague.getByRole('button', { name: 'Play' }).click();
-  await colleague.waitForFunction(() => Number(document.querySelector('.play input').value) > 0.2);
-  const shape = () => colleague.locator('#stage svg').innerHTML();
-  await colleague.getByRole('slider').press('Home');
-  const begin = await shape();
-  await colleague.getByRole('slider').press('End');
-  assert.notEqual(await shape(), begin);
-  assert.equal(await colleague.locator('.plots figure').count(), 6);
-  assert.deepEqual(faults, []);
-  await context.close();
-  const still = await browser.newContext({ javaScriptEnabled: false });
-  const reader = await still.newPage();
-  await reader.goto(pathToFileURL(path).href);
-  assert.match(await reader.textContent('#panel'), /virtual_arm: ends/);
-  assert.ok(await reader.locator('#stage svg').isVisible());
-  await still.close();
 });
 
 pageTest('driven there and back, the simple model returns and the virtual arm does not', async (page) => {
