@@ -10,7 +10,7 @@ import unittest
 from program import PROGRAM, ROOT, InFolder
 
 RECORDS = ROOT / "docs/log/reproduction"
-PAGES = (ROOT / "docs/reproduction.md", ROOT / "docs/reproduction-random.md")
+PAGES = (ROOT / "docs/reproduction.md", ROOT / "docs/log/2026-11-26-reproduction-random.md")
 
 
 def script(name, *arguments):
