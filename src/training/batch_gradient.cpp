@@ -7,6 +7,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "flushed_subnormals.hpp"
 #include "kernels/job_arena.hpp"
 #include "limber/common/random_stream.hpp"
 #include "training_kernels.hpp"
@@ -67,6 +68,7 @@ int BatchGradient::chunk_count() const {
 void BatchGradient::compute_chunk(int chunk, std::span<const int> starts,
                                   const Eigen::VectorXf& parameters, double noise,
                                   std::uint64_t seed, std::uint64_t stream) {
+  const FlushedSubnormals flushed;
   const auto thread = static_cast<std::size_t>(tbb::this_task_arena::current_thread_index());
   const auto index = static_cast<std::size_t>(chunk);
   const std::size_t first = index * static_cast<std::size_t>(windows_per_chunk_);
@@ -91,6 +93,7 @@ void BatchGradient::compute_chunk(int chunk, std::span<const int> starts,
 
 void BatchGradient::add_chunks(std::size_t first, std::size_t count, std::size_t chunks,
                                Eigen::VectorXf& gradient) const {
+  const FlushedSubnormals flushed;
   float* sum = gradient.data() + first;
   std::copy_n(gradients_[0].data() + first, count, sum);
   for (std::size_t chunk = 1; chunk < chunks; ++chunk) {

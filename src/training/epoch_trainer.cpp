@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <Eigen/Cholesky>
 
+#include "flushed_subnormals.hpp"
 #include "learnt_kind.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
@@ -189,6 +190,7 @@ BatchGradient& EpochTrainer::gradient_for(const TrainingStage& stage) {
 }
 
 void EpochTrainer::step(double loss_scale, double rate) {
+  const FlushedSubnormals flushed;
   const auto scale = static_cast<float>(loss_scale);
   if (scale != 1.0F) {
     gradient_ *= scale;

@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 
+#include "flushed_subnormals.hpp"
 #include "training_kernels.hpp"
 
 namespace limber {
@@ -140,6 +141,7 @@ OptimiserState Soap::first_state() const {
 
 void Soap::step_weight(const Weight& weight, const float* gradient, double learning_rate,
                        OptimiserState& state, float* parameters) {
+  const FlushedSubnormals flushed;
   const auto [m, k, at, rotations_at] = weight;
   const Map<const MatrixXf> g(gradient + at, m, k);
   const MatrixXf padded_g = with_padding(g);
