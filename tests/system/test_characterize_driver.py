@@ -55,7 +55,7 @@ class Characterizing(InFolder):
         whole = self.on_driver("--out", "f.yaml", arm="two_segment", code=2)
         self.assertIn("limber characterize --recording", whole.stderr)
         csv = self.on_driver("--csv", "points.csv", code=2)
-        self.assertIn("--csv, --valves and --recording need none", csv.stderr)
+        self.assertIn("--csv, --valves, --recording and --commands need none", csv.stderr)
 
     def test_a_dry_run_prints_what_would_be_sent(self):
         lines = self.run_limber("characterize", "--arm", "one.yaml", "--steps", 4, "--dry-run", "--limit-scale", 0.5)
