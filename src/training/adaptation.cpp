@@ -29,6 +29,9 @@ constexpr int kLeastFrames = 40;  // of all: less is no motion
 constexpr int kMinHeldBackFrames = 40;
 constexpr int kHeldBackPieceFrames = 600;
 constexpr double kTooWrong = 1.5;  // times the error of the family's own arms: it is none of them
+// Of the error of e alone: weights have to be better than that. The seconds held back chose their
+// epoch, so that a little better on them may be worse elsewhere.
+constexpr double kWorthIt = 0.9;
 constexpr double kMovedM = 0.001;  // in a frame: less is a tracker's noise, or rest
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -138,7 +141,7 @@ class Adapter {
         (is_too_wrong || result.distance > Adaptation::kFarFromFamily)) {
       CompensationModel trained = trained_on(before, halves.seen, halves.held_back);
       result.trained_error_m = error_on(trained, halves.held_back);
-      if (result.trained_error_m < result.fitted_error_m) {
+      if (result.trained_error_m < kWorthIt * result.fitted_error_m) {
         result.has_trained_weights = true;
         result.model = trained_on(result.model, episodes, {});
         before = std::move(trained);

@@ -192,7 +192,8 @@ TEST_F(FamilyOfPlays, AnArmOutsideGetsWeightsOfItsOwnWhereThatIsBetter) {
   const Adaptation done = adapt(arm(), family(), motions_of(90.0F, 30, 600));
   EXPECT_FALSE(done.is_of_family());
   ASSERT_FALSE(std::isnan(done.trained_error_m)) << "weights were tried";
-  EXPECT_EQ(done.has_trained_weights, done.trained_error_m < done.fitted_error_m);
+  constexpr double kWorthIt = 0.9;
+  EXPECT_EQ(done.has_trained_weights, done.trained_error_m < kWorthIt * done.fitted_error_m);
   EXPECT_FALSE(is_family(done.model));
 }
 
