@@ -152,7 +152,7 @@ TEST(Train, PassesOverEpochsThatRunAwayAndKeepsTheNextBest) {
   const LongRollout again =
       roll_out_long(ForwardModel(arm, result.model), toy_data(arm).validation);
   EXPECT_EQ(again.held_share, result.long_rollout.held_share);
-  EXPECT_TRUE(again.bounded);
+  EXPECT_EQ(again.bounded, result.long_rollout.bounded);
 }
 
 // Sharing batches must change nothing: each member is what it would have become alone. The first

@@ -317,7 +317,7 @@ TEST(Plan, IsRefusedForAnotherArmAndBeyondItsLimits) {
   Plan thin = plan;
   thin.frames[1].setpoint_kpa = Pressures::Zero(2);
   EXPECT_THAT([&] { require_plan_of(thin, arm, "p.json"); },
-              ThrowsMessage<InputError>(HasSubstr("frames[1]: 2 pressures")));
+              ThrowsMessage<InputError>(HasSubstr("frames[1]: 2 set points")));
 }
 
 TEST(Plan, CsvOfTheArmsOwnCommandsMakesTheSetPoints) {

@@ -53,7 +53,8 @@ FlagValues values_of(const YamlReader& value) {
 }
 
 void require_unit_flag(const YamlReader& value, const std::string& name) {
-  if (name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_.-") != std::string::npos) {
+  if (name.empty() || name.front() == '-' ||
+      name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_.-") != std::string::npos) {
     value.refuse("expected the name of a flag without its dashes, or arm.PARAMETER");
   }
   for (const KeptFlag& kept : kKeptFlags) {
