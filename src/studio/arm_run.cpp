@@ -127,7 +127,9 @@ ArmRunReport run_on_arm(const ArmRunJob& job, const StudioScene& scene,
                                             job.replan ? std::optional(loop_settings.motion_queries)
                                                        : std::nullopt));
   }
-  const std::string why = control.why_vented();
+  // A fault is told also where somebody pressed VENT after it.
+  const std::string why =
+      result.status == ExecutionStatus::stopped ? control.why_vented() : std::string();
   return {with_vent(why.empty() ? result.message : why, driver),
           watch.json(plan, result, environment.goal)};
 }

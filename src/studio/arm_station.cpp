@@ -49,7 +49,7 @@ std::string ArmStation::arm() {
     message_.clear();
     control_.begin();
   }
-  send_("arm", status());
+  tell();
   return lease;
 }
 
@@ -84,7 +84,7 @@ std::string ArmStation::run(const std::string& lease, ArmRunJob job) {
     next_ = std::move(job);
   }
   has_work_.notify_one();
-  send_("arm", status());
+  tell();
   return "";
 }
 
@@ -114,7 +114,7 @@ bool ArmStation::disarm(const std::string& lease) {
     }
     lease_.clear();
   }
-  send_("arm", status());
+  tell();
   return true;
 }
 
@@ -144,7 +144,8 @@ void ArmStation::work() {
       }
       job = std::exchange(next_, std::nullopt);
       if (!lease_.empty() && control_.must_disarm()) {
-        message_ = control_.why_vented() + ". Nothing was moving";
+        message_ = control_.why_vented() + ". No run was going on" +
+                   (message_.empty() ? "" : "; what became of the last one: " + message_);
         lease_.clear();
         job.reset();
         running_ = false;
@@ -155,21 +156,25 @@ void ArmStation::work() {
       run_now(*job);
     }
     if (is_news) {
-      send_("arm", status());
+      tell();
     }
   }
 }
 
 void ArmStation::run_now(const ArmRunJob& job) {
-  const std::filesystem::path file =
-      free_name((project_.folder() / "runs" / time_stamped_run_name()).string(), "_", ".h5");
+  std::filesystem::path file;
   std::string message;
+  std::string said;  // by the driver of its vents
   Json run;
   try {
+    file = free_name((project_.folder() / "runs" / time_stamped_run_name()).string(), "_", ".h5");
     std::filesystem::create_directories(file.parent_path());
     const StudioScene scene(project_, job.found.scene);
     ProcessDriverSettings driver = driver_;
-    driver.say = [this](const std::string& words) { note(words); };
+    driver.say = [this, &said](const std::string& words) {
+      said += (said.empty() ? "" : "; ") + words;
+      note(words);
+    };
     const auto on_frame = [this](const Json& frame) { send_("arm_frame", frame.dump()); };
     ArmRunReport report = run_on_arm(job, scene, std::move(driver), file, control_, on_frame);
     message = std::move(report.message);
@@ -177,7 +182,11 @@ void ArmStation::run_now(const ArmRunJob& job) {
   } catch (const std::exception& error) {
     message = error.what();
   }
-  const bool is_recorded = std::filesystem::exists(file);
+  if (message.find(said) == std::string::npos) {  // an error, or words after the run's end
+    message += (message.empty() ? "" : "; ") + said;
+  }
+  std::error_code ignored;
+  const bool is_recorded = std::filesystem::exists(file, ignored);
   {
     const std::lock_guard lock(mutex_);
     running_ = false;
@@ -190,6 +199,12 @@ void ArmStation::run_now(const ArmRunJob& job) {
   if (!run.is_null()) {
     send_("arm_run", line_of(run));
   }
+  tell();
+}
+
+/// Pages see states in the order in which they came about.
+void ArmStation::tell() {
+  const std::lock_guard lock(tell_mutex_);
   send_("arm", status());
 }
 
@@ -202,7 +217,7 @@ void ArmStation::note(const std::string& message) {
     const std::lock_guard lock(mutex_);
     message_ = message;
   }
-  send_("arm", status());
+  tell();
 }
 
 }  // namespace limber

@@ -47,6 +47,7 @@ class ArmStation {
   void work();
   void run_now(const ArmRunJob& job);
   void note(const std::string& message);
+  void tell();
   bool has_lease(const std::string& lease) const;
 
   const ProjectFolder& project_;
@@ -55,6 +56,7 @@ class ArmStation {
   Send send_;
   ArmControl control_;
 
+  std::mutex tell_mutex_;  // before mutex_
   mutable std::mutex mutex_;
   std::condition_variable has_work_;
   std::string lease_;  // empty: not armed

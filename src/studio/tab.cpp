@@ -30,6 +30,9 @@ Tab::~Tab() {
 void Tab::post(Job job) {
   {
     const std::lock_guard lock(mutex_);
+    if (std::holds_alternative<PlanJob>(job)) {
+      found_.reset();  // of another scene: nothing may run it any more
+    }
     next_ = std::move(job);
     stop_job_ = true;
   }

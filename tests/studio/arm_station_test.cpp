@@ -14,6 +14,7 @@ namespace limber {
 namespace {
 
 using std::chrono::milliseconds;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
@@ -94,6 +95,17 @@ TEST_F(ArmStationTest, AVentEndsEveryLease) {
   EXPECT_FALSE(arm->renew(lease)) << "at once";
   EXPECT_THAT(arm->run(lease, job()), HasSubstr("arm the arm first"));
   EXPECT_THAT(wait_for(*arm, "off"), HasSubstr("VENT was pressed"));
+}
+
+// It may have been that the arm is under pressure still.
+TEST_F(ArmStationTest, AVentDoesNotHideWhatBecameOfTheLastRun) {
+  const auto arm = station("false");
+  const std::string lease = arm->arm();
+  EXPECT_THAT(arm->run(lease, job()), IsEmpty());
+  wait_for(*arm, "armed", lease);
+  arm->vent();
+  EXPECT_THAT(wait_for(*arm, "off"),
+              AllOf(HasSubstr("VENT was pressed"), HasSubstr("ended with exit code 1")));
 }
 
 TEST_F(ArmStationTest, SaysWhyTheDriverDoesNotServe) {

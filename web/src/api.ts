@@ -172,13 +172,20 @@ export function post<T>(path: string, body: object): Promise<T> {
 }
 
 const kVentTries = 100; // where a crowd of other connections costs it its own
+const kVentPatience_ms = 500;
 
 /** Behind nothing: what else this page has asked for gives up its connections first. */
 export async function vent(): Promise<void> {
   others.abort();
   others = new AbortController();
   lastPost = Promise.resolve();
-  const send = () => fetch('/api/arm/vent', { ...asJson({}), priority: 'high', keepalive: true });
+  const send = () =>
+    fetch('/api/arm/vent', {
+      ...asJson({}),
+      priority: 'high',
+      keepalive: true,
+      signal: AbortSignal.timeout(kVentPatience_ms),
+    });
   for (let tries = 1; ; ++tries) {
     try {
       await read(await send());

@@ -68,14 +68,15 @@ export class ArmLink {
     }
   }
   async pause(paused: boolean): Promise<void> {
+    await post('arm/pause', { lease: this.lease, paused });
     this.paused = paused;
     this.changed();
-    await post('arm/pause', { lease: this.lease, paused });
   }
   stop(): Promise<unknown> {
     return post('arm/stop', { lease: this.lease });
   }
   vent(): Promise<void> {
+    this.worker?.postMessage(''); // where the request is lost, the lease runs out
     return vent();
   }
 
