@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <yaml-cpp/yaml.h>
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/common/error.hpp"

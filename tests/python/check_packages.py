@@ -33,7 +33,7 @@ FOLDERS = {"tests": INSTALLED, "tools": INSTALLED, "python": INSTALLED,
 BY_HAND = {"make_pytorch_gradients.py"}
 OTHERS = {"examples": {"rclpy", "std_msgs"},  # of ROS 2, which is not Debian's
           "tests": {"mpirun", "sbatch", "sinfo"},  # of a cluster; tests without them are skipped
-          "tools": {"git"}}  # whoever measures a state of the project has one
+          "tools": {"git", "matplotlib"}}  # whoever measures a state of the project, or draws a picture again
 OWN = {"limber"}  # and every file's own name
 
 
