@@ -10,12 +10,14 @@ import unittest
 from program import PROGRAM, ROOT, InFolder
 
 RECORDS = ROOT / "docs/log/reproduction"
+MODULE = pathlib.Path(PROGRAM).parents[1] / "python"
 PAGES = (ROOT / "docs/reproduction.md", ROOT / "docs/log/2026-11-26-reproduction-random.md")
 
 
 def script(name, *arguments):
     done = subprocess.run([sys.executable, str(ROOT / "tools" / name), "--limber", PROGRAM, *map(str, arguments)],
-                          capture_output=True, encoding="utf-8", check=False, cwd=ROOT, env=os.environ)
+                          capture_output=True, encoding="utf-8", check=False, cwd=ROOT,
+                          env={**os.environ, "PYTHONPATH": str(MODULE)})
     assert done.returncode == 0, done.stderr
     return done.stdout
 
@@ -24,6 +26,7 @@ def rows(text):
     return [line for line in text.splitlines() if line.startswith("| ")]
 
 
+@unittest.skipUnless(MODULE.is_dir(), "built without the Python module")
 class Reproduction(InFolder):
     def test_a_reading_is_trained_measured_and_kept(self):
         arguments = ("--out", self.folder, "--arms", "own", "--readings", "unbounded", "--epochs", 12,
