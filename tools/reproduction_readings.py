@@ -13,6 +13,7 @@ import re
 
 import limber
 import numpy as np
+from arm_with import replaced
 from kept_parts import KeptParts
 
 TRANSITIONS_SEED = 11
@@ -95,12 +96,6 @@ READINGS = {
 }
 
 
-def with_number(text, key, value):
-    found, count = re.subn(rf"^(\s*{key}:\s*)[-+.0-9e]+", lambda line: line[1] + str(value), text, flags=re.MULTILINE)
-    assert count == 1, key
-    return found
-
-
 def with_biased_bench(text, factor):
     """An arm file whose bench test said that sides contract by so much more."""
     def scaled(found):
@@ -112,9 +107,9 @@ def with_biased_bench(text, factor):
 # test that was wrong, or by slower valves and friction chosen for them.
 ARMS = {
     "own": lambda text: text,
-    "biased": lambda text: with_biased_bench(with_number(text, "friction_coefficient", 0.15), 1.24),
-    "slow": lambda text: with_number(with_number(with_number(
-        text, "inflate_time_constant_s", 0.3), "vent_time_constant_s", 0.36), "friction_coefficient", 0.225),
+    "biased": lambda text: with_biased_bench(replaced(text, "friction_coefficient=0.15"), 1.24),
+    "slow": lambda text: replaced(replaced(replaced(
+        text, "inflate_time_constant_s=0.3"), "vent_time_constant_s=0.36"), "friction_coefficient=0.225"),
 }
 
 

@@ -57,13 +57,17 @@ bool ArmStation::has_lease(const std::string& lease) const {
   return !lease_.empty() && is_same_secret(lease, lease_) && !control_.must_disarm();
 }
 
-bool ArmStation::renew(const std::string& lease) {
+bool ArmStation::with_lease(const std::string& lease, const std::function<void()>& act) {
   const std::lock_guard lock(mutex_);
   const bool has = has_lease(lease);
   if (has) {
-    control_.renew();
+    act();
   }
   return has;
+}
+
+bool ArmStation::renew(const std::string& lease) {
+  return with_lease(lease, [this] { control_.renew(); });
 }
 
 std::string ArmStation::run(const std::string& lease, ArmRunJob job) {
@@ -89,21 +93,11 @@ std::string ArmStation::run(const std::string& lease, ArmRunJob job) {
 }
 
 bool ArmStation::pause(const std::string& lease, bool on) {
-  const std::lock_guard lock(mutex_);
-  const bool has = has_lease(lease);
-  if (has) {
-    control_.pause(on);
-  }
-  return has;
+  return with_lease(lease, [this, on] { control_.pause(on); });
 }
 
 bool ArmStation::stop(const std::string& lease) {
-  const std::lock_guard lock(mutex_);
-  const bool has = has_lease(lease);
-  if (has) {
-    control_.stop();
-  }
-  return has;
+  return with_lease(lease, [this] { control_.stop(); });
 }
 
 bool ArmStation::disarm(const std::string& lease) {

@@ -49,6 +49,8 @@ class ArmStation {
   void note(const std::string& message);
   void tell();
   bool has_lease(const std::string& lease) const;
+  /// Acts under the lock. @return whether that is the lease
+  bool with_lease(const std::string& lease, const std::function<void()>& act);
 
   const ProjectFolder& project_;
   std::string arm_;
