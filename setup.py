@@ -37,8 +37,8 @@ class BuildWithModule(build_py):
         with tempfile.TemporaryDirectory() as prefix:
             subprocess.run(["cmake", "--install", folder, "--component", "python", "--prefix",
                             prefix, "--strip"], check=True, stdout=subprocess.DEVNULL)
-            for module in pathlib.Path(prefix).rglob("_limber*.so"):
-                shutil.copy2(module, package)
+            for made in pathlib.Path(prefix).rglob("_limber*"):  # the module, and its stub
+                shutil.copy2(made, package)
         if not list(package.glob("_limber*.so")):
             raise SystemExit(f"{folder} holds no Python module; it needs pybind11-dev, python3-dev")
         for data in ("arms", "environments", "families"):

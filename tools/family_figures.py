@@ -9,6 +9,7 @@ Parts, each kept in OUT and not measured twice:
   arms    the nominal arm, friction 30 % more and less, 50 g at the tip, a side 20 % weaker: the same, and
           plans in limber's own eight environments, executed open loop
   unseen  plans on unseen arms, each in random environments that the arm itself has moved through
+  tube    coverage of the family's tube on unseen arms, ten plans each in random environments
   stranger  arms that no family holds, as another simulator has them: other tension curves, strengths, friction
           and valves; 60 s and five minutes
 """
@@ -49,6 +50,7 @@ STRANGERS = [
      "inflate_time_constant_s": 0.15, "vent_time_constant_s": 0.15},
 ]
 MINUTES_OF_A_STRANGER = 5
+PLANS_OF_A_TUBE = 10
 
 
 def arm_text(text, physics):
@@ -199,18 +201,36 @@ class Family:
         for key in ("0 s", "60 s, e alone", "60 s", "5 min"):
             print(f"{key}: mean {np.mean([row[key] for row in rows]):.2f}")
 
+    def unseen_arms(self, name, seed, count):
+        """Of as many arms: a folder, the arm file, a seed, the model that a minute makes."""
+        self.record(f"{name}_physics.h5", seed, "--schedule", "identify", "--count", 1, "--episodes", count,
+                    "--arm", self.options.arm, "--vary-physics", self.options.vary_physics)
+        for number, episode in enumerate(limber.read_recording(self.options.out / f"{name}_physics.h5").episodes):
+            folder = f"{name}_{number}"
+            arm_file = self.write_arm(folder, json.loads(episode.physics))
+            own_seed = seed + 999 + number
+            yield folder, arm_file, own_seed, self.adapted(f"{folder}/mine", arm_file, own_seed)
+
+    def tube(self):
+        rows, without = [], 0
+        for folder, arm_file, seed, model in self.unseen_arms("tube", self.options.seed + 2, self.options.arms):
+            if not self.parts.limber("inspect", "--json", model).get("tube"):  # `adapt` trained its weights
+                without += 1
+                continue
+            rows.append(self.parts.kept(f"{folder}/check", lambda a=arm_file, m=model, s=seed: self.parts.limber(
+                "calibrate", "--json", "--arm", a, "--model", m, "--seed", s, "--check", PLANS_OF_A_TUBE)))
+            print(folder, {key: rows[-1][key] for key in ("environments", "runs", "outside", "reached", "collided",
+                                                          "mean_tip_radius_cm")}, flush=True)
+        runs, outside = (sum(row[key] for row in rows) for key in ("runs", "outside"))
+        worst = sum(row["outside"] > 0.2 * row["runs"] for row in rows)
+        print(f"coverage {100 * (1 - outside / runs):.1f} % of {runs}; {worst} of {len(rows)} arms below 8 of 10; "
+              f"radius at the tip, median over arms {np.median([row['mean_tip_radius_cm'] for row in rows]):.2f} cm; "
+              f"{without} arms have no tube, since their weights were trained")
+
     def unseen(self):
-        self.record("unseen_physics.h5", self.options.seed + 1, "--schedule", "identify", "--count", 1,
-                            "--episodes", self.options.unseen, "--arm", self.options.arm,
-                            "--vary-physics", "wide")
-        physics = [json.loads(episode.physics) for episode in
-                   limber.read_recording(self.options.out / "unseen_physics.h5").episodes]
         total = {}
-        for number, of_arm in enumerate(physics):
-            folder = f"unseen_{number}"
-            arm_file = self.write_arm(folder, of_arm)
-            seed = self.options.seed + 1000 + number
-            model = self.adapted(f"{folder}/mine", arm_file, seed)
+        for number, (folder, arm_file, seed, model) in enumerate(
+                self.unseen_arms("unseen", self.options.seed + 1, self.options.unseen)):
             environments = self.parts.random_environments(seed, 5, f"{folder}/environments", arm=arm_file)
             done = self.plans(f"{folder}/plans", arm_file, model, 1, "--environments", environments)
             total = {key: total.get(key, 0) + value for key, value in done.items()}
@@ -230,8 +250,9 @@ def main():
     parser.add_argument("--out", type=pathlib.Path, required=True)
     parser.add_argument("--arm", default="three_segment")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--arms", type=int, default=40, help="unseen ones of part open")
+    parser.add_argument("--arms", type=int, default=40, help="unseen ones of parts open and tube")
     parser.add_argument("--unseen", type=int, default=20, help="unseen ones of part unseen")
+    parser.add_argument("--vary-physics", default="wide", help="how arms of parts unseen and tube differ")
     parser.add_argument("--trials", type=int, default=20, help="of each environment, part arms")
     parser.add_argument("--max-queries", type=int, default=20000, help="of each plan")
     parser.add_argument("--no-training", action="store_true", help="no networks from nothing")
@@ -239,7 +260,7 @@ def main():
     options = parser.parse_args()
     family = Family(options)
     parts = {"open": family.open, "arms": family.arms_named, "unseen": family.unseen,
-             "stranger": family.strangers}
+             "stranger": family.strangers, "tube": family.tube}
     if unknown := [part for part in options.parts if part not in parts]:
         sys.exit(f"{unknown[0]}: expected {', '.join(parts)}")
     for part in options.parts:

@@ -1,14 +1,12 @@
-"""Writes python/limber/_limber.pyi from the built module: signatures and texts are those of its
-docstrings, so that neither can be forgotten.
+"""Writes limber/_limber.pyi from the built module, as a step of its build: signatures and texts are those
+of its docstrings, so that neither can be forgotten.
 
-    PYTHONPATH=build/release/python tools/python_stubs.py python/limber/_limber.pyi
-    PYTHONPATH=build/release/python tools/python_stubs.py --check python/limber/_limber.pyi
+    PYTHONPATH=build/release/python tools/python_stubs.py build/release/python/limber/_limber.pyi
 """
 
 import argparse
 import pathlib
 import re
-import sys
 
 # What pybind11 can't know: functions and sequences that cross the border as objects.
 PARAMETERS = {
@@ -196,15 +194,10 @@ def stub(module):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--check", action="store_true", help="say whether the file is up to date")
     parser.add_argument("stub", type=pathlib.Path)
     arguments = parser.parse_args()
     import limber._limber
-    made = stub(limber._limber)
-    if not arguments.check:
-        arguments.stub.write_text(made, encoding="utf-8")
-    elif arguments.stub.read_text(encoding="utf-8") != made:
-        sys.exit(f"{arguments.stub} is out of date: run tools/python_stubs.py {arguments.stub}")
+    arguments.stub.write_text(stub(limber._limber), encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -11,6 +11,7 @@ stopped goes on. Table I takes some five minutes of one core, so often as it is 
 
 import argparse
 import pathlib
+import re
 
 import limber
 import numpy as np
@@ -97,6 +98,17 @@ def print_table(results, whole):
             print("| " + " | ".join(cells) + " |")
 
 
+def draw_figure_5(path, folder, columns=4):
+    """The paper's Fig. 5: where the first plans of both models bring the arm, an environment beside the other."""
+    pictures = [file.read_text(encoding="utf-8") for file in sorted(folder.glob("*.svg")) if not file.stem.endswith("_all")]
+    sizes = [[float(number) for number in re.search(r'viewBox="0 0 ([\d.]+) ([\d.]+)"', text).groups()] for text in pictures]
+    width, height = (max(size[k] for size in sizes) for k in (0, 1))
+    placed = [text.replace("<svg ", f'<svg x="{width * (k % columns):g}" y="{height * (k // columns):g}" ', 1)
+              for k, text in enumerate(pictures)]
+    box = f"0 0 {width * columns:g} {height * -(-len(pictures) // columns):g}"
+    path.write_text(f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{box}">\n{"".join(placed)}</svg>\n', encoding="utf-8")
+
+
 PARTS = ["queries", "figure_1", "table_1", "table_1_valves", "random_1", "random_1_valves"]
 
 
@@ -113,6 +125,7 @@ def main():
     parser.add_argument("--whole", action="store_true", help="of random environments each, not their sum alone")
     parser.add_argument("--print", action="store_true", help="only what is there already")
     parser.add_argument("--jobs", type=int, default=2, help="plans at once")
+    parser.add_argument("--picture", type=pathlib.Path, help="Fig. 5 as SVG, of part table_1")
     options = parser.parse_args()
     if not options.print and options.model is None and any("_1" in part and part != "figure_1" for part in options.parts):
         parser.error("--model is needed for Table I")
@@ -131,6 +144,8 @@ def main():
         else:
             print(f"\n{part}:\n")
             print_table(run.kept(part, lambda part=part: run.table(part)), options.whole or part.startswith("table"))
+    if options.picture:
+        draw_figure_5(options.picture, options.out / "table_1" / "figures")
 
 
 if __name__ == "__main__":

@@ -308,7 +308,6 @@ class StandIn:
                              "--fit", "train.h5")
         rollouts = [trained["long_rollout"], errors["long_rollout"]]
         found = {"seed": seed, "epochs": trained["epochs"], "best_epoch": trained["best_epoch"],
-                 "windows_choice": trained["windows_choice"],
                  "passed_over_epochs": trained["passed_over_epochs"],
                  "wall_time_s": trained["wall_time_s"], "novel_frames": errors["novel_frames"],
                  "bounded": all(rollout["bounded"] for rollout in rollouts),

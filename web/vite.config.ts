@@ -7,8 +7,9 @@ export default defineConfig({
     modulePreload: { polyfill: false },
     chunkSizeWarningLimit: 700,
     rollupOptions: {
+      input: { studio: 'index.html', report: 'src/report.ts' },
       output: {
-        entryFileNames: 'assets/studio.js',
+        entryFileNames: 'assets/[name].js',
         chunkFileNames: 'assets/[name].js',
         assetFileNames: 'assets/[name][extname]',
       },

@@ -134,7 +134,9 @@ void print_error(const std::string& message) {
 
 void print_result(const CommonFlags& flags, const nlohmann::ordered_json& result,
                   const std::string& text) {
-  if (flags.json) {
+  if (flags.take_result) {
+    flags.take_result(result);
+  } else if (flags.json) {
     fmt::print("{}\n", printable_json(result.dump(
                            2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)));
   } else if (!flags.quiet && !text.empty()) {

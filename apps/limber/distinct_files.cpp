@@ -29,7 +29,7 @@ constexpr std::array<std::string_view, 2> kWritersOfCsv = {"plan", "export"};
 constexpr std::string_view kRewriter = "characterize";
 
 // Verbs that fill a folder with results, and remove those of the last run.
-constexpr std::array<std::string_view, 3> kFillers = {"demo", "experiment", "improve"};
+constexpr std::array<std::string_view, 2> kFillers = {"demo", "experiment"};
 
 struct NamedPath {
   std::string option;

@@ -28,6 +28,11 @@ std::string find_own_file(const std::string& name_or_path, const char* folder, c
 
 }  // namespace
 
+void add_arm_flag(CLI::App& app, std::string& arm) {
+  app.add_option("--arm", arm, "Arm file, or the name of one of limber's own")
+      ->capture_default_str();
+}
+
 std::string find_arm_file(const std::string& name_or_path) {
   return find_own_file(name_or_path, "arms", ".yaml",
                        "--arm {}: no such file, and none of limber's own arms has that name "

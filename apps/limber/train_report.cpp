@@ -153,16 +153,13 @@ void print_no_model(const CommonFlags& flags, const TrainingResult& result) {
 void print_training_result(const CommonFlags& flags, const Command& command,
                            const TrainingFiles& files, const TrainingResult& result,
                            const std::optional<FineTuningReport>& changes,
-                           const EpisodeChoice& choice, const TrainingChoice& how) {
+                           const EpisodeChoice& choice,
+                           const std::optional<CrossValidation>& folds) {
   say_what_ran_away(flags, result);
   nlohmann::ordered_json json = json_of(flags, command, files, result, choice);
-  json["windows_choice"] = nullptr;
-  if (how.stages) {
-    json["windows_choice"] = to_json(*how.stages);
-  }
   json["cross_validation"] = nullptr;
-  if (how.folds) {
-    json["cross_validation"] = to_json(*how.folds);
+  if (folds) {
+    json["cross_validation"] = to_json(*folds);
   }
   if (changes) {
     json["fine_tuning"] = to_json(*changes);
@@ -176,9 +173,9 @@ void print_training_result(const CommonFlags& flags, const Command& command,
                       : "",
                   result.model.shape(), result.model.preset, result.curve.back().epoch,
                   result.wall_time_s, status_of(result),
-                  how.folds ? fmt::format("epoch {}, by cross-validation", result.best_epoch)
-                            : chosen_epoch(result),
-                  how.folds && !result.model.prediction_error
+                  folds ? fmt::format("epoch {}, by cross-validation", result.best_epoch)
+                        : chosen_epoch(result),
+                  folds && !result.model.prediction_error
                       ? "the folds' error is not known, or not this network's, whose training "
                         "did not end: plans keep what is usual"
                       : error_line(result.model, !choice.data.unseen.empty()),

@@ -7,7 +7,6 @@
 #include "episode_choice.hpp"
 #include "limber/training/cross_validation.hpp"
 #include "limber/training/fine_tuning.hpp"
-#include "limber/training/stage_choice.hpp"
 #include "verb.hpp"
 
 namespace limber {
@@ -16,12 +15,6 @@ namespace limber {
 struct TrainingFiles {
   std::string model;
   std::filesystem::path learning_curve;
-};
-
-/// How it was decided in which windows, and for how long, to train; none where flags said so.
-struct TrainingChoice {
-  std::optional<StageChoice> stages;
-  std::optional<CrossValidation> folds;
 };
 
 /// Which episodes are left out as broken, and why.
@@ -37,9 +30,11 @@ void say_training(const CommonFlags& flags, const TrainingData& data,
 /// Prints that no epoch was validated, and why.
 void print_no_model(const CommonFlags& flags, const TrainingResult& result);
 /// Prints what `train` found: one JSON object, or lines for people.
+/// @param folds  what said for how long to train; none where validation did
 void print_training_result(const CommonFlags& flags, const Command& command,
                            const TrainingFiles& files, const TrainingResult& result,
                            const std::optional<FineTuningReport>& changes,
-                           const EpisodeChoice& choice, const TrainingChoice& how);
+                           const EpisodeChoice& choice,
+                           const std::optional<CrossValidation>& folds);
 
 }  // namespace limber

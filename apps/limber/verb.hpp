@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include <fmt/format.h>
@@ -23,6 +24,8 @@ struct CommonFlags {
   bool force = false;
   int jobs = 0;  ///< 0: one per core
   std::uint64_t seed = 1;
+  /// Gets the result in place of standard output, of a verb that another one runs. Empty: nobody.
+  std::function<void(const nlohmann::ordered_json&)> take_result = {};
 
   Progress::Mode progress() const {
     return quiet ? Progress::Mode::quiet : Progress::Mode::automatic;
@@ -58,6 +61,9 @@ void print_error(const std::string& message);
 /// unless it is empty.
 void print_result(const CommonFlags& flags, const nlohmann::ordered_json& result,
                   const std::string& text);
+
+/// --arm, with `arm` as its default.
+void add_arm_flag(CLI::App& app, std::string& arm);
 
 /// Path of an arm file: the path given, or the name of one of limber's own ("three_segment"), found
 /// in arms/ beside the program or in its installed data folder.

@@ -34,8 +34,7 @@ class AdaptVerb final : public Verb {
   }
 
   void add_flags(CLI::App& app) override {
-    app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
-        ->capture_default_str();
+    add_arm_flag(app, arm_);
     app.add_option(
            "--model", family_file_,
            "Family, as limber family or train --family makes it, or the name of one of limber's "

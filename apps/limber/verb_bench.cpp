@@ -27,8 +27,7 @@ class BenchVerb final : public Verb {
   }
 
   void add_flags(CLI::App& app) override {
-    app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
-        ->capture_default_str();
+    add_arm_flag(app, arm_);
     app.add_option("--model", model_, "Network to measure in addition to the paper's shape");
     auto* queries = app.add_option("--queries", queries_, "Queries per measurement")
                         ->check(CLI::Range(std::int64_t{1'000}, std::int64_t{1'000'000'000}))

@@ -13,8 +13,6 @@ namespace limber {
 
 namespace {
 
-constexpr std::uint64_t kDefaultQueries = 20'000;
-
 class CalibrateVerb final : public Verb {
  public:
   const char* name() const override { return "calibrate"; }
@@ -27,8 +25,7 @@ class CalibrateVerb final : public Verb {
   }
 
   void add_flags(CLI::App& app) override {
-    app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
-        ->capture_default_str();
+    add_arm_flag(app, arm_);
     app.add_option("--model", model_file_,
                    "Network model to calibrate, or a family: its tube holds for arms adapted to it")
         ->required();
@@ -55,7 +52,7 @@ class CalibrateVerb final : public Verb {
     app.add_option("--audit-runs", settings_.audit_runs, "Runs that audit it; 0: no audit")
         ->capture_default_str();
     app.add_option("--max-queries", limits_.queries,
-                   fmt::format("For each plan; {} where no limit is given", kDefaultQueries))
+                   fmt::format("For each plan; {} where no limit is given", kCalibrationQueries))
         ->check(CLI::PositiveNumber);
     app.add_option("--time-limit-s", limits_.time_s,
                    "For each plan; with it, runs can't be repeated exactly")
@@ -98,7 +95,7 @@ class CalibrateVerb final : public Verb {
   void add_check_flags(CLI::App& app) {
     app.add_option("--check", check_runs_,
                    "Calibrate nothing: measure the coverage of the model's own tube on so many "
-                   "runs in fresh environments")
+                   "runs in random environments about motions of the virtual arm")
         ->check(CLI::Range(1, 1'000'000));
     app.add_option("--tube", level_, "Level to check, of those that the model carries");
     app.add_option("--friction-factor", friction_, "With --check: of the table's friction")
@@ -156,7 +153,7 @@ class CalibrateVerb final : public Verb {
     runs.model = std::move(model);
     runs.limits = limits_;
     if (!limits_.queries && !limits_.time_s) {
-      runs.limits.queries = kDefaultQueries;
+      runs.limits.queries = kCalibrationQueries;
     }
     runs.seed = flags.seed;
     runs.jobs = flags.jobs;
@@ -213,7 +210,7 @@ class CalibrateVerb final : public Verb {
       throw InputError(
           fmt::format("--tube {}: {} carries {}", *level_, model_file_, names_of_levels(tube)));
     }
-    const TubeRunSettings settings = run_settings(arm, std::move(model), flags);
+    TubeRunSettings settings = run_settings(arm, std::move(model), flags);
     const TubePhase phase{"check", check_runs_, &tube, level->factor,
                           settings.unseen ? expected_error_of_tube_m(settings.model) : 0.0};
     nlohmann::ordered_json json = {{"level", level->level}, {"seed", flags.seed}};

@@ -79,8 +79,7 @@ class CharacterizeVerb final : public Verb {
   }
 
   void add_flags(CLI::App& app) override {
-    app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own arms")
-        ->capture_default_str();
+    add_arm_flag(app, arm_);
     auto* csv = app.add_option("--csv", csv_, kCsvHelp);
     driver_.add_to(app);
     app.add_option("--steps", steps_, "Pressure steps of the bench test, of each side")

@@ -3,8 +3,12 @@
 #include "limber/arm/names.hpp"
 #include "limber/arm/valve_findings.hpp"
 #include "limber/common/atomic_file.hpp"
+#include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/data/valve_identification.hpp"
+#include "limber/forward/forward_model.hpp"
+#include "limber/forward/motion_model.hpp"
+#include "limber/lab/plan_schedule.hpp"
 #include "limber/sim/related_arms.hpp"
 #include "limber/sim/virtual_arm_factory.hpp"
 #include "verbs.hpp"
@@ -12,6 +16,8 @@
 namespace limber {
 
 namespace {
+
+constexpr const char* kPlans = "plans";
 
 class CollectVerb final : public Verb {
  public:
@@ -22,18 +28,19 @@ class CollectVerb final : public Verb {
   }
 
   void add_flags(CLI::App& app) override {
-    app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
-        ->capture_default_str();
-    app.add_option("--schedule", schedule_name_,
-                   "transitions: every ordered pair of fully left, off, fully right per segment; "
-                   "random: uniform set points within the limits; identify: the minute that tells "
-                   "most about an arm (limber adapt), with its own --count, --approach and holds")
-        ->check(CLI::IsMember({"transitions", "random", "identify"}))
+    add_arm_flag(app, arm_);
+    app.add_option(
+           "--schedule", schedule_name_,
+           "transitions: every ordered pair of fully left, off, fully right per segment; "
+           "random: uniform set points within the limits; identify: the minute that tells "
+           "most about an arm (limber adapt), with its own --count, --approach and holds; plans: "
+           "what --model plans in random environments, one plan after another")
+        ->check(CLI::IsMember({"transitions", "random", "identify", kPlans}))
         ->capture_default_str();
     app.add_option("--count", schedule_.count,
-                   "Motions per random episode; or how many transitions, all by default");
-    app.add_option("--episodes", schedule_.episodes,
-                   "Unbroken runs: 16 for transitions and 1 for random by default");
+                   "Motions per random episode; plans per episode, else 10; or how many "
+                   "transitions, all by default");
+    app.add_option("--episodes", schedule_.episodes, "Unbroken runs: 16 for transitions, else 1");
     app.add_option("--approach", schedule_.approach,
                    "step: set points jump; straight: they move together along a straight line at "
                    "the arm's rate limit, as those of a plan do")
@@ -46,6 +53,10 @@ class CollectVerb final : public Verb {
         ->capture_default_str();
     app.add_option("--hold-min-s", schedule_.hold_min_s,
                    "Draw each hold between this and --hold-s, reached or not");
+    app.add_option("--model", model_file_, "Of --schedule plans: the network that plans them");
+    app.add_option("--max-queries", plans_.queries, "Of --schedule plans: model queries of each")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
     driver_.add_to(app);
     app.add_option("--noise-m", options_.noise_m, "Noise of measured positions, std deviation");
     app.add_option("--noise-rad", options_.noise_rad, "Noise of measured headings");
@@ -55,7 +66,7 @@ class CollectVerb final : public Verb {
     app.add_option("--vary-physics", vary_physics_,
                    "Each episode on a virtual arm whose friction, load, stiffness, valves and "
                    "strength are others, by up to this factor, 1 to 10: for a network that is then "
-                   "trained further on the arm itself (train --from, improve --prior). wide: drawn "
+                   "trained further on the arm itself (train --from). wide: drawn "
                    "from all that arms, tables and valves are like (docs/virtual-arm.md)");
     app.add_option("--out", out_, "Recording to write")->required();
     app.add_flag("--resume", resume_, "Go on from the finished episodes of a stopped run");
@@ -79,6 +90,9 @@ class CollectVerb final : public Verb {
     settings.resume = resume_;
     settings.force = flags.force;
     settings.progress = flags.progress();
+    if (schedule_name_ == kPlans) {
+      add_plans(arm, settings, flags);
+    }
     if (driver_.is_dry_run()) {
       return print_dry_run(arm, settings, flags);
     }
@@ -94,7 +108,11 @@ class CollectVerb final : public Verb {
  private:
   /// What flags leave out of `identify` is its own.
   void set_schedule() {
-    if (schedule_name_ != "identify") {
+    if ((schedule_name_ == kPlans) == model_file_.empty()) {
+      throw InputError(
+          "--schedule plans and --model: expected both or neither; the model makes the plans");
+    }
+    if (schedule_name_ == "random" || schedule_name_ == "transitions") {
       schedule_.kind =
           schedule_name_ == "random" ? ScheduleKind::random : ScheduleKind::transitions;
       return;
@@ -102,13 +120,34 @@ class CollectVerb final : public Verb {
     if (schedule_.hold_s != ScheduleSettings().hold_s || schedule_.hold_min_s ||
         schedule_.approach != ScheduleSettings().approach) {
       throw InputError(
-          "--schedule identify has its own holds, and goes straight: leave --hold-s, --hold-min-s "
-          "and --approach out, or take --schedule random");
+          fmt::format("--schedule {} has its own holds, and goes straight: leave --hold-s, "
+                      "--hold-min-s and --approach out, or take --schedule random",
+                      schedule_name_));
+    }
+    if (schedule_name_ == kPlans) {
+      schedule_.approach = Approach::straight;
+      return;
     }
     const ScheduleSettings asked = schedule_;
     schedule_ = identifying_schedule();
     schedule_.count = asked.count > 0 ? asked.count : schedule_.count;
     schedule_.episodes = asked.episodes;
+  }
+
+  void add_plans(const ArmDescription& arm, CollectionSettings& settings,
+                 const CommonFlags& flags) {
+    const CompensationModel network = read_model_of_one_arm(model_file_);
+    require_model_of(network, arm, model_file_);
+    const ForwardModel forward(arm, network);
+    const MotionModel model(forward, ValveModel(arm, network.identified_valves().parameters));
+    plans_.count = schedule_.count > 0 ? schedule_.count : plans_.count;
+    plans_.episodes = std::max(1, schedule_.episodes);
+    plans_.limit_scale = schedule_.limit_scale;
+    plans_.seed = flags.seed;
+    plans_.jobs = flags.jobs;
+    plans_.progress = flags.progress();
+    settings.episodes = plan_schedule(arm, model, plans_);
+    settings.episodes_are = describe(plans_, content_hash(read_file(model_file_)));
   }
 
   /// @param driver  that moved the arm; null: the virtual one
@@ -125,7 +164,9 @@ class CollectVerb final : public Verb {
   static int print_dry_run(const ArmDescription& arm, const CollectionSettings& settings,
                            const CommonFlags& flags) {
     return DriverFlags::print_dry_run(arm, flags, [&](ArmDriver& driver) {
-      for (const EpisodeSchedule& schedule : make_schedule(arm, settings.schedule, settings.seed)) {
+      for (const EpisodeSchedule& schedule :
+           settings.episodes.empty() ? make_schedule(arm, settings.schedule, settings.seed)
+                                     : settings.episodes) {
         (void)record_episode(arm, driver, schedule, settings);
       }
     });
@@ -193,6 +234,8 @@ class CollectVerb final : public Verb {
   std::string out_;
   std::string schedule_name_ = "transitions";
   ScheduleSettings schedule_;
+  PlanScheduleSettings plans_;
+  std::string model_file_;
   VirtualArmOptions options_;
   std::optional<std::string> vary_physics_;
   bool resume_ = false;

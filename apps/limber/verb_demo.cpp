@@ -42,8 +42,7 @@ class DemoVerb final : public Verb {
     app.add_option("--out", out_,
                    "Folder for all results; a folder that limber demo made itself is replaced")
         ->capture_default_str();
-    app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own arms")
-        ->capture_default_str();
+    add_arm_flag(app, arm_);
     app.add_flag("--quick", quick_,
                  "Little data and a short training: under a minute, with worse figures");
   }

@@ -31,8 +31,7 @@ class DriverVerb final : public Verb {
     app.add_option("action", action_, "check or calibrate")
         ->option_text("check|calibrate")
         ->required();
-    app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
-        ->capture_default_str();
+    add_arm_flag(app, arm_);
     app.add_option("--driver", driver_, "exec:COMMAND, the program (docs/driver.md)")->required();
     app.add_option(
            "--limit-scale", limit_scale_,

@@ -45,8 +45,7 @@ class EnvironmentVerb final : public Verb {
         ->capture_default_str()
         ->check(CLI::Range(1, 100000));
     app.add_option("--out", out_, "Folder for random environments");
-    app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own arms")
-        ->capture_default_str();
+    add_arm_flag(app, arm_);
     app.add_option("--model", model_,
                    "Network that says what is in reach, and is the witness of --witness model; by "
                    "default the no-load model");

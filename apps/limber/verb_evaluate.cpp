@@ -32,8 +32,7 @@ class EvaluateVerb final : public Verb {
   }
 
   void add_flags(CLI::App& app) override {
-    app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
-        ->capture_default_str();
+    add_arm_flag(app, arm_);
     CLI::Option* model =
         app.add_option("--model", model_, "Network model; without it, the no-load model alone");
     app.add_option("--data", data_, "Recording that the model was not trained on")->required();
@@ -105,7 +104,7 @@ class EvaluateVerb final : public Verb {
   /// Errors on what a model was trained on are shown with a warning, and never stored.
   void tell_if_trained_on(const CommonFlags& flags, const std::optional<ForwardModel>& network,
                           const std::string& data_hash) const {
-    if (!network || !was_trained_on(network->compensation(), data_hash)) {
+    if (!network || !learnt_from(network->compensation(), data_hash)) {
       return;
     }
     const std::string fault =
@@ -210,12 +209,6 @@ class EvaluateVerb final : public Verb {
           fmt::format("--out: in {} nothing moves that the error could be measured on", data_));
     }
     write_model(out_, model);
-  }
-
-  /// The record of a model's training names each data file with its hash.
-  static bool was_trained_on(const CompensationModel& model, const std::string& data_hash) {
-    const auto found = model.training.find("data");
-    return found != model.training.end() && found->second.find(data_hash) != std::string::npos;
   }
 
   /// @throws InputError that names both files if the prediction diverges to infinity.

@@ -33,8 +33,7 @@ class ExecuteVerb final : public Verb {
 
   void add_flags(CLI::App& app) override {
     app.add_option("--plan", plan_, "Plan to run, as `limber plan` wrote it");
-    app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
-        ->capture_default_str();
+    add_arm_flag(app, arm_);
     app.add_option("--environment", environment_,
                    "Environment that the plan was made for; or the name of one of limber's own");
     track_.add_to(app);

@@ -32,8 +32,7 @@ class ExperimentVerb final : public Verb {
   }
 
   void add_flags(CLI::App& app) override {
-    app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
-        ->capture_default_str();
+    add_arm_flag(app, arm_);
     app.add_option("--model", settings_.model_file,
                    "Network model to compare with the no-load model")
         ->required();
@@ -93,11 +92,6 @@ class ExperimentVerb final : public Verb {
     settings_.force = flags.force;
     settings_.progress = flags.progress();
     settings_.say = [&](const std::string& line) { say(flags, "{}", line); };
-    for (const std::string& planner : settings_.planners) {
-      for (const std::string& note : planner_name_notes(planner)) {
-        say(flags, "note: {}", note);
-      }
-    }
     settings_.controllers = runs_.controllers();
     settings_.disturbances = runs_.disturbances();
     settings_.with_no_load = !network_only_;

@@ -6,6 +6,7 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/lab/tube_calibration.hpp"
 #include "limber/sim/related_arms.hpp"
 #include "limber/training/trainer.hpp"
 #include "limber/training/unseen_error.hpp"
@@ -47,8 +48,7 @@ class FamilyVerb final : public Verb {
   }
 
   void add_flags(CLI::App& app) override {
-    app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
-        ->capture_default_str();
+    add_arm_flag(app, arm_);
     app.add_option("--out", out_, "Family to write")->required();
     app.add_option("--hours", hours_, "Of arms' motion to learn from; a new arm every half minute")
         ->check(CLI::Range(0.01, 1000.0))
@@ -66,6 +66,11 @@ class FamilyVerb final : public Verb {
     app.add_option("--vary-physics", variation_,
                    "How arms differ, as of limber collect: wide, or a factor")
         ->capture_default_str();
+    app.add_option(
+           "--tube-runs", tube_runs_,
+           "Runs that test its tube, each on an arm of its own; 0: no tube, limber calibrate "
+           "measures one later")
+        ->capture_default_str();
     app.add_flag("--resume", resume_, "Go on with a run that was stopped");
   }
 
@@ -75,6 +80,9 @@ class FamilyVerb final : public Verb {
       throw InputError(fmt::format(
           "{}: of a run that was stopped; --resume goes on with it, --force starts over",
           folder().string()));
+    }
+    if (tube_runs_ != 0) {
+      require_usable(calibration());
     }
     const ArmDescription arm = load_asked_arm(arm_);
     const PhysicsVariation variation = parse_physics_variation(variation_);
@@ -99,6 +107,9 @@ class FamilyVerb final : public Verb {
     result.model.learnt = learnt_region_of(data);
     result.model.training["data"] = sources;
     result.model.training["physics"] = variation_;
+    if (tube_runs_ != 0) {
+      result.model = with_tube(arm, std::move(result.model), flags);
+    }
     write_model(out_, result.model);
     std::error_code ignored;  // what stays behind does no harm
     fs::remove_all(folder(), ignored);
@@ -148,6 +159,44 @@ class FamilyVerb final : public Verb {
     return settings;
   }
 
+  CalibrationSettings calibration() const {
+    CalibrationSettings settings;
+    settings.levels = {Tube::kDefaultLevel};
+    settings.scale_runs = settings.screen_runs = kRunsBeforeTest;
+    settings.test_runs = tube_runs_;
+    settings.audit_runs = 0;
+    settings.folder = folder() / "tube";
+    settings.model_file = folder() / "family.safetensors";
+    return settings;
+  }
+
+  /// Without one where none holds: a family is worth something without a tube too.
+  CompensationModel with_tube(const ArmDescription& arm, CompensationModel family,
+                              const CommonFlags& flags) const {
+    CalibrationSettings settings = calibration();
+    write_model(settings.model_file, family);
+    settings.resume = resume_;
+    settings.force = flags.force;
+    settings.say = [&](const std::string& line) { say(flags, "{}", line); };
+    settings.runs.arm = settings.runs.executed_arm = arm;
+    settings.runs.unseen = UnseenArms{parse_physics_variation(variation_)};
+    settings.runs.model = family;
+    settings.runs.limits.queries = kCalibrationQueries;
+    settings.runs.seed = flags.seed;
+    settings.runs.jobs = flags.jobs;
+    settings.runs.progress = flags.progress();
+    try {
+      CalibrationResult result = calibrate_tube(settings);
+      for (const std::string& failure : result.failures) {
+        say(flags, "no tube: {}", failure);
+      }
+      return std::move(result.model);
+    } catch (const InputError& error) {
+      say(flags, "no tube: {}", error.what());
+      return family;
+    }
+  }
+
   void report(const CommonFlags& flags, const TrainingData& data,
               const TrainingResult& result) const {
     const auto arms = result.model.family->arms.cols();
@@ -159,6 +208,7 @@ class FamilyVerb final : public Verb {
     json["family_size"] = size_;
     json["epochs"] = epochs_;
     json["error_of_other_arms_cm"] = result.best_validation_position_error_cm;
+    json["tube"] = result.model.tube ? to_json(*result.model.tube) : nullptr;
     json["wall_time_s"] = result.wall_time_s;
     print_result(flags, json,
                  fmt::format("{}: a family of {} arms; on {} others, fitted to 20 s at most, the "
@@ -169,6 +219,7 @@ class FamilyVerb final : public Verb {
   }
 
   static constexpr double kHeldBackShare = 0.03;
+  static constexpr int kRunsBeforeTest = 200;  // that shape the tube, and that screen each factor
 
   std::string arm_ = "three_segment";
   std::string out_;
@@ -177,6 +228,7 @@ class FamilyVerb final : public Verb {
   std::vector<int> hidden_ = {160, 160, 160};  // an arm that varies in 20 ways takes more than one
   int epochs_ = 250;
   std::string variation_ = "wide";
+  int tube_runs_ = 400;
   bool resume_ = false;
 };
 

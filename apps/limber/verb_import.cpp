@@ -37,8 +37,7 @@ class ImportVerb final : public Verb {
     app.add_option(
         "--mapping", mapping_,
         "File that says which column or object is which plate, units, axes (docs/importing.md)");
-    app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
-        ->capture_default_str();
+    add_arm_flag(app, arm_);
     app.add_option("--time-offset-s", time_offset_s_,
                    "What to add to the pressure log's times; by default found by correlation")
         ->check(CLI::Range(-kMaxOffsetS, kMaxOffsetS));

@@ -80,8 +80,7 @@ class PlanVerb final : public Verb {
   }
 
   void add_flags(CLI::App& app) override {
-    app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own arms")
-        ->capture_default_str();
+    add_arm_flag(app, arm_);
     model_.add_to(app, " to plan with");
     app.add_option("--environment", environment_,
                    "Environment file, or the name of one of "
@@ -219,9 +218,6 @@ class PlanVerb final : public Verb {
 
   PlanResult search(const ArmDescription& arm, const MotionModel& model,
                     const Environment& environment, const CommonFlags& flags) {
-    for (const std::string& note : planner_name_notes(planner_)) {
-      say(flags, "note: {}", note);
-    }
     PlanSettings settings;
     settings.room = room_.asked();
     settings.within = narrower_.limits(arm);

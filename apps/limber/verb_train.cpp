@@ -8,6 +8,7 @@
 
 #include "bound_model.hpp"
 #include "data_flags.hpp"
+#include "fold_choice.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/arm/valve_findings.hpp"
 #include "limber/common/atomic_file.hpp"
@@ -20,9 +21,9 @@
 #include "limber/training/learnt_region_fit.hpp"
 #include "limber/training/trainer.hpp"
 #include "limber/training/unseen_error.hpp"
+#include "limber/training/window_stages.hpp"
 #include "train_report.hpp"
 #include "verbs.hpp"
-#include "window_choice.hpp"
 
 namespace limber {
 
@@ -40,8 +41,7 @@ class TrainVerb final : public Verb {
   }
 
   void add_flags(CLI::App& app) override {
-    app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
-        ->capture_default_str();
+    add_arm_flag(app, arm_);
     files_.add_to(app);
     app.add_option("--preset", preset_, "paper: as published; best: the default")
         ->check(CLI::IsMember({"paper", "best"}))
@@ -62,10 +62,8 @@ class TrainVerb final : public Verb {
                    "Fix the number of epochs, at the start, to what fits in this time")
         ->check(CLI::PositiveNumber)
         ->excludes("--epochs");
-    app.add_option(
-           "--windows", windows_,
-           "Frames per window of each stage. Without this flag and --epochs, best takes 32, or of "
-           "more than an hour chooses among 2 8 32, 8 32 and 32 by short runs")
+    app.add_option("--windows", windows_,
+                   "Frames per window of each stage. Without this flag and --epochs, best takes 32")
         ->check(CLI::Range(1, 1000));
     app.add_option("--learning-rate", learning_rate_, "Learning rate, instead of the preset's")
         ->check(CLI::PositiveNumber);
@@ -109,9 +107,9 @@ class TrainVerb final : public Verb {
     TrainingSettings settings = make_settings(flags, start.has_value());
     IdentifiedValves valves;
     EpisodeChoice choice =
-        family_ ? files_.load_arms(flags, arm, reader, valves)
-                : files_.load(flags, arm, reader, chooses_windows() && ensemble_.value_or(1) == 1,
-                              valves);
+        family_
+            ? files_.load_arms(flags, arm, reader, valves)
+            : files_.load(flags, arm, reader, takes_usual() && ensemble_.value_or(1) == 1, valves);
     if (choice.is_little) {
       return train_on_little(flags, arm, choice, reader.sources(), valves);
     }
@@ -119,8 +117,9 @@ class TrainVerb final : public Verb {
     const TrainingData old_data = files_.load_old(flags, reader);
     data.replay = old_data.training;
     say_episodes(flags, choice);
-    const std::optional<StageChoice> stages =
-        family_ ? std::nullopt : choose_stages(flags, arm, data, settings);
+    if (!family_ && takes_usual()) {
+      take_usual(arm, data, settings);
+    }
     say_training(flags, data, settings);
     keep_known_valves(flags, arm, start, valves);
     TrainingResult result =
@@ -132,9 +131,6 @@ class TrainVerb final : public Verb {
     result.model.learnt =
         learnt_region_of(data, start && start->learnt ? &*start->learnt : nullptr);
     record_origin(result.model, reader.sources(), settings, choice);
-    if (stages) {
-      result.model.training["windows_choice"] = to_text(*stages);
-    }
     note_unseen(arm, result.model, data.unseen, flags.jobs);
     write(result);
     std::optional<FineTuningReport> changes;
@@ -142,7 +138,7 @@ class TrainVerb final : public Verb {
       changes = compare_models(arm, *start, result.model, data.validation, old_data.validation,
                                flags.jobs);
     }
-    return finish(flags, arm, result, changes, choice, {stages, std::nullopt});
+    return finish(flags, arm, result, changes, choice, std::nullopt);
   }
 
  private:
@@ -160,12 +156,12 @@ class TrainVerb final : public Verb {
 
   int finish(const CommonFlags& flags, const ArmDescription& arm, const TrainingResult& result,
              const std::optional<FineTuningReport>& changes, const EpisodeChoice& choice,
-             const TrainingChoice& how) const {
+             const std::optional<CrossValidation>& folds) const {
     if (result.status == TrainingStatus::finished) {
       remove_checkpoint();
     }
     print_training_result(flags, arm.command, {out_, curve_path(".curve.csv")}, result, changes,
-                          choice, how);
+                          choice, folds);
     if (result.status == TrainingStatus::interrupted) {
       say(flags, "the best model so far is in {}; the same command with --resume goes on", out_);
     }
@@ -214,8 +210,8 @@ class TrainVerb final : public Verb {
     return start;
   }
 
-  /// The default preset looks for windows that suit the data, unless anything says how to train.
-  bool chooses_windows() const {
+  /// Nothing says how to train: windows and epochs are limber's to choose.
+  bool takes_usual() const {
     return preset_ == "best" && from_.empty() && windows_.empty() && !epochs_ && !time_limit_s_;
   }
 
@@ -240,21 +236,18 @@ class TrainVerb final : public Verb {
       say(flags, "{}", found.widest_where);
     }
     write(result);
-    return finish(flags, arm, result, std::nullopt, choice, {std::nullopt, found});
+    return finish(flags, arm, result, std::nullopt, choice, found);
   }
 
-  /// Sets the windows, and how many networks share the epochs. None where flags say how to train.
-  std::optional<StageChoice> choose_stages(const CommonFlags& flags, const ArmDescription& arm,
-                                           const TrainingData& data,
-                                           TrainingSettings& settings) const {
-    if (!chooses_windows()) {
-      return std::nullopt;
-    }
-    std::optional<StageChoice> stages = choose_windows(flags, arm, data, settings);
+  /// Sets the windows, and how many networks share the epochs.
+  void take_usual(const ArmDescription& arm, const TrainingData& data,
+                  TrainingSettings& settings) const {
+    const int epochs = settings.epoch_count();
+    set_window_frames(settings, {kUsualWindowFrames});
+    set_epoch_count(settings, epochs);
     if (!ensemble_) {
       share_epochs(settings, network_count_for(arm, data));
     }
-    return stages;
   }
 
   /// A model keeps its shape; flags that ask for another shape are a mistake.
@@ -332,7 +325,6 @@ class TrainVerb final : public Verb {
   void remove_checkpoint() const {
     std::error_code ignored;  // a checkpoint that stays behind does no harm
     fs::remove(checkpoint_path(), ignored);
-    fs::remove(choice_path_of(checkpoint_path()), ignored);
     fs::remove(folds_path_of(checkpoint_path()), ignored);
   }
 

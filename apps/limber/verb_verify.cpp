@@ -32,8 +32,7 @@ class VerifyVerb final : public Verb {
 
   void add_flags(CLI::App& app) override {
     app.add_option("--plan", plan_, "Plan to certify, as `limber plan` wrote it")->required();
-    app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
-        ->capture_default_str();
+    add_arm_flag(app, arm_);
     model_.add_to(app, " that it was made with");
     app.add_option("--environment", environment_,
                    "Environment that it was made for; or the name of one of limber's own")

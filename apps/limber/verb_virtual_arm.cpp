@@ -23,8 +23,7 @@ class VirtualArmVerb final : public Verb {
   void add_flags(CLI::App& app) override {
     app.add_flag("--serve", serve_,
                  "Speak the protocol (docs/driver.md) on standard input and output");
-    app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
-        ->capture_default_str();
+    add_arm_flag(app, arm_);
     app.add_flag("--fast", settings_.fast,
                  "Answer as fast as possible, instead of keeping frames of wall time");
     app.add_flag("--at-once", settings_.at_once,

@@ -8,7 +8,6 @@
 #include "limber/training/fine_tuning.hpp"
 #include "limber/training/gap_bounds_fit.hpp"
 #include "limber/training/learnt_region_fit.hpp"
-#include "limber/training/stage_choice.hpp"
 #include "limber/training/trainer.hpp"
 #include "limber/training/unseen_error.hpp"
 #include "others_may_run.hpp"
@@ -160,37 +159,6 @@ void bind_training_result(py::module_& module) {
           py::call_guard<OthersMayRun>());
 }
 
-void bind_stage_choice(py::module_& module) {
-  Record<WindowsTried>(module, "WindowsTried", "Windows of stages, and how a short run did.")
-      .read_only("window_frames", &WindowsTried::window_frames,
-                 "Frames of each stage's windows, a list.")
-      .read_only("one_step_cm", &WindowsTried::one_step_cm,
-                 "Mean error of the tip one frame ahead, by validation [cm]; inf: it diverged.")
-      .read_only("window_32_cm", &WindowsTried::window_32_cm,
-                 "The same over rollouts of 32 frames [cm].")
-      .read_only("window_600_cm", &WindowsTried::window_600_cm,
-                 "The same over 600 frames [cm]. What decides: sqrt(window_32_cm * window_600_cm).")
-      .done();
-  Record<StageChoice>(module, "StageChoice", "What a race between windows found.")
-      .read_only("tried", &StageChoice::tried, "List of WindowsTried, windows of 32 alone first.")
-      .read_only("chosen", &StageChoice::chosen, "Index of the best in `tried`, from 0.")
-      .read_only("race_epochs", &StageChoice::race_epochs, "Epochs of each short run.")
-      .read_only("epochs", &StageChoice::epochs, "Epochs that are left for the chosen windows.")
-      .done()
-      .def("__str__", [](const StageChoice& choice) { return to_text(choice); });
-  module.def(
-      "choose_stages",
-      [](const ArmDescription& arm, const TrainingData& data, TrainingSettings& settings,
-         const py::object& on_epoch) {
-        CallerThread caller;
-        const TrainingHooks hooks = hooks_for(caller, on_epoch);
-        return caller.run([&] { return choose_stages(arm, data, settings, hooks); });
-      },
-      py::arg("arm"), py::arg("data"), py::arg("settings"), py::arg("on_epoch") = py::none(),
-      "Chooses windows by validation in short runs, as the program does without --windows; "
-      "`settings` gets the chosen stages and the epochs that are left.");
-}
-
 void bind_runs(py::module_& module) {
   module.def(
       "train",
@@ -256,7 +224,6 @@ void bind_training(py::module_& module) {
   bind_training_settings(module);
   bind_data(module);
   bind_training_result(module);
-  bind_stage_choice(module);
   bind_runs(module);
 }
 

@@ -5,10 +5,10 @@
 
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/json_number.hpp"
 #include "limber/common/json_reader.hpp"
 #include "limber/planning/forest.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
-#include "optional_json.hpp"
 
 namespace limber {
 

@@ -34,7 +34,7 @@ Rollouts roll_out(const Plan& plan, const EnsembleForward& ensemble) {
   return rollouts;
 }
 
-MemberFigures figures_of(const std::vector<double>& values) {
+MemberFigures member_figures(const std::vector<double>& values) {
   return {*std::ranges::min_element(values), *std::ranges::max_element(values), mean(values),
           standard_deviation(values)};
 }
@@ -100,7 +100,7 @@ PlanSpread::Closest closest_approach(const Plan& plan, const Rollouts& rollouts,
   for (const Eigen::MatrixXf& rollout : rollouts) {
     clearances.push_back(clearance_m(checker, rollout));
   }
-  closest.clearance = figures_of(clearances);
+  closest.clearance = member_figures(clearances);
   return closest;
 }
 
@@ -124,7 +124,7 @@ std::optional<PlanSpread> plan_spread(const Plan& plan, const ArmDescription& ar
   for (const Eigen::MatrixXf& rollout : rollouts) {
     distances.push_back(pose_error(environment.goal, tip_pose(shape(rollout, last))).position_m);
   }
-  spread.goal_distance = figures_of(distances);
+  spread.goal_distance = member_figures(distances);
   spread.end = spread_of(rollouts, last, 0, arm.point_count() - 1);
   if (!environment.obstacles.empty()) {
     spread.closest = closest_approach(plan, rollouts, CollisionChecker(arm, environment.obstacles));

@@ -32,7 +32,6 @@
 #include "limber/report/run_table.hpp"
 #include "limber/sim/disturbance.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
-#include "optional_json.hpp"
 #include "trial_file.hpp"
 
 namespace limber {

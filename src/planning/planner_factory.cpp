@@ -55,10 +55,6 @@ std::unique_ptr<Planner> make_planner(const std::string& name, int jobs, const F
                   fmt::join(planner_names(), ", ")));
 }
 
-std::vector<std::string> planner_name_notes(const std::string& name) {
-  return PlannerName::parse(name).notes;
-}
-
 bool is_default_planner(const std::string& name) {
   return PlannerName::parse(name).name == "default";
 }

@@ -2,15 +2,13 @@
 
 #include <map>
 #include <string>
-#include <vector>
 
 namespace limber {
 
-/// A planner as users name it: "NAME" or "NAME,key=value,key=value". Old names are understood.
+/// A planner as users name it: "NAME" or "NAME,key=value,key=value".
 struct PlannerName {
   std::string name;
   std::map<std::string, std::string> settings;  ///< as they were typed
-  std::vector<std::string> notes;               ///< old names that were used, and their new names
 
   /// @throws InputError naming the part that is no key=value.
   static PlannerName parse(const std::string& text);

@@ -91,6 +91,15 @@ double ChartArea::floor_px() const {
   return logarithmic_ ? height_px_ : pixel_y(std::clamp(0.0, y_.low, y_.high));
 }
 
+std::string ChartArea::edges() const {
+  if (!settings_.categories.empty()) {
+    return "";
+  }
+  return svg::attribute("data-x", fmt::format("{} {}", x_.low, x_.high)) +
+         svg::attribute("data-y",
+                        fmt::format("{} {}{}", y_.low, y_.high, logarithmic_ ? " log" : ""));
+}
+
 std::string ChartArea::grid() const {
   std::string data;
   for (const double x : x_ticks_.values) {
@@ -125,7 +134,7 @@ std::string ChartArea::x_ticks() const {
 std::string ChartArea::frame() const {
   std::string out = svg::rectangle(0.0, 0.0, width_px_, height_px_,
                                    svg::look({.stroke = std::string(svg::kInk), .width_px = 1.0}));
-  out += x_ticks();
+  out += "<g data-ticks=\"x\">\n" + x_ticks() + "</g>\n";
   for (std::size_t i = 0; i < y_ticks_.values.size(); ++i) {
     const double y = pixel_y(y_ticks_.values[i]);
     out += svg::line(-kTickPx, y, 0.0, y, svg::kInk, 1.0);

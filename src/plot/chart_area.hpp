@@ -27,6 +27,9 @@ class ChartArea {
   double top_px() const { return top_px_; }
   double below_px() const { return below_px_; }
 
+  /// Attributes that say which data the edges stand for, where x counts numbers: reports can be
+  /// hovered and zoomed by them (web/src/report.ts).
+  std::string edges() const;
   std::string grid() const;
   /// Frame, ticks and axes' labels, drawn over the data.
   std::string frame() const;

@@ -28,8 +28,9 @@ std::string translated(double left_px, double top_px, const std::string& body) {
 /// share.
 std::string data_of(const ChartArea& area, const ChartMeasure& measure,
                     const std::vector<Series>& series) {
-  std::string out = fmt::format("<svg width=\"{}\" height=\"{}\" overflow=\"hidden\">\n",
-                                svg_number(area.width_px()), svg_number(area.height_px()));
+  std::string out =
+      fmt::format("<svg width=\"{}\" height=\"{}\" overflow=\"hidden\"{}>\n",
+                  svg_number(area.width_px()), svg_number(area.height_px()), area.edges());
   out += area.grid();
   SeriesDrawer drawer(area, measure, series);
   for (const Series& each : series) {

@@ -47,6 +47,11 @@ std::vector<std::vector<Pixel>> runs(const ChartArea& area, const std::vector<do
   return out;
 }
 
+/// What a report calls the line where the pointer is.
+std::string named(const std::string& label) {
+  return label.empty() ? "" : svg::attribute("data-name", label);
+}
+
 std::string filled_path(const std::string& data, const ShapeStyle& style) {
   return fmt::format("<path d=\"{}Z\"{}/>\n", data, svg::look(style));
 }
@@ -69,8 +74,8 @@ std::string SeriesDrawer::operator()(const LineSeries& series) {
   if (data.empty()) {
     return "";
   }
-  return fmt::format("<path d=\"{}\"{} stroke-linejoin=\"round\" stroke-linecap=\"round\"/>\n",
-                     data, svg::look(stroke_style(series.style)));
+  return fmt::format("<path d=\"{}\"{}{} stroke-linejoin=\"round\" stroke-linecap=\"round\"/>\n",
+                     data, svg::look(stroke_style(series.style)), named(series.label));
 }
 
 std::string SeriesDrawer::operator()(const PointSeries& series) {
@@ -87,7 +92,8 @@ std::string SeriesDrawer::operator()(const PointSeries& series) {
   ShapeStyle style = stroke_style(series.style);
   style.width_px = 2.0 * series.style.radius_px;
   style.dashed = false;
-  return fmt::format("<path d=\"{}\"{} stroke-linecap=\"round\"/>\n", data, svg::look(style));
+  return fmt::format("<path d=\"{}\"{}{} stroke-linecap=\"round\"/>\n", data, svg::look(style),
+                     named(series.label));
 }
 
 std::string SeriesDrawer::operator()(const BandSeries& series) {

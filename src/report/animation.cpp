@@ -1,14 +1,17 @@
-#include "limber/report/plan_picture.hpp"
+#include "animation.hpp"
 
 #include <cmath>
+#include <cstdint>
+#include <map>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include "animation_page.hpp"
 #include "limber/common/units.hpp"
-#include "limber/plot/shape_style.hpp"
 #include "limber/plot/svg_text.hpp"
+#include "limber/report/motion_track.hpp"
+#include "limber/report/page_bytes.hpp"
+#include "limber/report/plan_picture.hpp"
+#include "limber/report/scene_json.hpp"
 
 namespace limber {
 
@@ -16,115 +19,112 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Tenths of a millimetre: far below a pixel.
-double rounded(double value_m) {
-  return std::round(value_m * 1e4) / 1e4;
-}
+// As web/src/animation_data.ts has them: m, m, rad, below a pixel; and kPa.
+const std::vector<double> kShapeUnits = {1e-4, 1e-4, 1e-3};
+const std::vector<double> kPressureUnits = {0.01};
 
-Json point(double x_m, double y_m) {
-  return {rounded(x_m), rounded(y_m)};
-}
-
-Json to_json(const Obstacle& obstacle) {
-  if (const auto* circle = std::get_if<Circle>(&obstacle)) {
-    return {{"x", circle->x_m}, {"y", circle->y_m}, {"radius", circle->radius_m}};
-  }
-  const auto* rectangle = std::get_if<Rectangle>(&obstacle);
-  Json points = Json::array();
-  for (const Eigen::Vector2d& p :
-       rectangle ? rectangle_corners(*rectangle) : std::get<Polygon>(obstacle).points_m) {
-    points.push_back(point(p.x(), p.y()));
-  }
-  return {{"points", points}};
-}
-
-Json to_json(const AnimationTrack& track) {
-  Json shapes = Json::array();
-  for (const Backbone& shape : track.shapes) {
-    Json points = Json::array();
-    for (Eigen::Index i = 0; i < shape.rows(); ++i) {
-      points.push_back(point(double(shape(i, 0)), double(shape(i, 1))));
+/// web/src/packing.ts: each number's change since the frame before, in whole units, in base 64.
+std::string packed(const Json& frames, const std::vector<double>& units) {
+  static constexpr const char* kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  constexpr std::uint64_t kBase = 32;  // a digit's sixth bit says that another follows
+  std::string text;
+  std::vector<std::int64_t> last;
+  for (const Json& frame : frames) {
+    last.resize(frame.size());
+    for (std::size_t i = 0; i < frame.size(); ++i) {
+      const auto whole = std::llround(frame[i].get<double>() / units[i % units.size()]);
+      const std::int64_t change = whole - last[i];
+      std::uint64_t left = change < 0 ? std::uint64_t(-2 * change + 1) : std::uint64_t(2 * change);
+      do {
+        text += kDigits[left % kBase + (left >= kBase ? kBase : 0)];
+        left /= kBase;
+      } while (left > 0);
+      last[i] = whole;
     }
-    shapes.push_back(std::move(points));
   }
-  return {{"label", track.label}, {"color", track.color}, {"shapes", shapes}};
+  return text;
 }
 
-Json to_json(const std::vector<Pressures>& rows) {
-  Json json = Json::array();
-  for (const Pressures& row : rows) {
-    json.push_back(std::vector<float>(row.begin(), row.end()));
+std::string outcomes(const Json& tracks) {
+  std::string items;
+  for (const Json& track : tracks) {
+    const auto key = track["key"].get<std::string>();
+    const char* name = key == "simple" ? "Simple model" : key == "network" ? "Network" : "The arm";
+    items += fmt::format("<li>{}: {}</li>", name, escape_xml(track["outcome"].get<std::string>()));
   }
-  return json;
+  return items;
 }
 
-void replace_all(std::string& text, const std::string& from, const std::string& to) {
+std::string with_all(std::string text, const std::string& from, const std::string& to) {
   for (std::size_t at = text.find(from); at != std::string::npos;
        at = text.find(from, at + to.size())) {
     text.replace(at, from.size(), to);
   }
+  return text;
+}
+
+/// The template with each @NAME@ once replaced by its part, which may hold such names itself.
+std::string filled(std::string_view page, const std::map<std::string_view, std::string>& parts) {
+  std::string text;
+  for (std::size_t from = 0; from < page.size();) {
+    const std::size_t open = page.find('@', from);
+    const std::size_t close = open == page.npos ? page.npos : page.find('@', open + 1);
+    const auto part =
+        close == page.npos ? parts.end() : parts.find(page.substr(open + 1, close - open - 1));
+    if (part == parts.end()) {
+      const std::size_t next = open == page.npos ? page.size() : open + 1;
+      text += page.substr(from, next - from);
+      from = next;
+      continue;
+    }
+    text += page.substr(from, open - from);
+    text += part->second;
+    from = close + 1;
+  }
+  return text;
 }
 
 }  // namespace
 
 std::string animation_page(const ArmDescription& arm, const Environment& environment,
-                           const std::string& title, const std::vector<AnimationTrack>& tracks,
-                           const std::vector<Pressures>& setpoints_kpa,
-                           const std::vector<Pressures>& pressures_kpa) {
-  const WorldBox box = picture_box(arm, environment);
-  const PoseGoal& goal = environment.goal;
-  Json data;
-  data["box"] = {{"x_min", box.x_min_m},
-                 {"x_max", box.x_max_m},
-                 {"y_min", box.y_min_m},
-                 {"y_max", box.y_max_m}};
-  data["rate_hz"] = arm.frame_rate_hz;
-  data["goal"] = {{"x", goal.x_m},
-                  {"y", goal.y_m},
-                  {"tolerance", goal.position_tolerance_m},
-                  {"theta", goal.theta_rad ? Json(*goal.theta_rad) : Json(nullptr)}};
-  data["radii"] = Json::array();
-  for (const Segment& segment : arm.segments) {
-    for (int gap = 0; gap < segment.gaps; ++gap) {
-      data["radii"].push_back(0.5 * segment.width_m + arm.actuator_radius_m);
-    }
+                           const std::string& title, Json motion, const std::string& still) {
+  Json data = {{"title", title},
+               {"unit", arm.command.unit},
+               {"arm", arm_to_json(arm)},
+               {"environment", environment_to_json(environment)}};
+  data["arm"]["reach"] = {{"cell_m", 1}, {"middles_m", Json::array()}};
+  motion["setpoints_kpa"] = packed(motion["setpoints_kpa"], kPressureUnits);
+  for (Json& track : motion["tracks"]) {
+    track["shapes"] = packed(track["shapes"], kShapeUnits);
+    track["pressures_kpa"] = packed(track["pressures_kpa"], kPressureUnits);
   }
-  data["obstacles"] = Json::array();
-  for (const Obstacle& obstacle : environment.obstacles) {
-    data["obstacles"].push_back(to_json(obstacle));
-  }
-  data["tracks"] = Json::array();
-  for (const AnimationTrack& track : tracks) {
-    data["tracks"].push_back(to_json(track));
-  }
-  data["setpoints_kpa"] = to_json(setpoints_kpa);
-  data["pressures_kpa"] = to_json(pressures_kpa);
-  data["unit"] = arm.command.unit;
-  std::string json = data.dump();
-  replace_all(json, "<", "\\u003c");  // nothing in the data may end the script element
-  std::string page = kAnimationPage;
-  replace_all(page, "@TITLE@", escape_xml(title));
-  replace_all(page, "@DATA@", json);
-  return page;
+  data.update(motion);
+  const auto& files = page_bytes();
+  const std::string script(files.at("/assets/animation.js"));
+  return filled(files.at("/animation.html"),
+                {{"TITLE", escape_xml(title)},
+                 {"STYLE", std::string(files.at("/assets/studio.css"))},
+                 {"STILL", still},
+                 {"ENDS", outcomes(motion["tracks"])},
+                 {"DATA", with_all(data.dump(), "<", "\\u003c")},
+                 {"SCRIPT", with_all(script, "</script", "<\\/script")}});
 }
 
 std::string plan_animation(const ArmDescription& arm, const Environment& environment,
                            const Plan& plan) {
-  AnimationTrack track{"as the model predicts it",
-                       palette_color(plan.model == "network" ? kNetworkColor : kNoLoadColor),
-                       {}};
-  std::vector<Pressures> setpoints;
-  std::vector<Pressures> pressures;
-  for (const PlanFrame& frame : plan.frames) {
-    track.shapes.push_back(frame.backbone);
-    setpoints.push_back(frame.setpoint_kpa);
-    pressures.push_back(frame.pressure_kpa);
-  }
-  return animation_page(
-      arm, environment,
+  const std::string title =
       fmt::format("{}: {} model, {:.1f} psi", environment.name,
-                  plan.model == "network" ? "network" : "no-load", plan.cost_kpa / kKpaPerPsi),
-      {track}, setpoints, pressures);
+                  plan.model == "network" ? "network" : "no-load", plan.cost_kpa / kKpaPerPsi);
+  SvgDrawing still(picture_box(arm, environment), kPictureWidthPx, title);
+  still.axes();
+  draw_environment(still, environment);
+  draw_plan(still, arm, plan);
+  Json motion = {{"frame_rate_hz", plan.frame_rate_hz},
+                 {"appeared", nullptr},
+                 {"setpoints_kpa", setpoints_to_json(plan)},
+                 {"tracks", {predicted_track(arm, environment, plan).json()}}};
+  return animation_page(arm, environment, title, std::move(motion), still.svg());
 }
 
 }  // namespace limber

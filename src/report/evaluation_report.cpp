@@ -62,6 +62,14 @@ Json to_json(const TipErrors& value) {
           {"plates_error_cm", to_json(value.plates_cm)}};
 }
 
+Json to_json(const RolloutErrors& errors) {
+  return {{"one_step", to_json(errors.one_step)},
+          {"one_step_moving", to_json(errors.one_step_moving)},
+          {"window_32", to_json(errors.window_32)},
+          {"per_motion", to_json(errors.per_motion)},
+          {"open_loop", to_json(errors.open_loop)}};
+}
+
 nlohmann::ordered_json to_json(const LongRollout& rollout) {
   return {{"frames", rollout.frames},
           {"largest_distance_m", rollout.max_distance_m},
@@ -75,14 +83,9 @@ Json to_json(const Evaluation& evaluation) {
   json["frames"] = evaluation.frames;
   json["no_load"]["open_loop"] = to_json(evaluation.no_load_open_loop);
   if (evaluation.network) {
-    Json& network = json["network"];
-    network["one_step"] = to_json(evaluation.network->one_step);
-    network["one_step_moving"] = to_json(evaluation.network->one_step_moving);
-    network["window_32"] = to_json(evaluation.network->window_32);
-    network["per_motion"] = to_json(evaluation.network->per_motion);
-    network["open_loop"] = to_json(evaluation.network->open_loop);
     const std::optional<TipErrors>& planned = evaluation.network->open_loop_from_setpoints;
-    network["open_loop_from_setpoints"] = planned ? to_json(*planned) : Json();
+    json["network"] = to_json(*evaluation.network);
+    json["network"]["open_loop_from_setpoints"] = planned ? to_json(*planned) : Json();
     json["long_rollout"] = to_json(evaluation.long_rollout);
     json["novel_frames"] = evaluation.novel ? to_json(*evaluation.novel) : Json();
   }

@@ -5,9 +5,12 @@
 
 #include <fmt/format.h>
 
+#include "animation.hpp"
 #include "limber/common/units.hpp"
 #include "limber/plot/shape_style.hpp"
+#include "limber/report/motion_track.hpp"
 #include "limber/report/plan_picture.hpp"
+#include "limber/report/scene_json.hpp"
 
 namespace limber {
 
@@ -78,7 +81,7 @@ void draw_collision(SvgDrawing& drawing, const ArmDescription& arm, const Episod
 std::string execution_picture(const ArmDescription& arm, const Environment& before,
                               const Plan& plan, const ExecutionResult& result) {
   const Environment environment = with_appeared(before, result);
-  SvgDrawing drawing(picture_box(arm, environment), 640.0, title_of(environment, result));
+  SvgDrawing drawing(picture_box(arm, environment), kPictureWidthPx, title_of(environment, result));
   drawing.axes();
   draw_environment(drawing, environment);
   const std::string truth = palette_color(kTrueArmColor);
@@ -99,29 +102,16 @@ std::string execution_picture(const ArmDescription& arm, const Environment& befo
 
 std::string execution_animation(const ArmDescription& arm, const Environment& before,
                                 const Plan& plan, const ExecutionResult& result) {
-  const Environment environment = with_appeared(before, result);
-  const bool network = plan.model == "network";
-  AnimationTrack predicted{
-      fmt::format("as the {} model predicts it", network ? "network" : "no-load"),
-      palette_color(network ? kNetworkColor : kNoLoadColor),
-      {}};
-  std::vector<Pressures> setpoints;
-  for (const PlanFrame& frame : plan.frames) {
-    predicted.shapes.push_back(frame.backbone);
-    setpoints.push_back(frame.setpoint_kpa);
+  nlohmann::ordered_json motion = {{"frame_rate_hz", plan.frame_rate_hz},
+                                   {"appeared", appeared_to_json(result.appeared)},
+                                   {"setpoints_kpa", setpoints_to_json(plan)},
+                                   {"tracks", {predicted_track(arm, before, plan).json()}}};
+  if (result.episode.frame_count() > 0) {
+    motion["setpoints_kpa"] = rows_to_json(result.episode.setpoint_kpa);
+    motion["tracks"].push_back(executed_track("arm", arm, before, result).json());
   }
-  AnimationTrack executed{"as it moved", palette_color(kTrueArmColor), {}};
-  std::vector<Pressures> measured;
-  for (int t = 0; t < result.episode.frame_count(); ++t) {
-    executed.shapes.push_back(recorded_backbone(result.episode, t));
-    measured.emplace_back(result.episode.pressure_kpa.row(t).transpose());
-  }
-  std::vector<AnimationTrack> tracks{std::move(predicted)};
-  if (!executed.shapes.empty()) {
-    tracks.push_back(std::move(executed));
-  }
-  return animation_page(arm, environment, title_of(environment, result), tracks, setpoints,
-                        measured);
+  return animation_page(arm, before, title_of(before, result), std::move(motion),
+                        execution_picture(arm, before, plan, result));
 }
 
 }  // namespace limber

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/arm/names.hpp"
+#include "limber/common/json_number.hpp"
 #include "limber/common/units.hpp"
 #include "limber/report/driver_report.hpp"
 
@@ -33,10 +34,6 @@ Json to_json(const std::optional<Contact>& contact, const Environment& environme
           {"plates", {contact->clearance.gap, contact->clearance.gap + 1}}};
 }
 
-Json optional_number(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
 }  // namespace
 
 Json to_json(const ExecutionResult& result, const Environment& before) {
@@ -62,8 +59,8 @@ Json to_json(const ExecutionResult& result, const Environment& before) {
     json["searches_ms"].push_back(kMsPerS * took_s);
   }
   json["late_advice"] = result.advice.late;
-  json["goal_time_s"] = optional_number(result.goal_time_s);
-  json["planned_goal_time_s"] = optional_number(result.planned_goal_time_s);
+  json["goal_time_s"] = optional_json(result.goal_time_s);
+  json["planned_goal_time_s"] = optional_json(result.planned_goal_time_s);
   json["open_loop_distance_to_goal_cm"] =
       result.open_loop_goal_error ? Json(kCmPerM * result.open_loop_goal_error->position_m)
                                   : Json(nullptr);

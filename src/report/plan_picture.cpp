@@ -19,7 +19,6 @@ namespace {
 constexpr int kPlanShapes = 9;      // of the arm along the plan, the last one included
 constexpr double kFaintest = 0.10;  // opacity of the first of them
 constexpr double kStarRadiusM = 0.016;
-constexpr double kPictureWidthPx = 640.0;
 
 const ShapeStyle kObstacleStyle{.fill = "#9a9a9a", .stroke = "#555555", .width_px = 1.0};
 const ShapeStyle kGoalStyle{.fill = "#009e73", .stroke = "#00523c", .width_px = 1.0};

@@ -52,10 +52,11 @@ bool is_of(const PlanTrial& trial, const PlanningRow& row) {
          trial.disturbance == row.disturbance;
 }
 
-void fill(PlanningRow& row, const std::vector<PlanTrial>& trials) {
+template <class IsCounted>
+void fill(PlanningRow& row, const std::vector<PlanTrial>& trials, const IsCounted& is_counted) {
   Samples samples;
   for (const PlanTrial& trial : trials) {
-    if (!is_of(trial, row)) {
+    if (!is_counted(trial)) {
       continue;
     }
     ++row.trials;
@@ -100,14 +101,10 @@ std::string model_name(const PlanningRow& row) {
   return row.disturbance.empty() ? name : name + ", " + row.disturbance;
 }
 
-std::string show(const std::optional<double>& value, int digits) {
-  return value ? fmt::format("{:.{}f}", *value, digits) : "N/A";
-}
-
 std::string with_error(const SampleFigures& figures, int digits) {
   return figures.standard_error ? fmt::format("{:.{}f} ± {:.{}f}", *figures.mean, digits,
                                               *figures.standard_error, digits)
-                                : show(figures.mean, digits);
+                                : shown(figures.mean, digits);
 }
 
 ReportTable all_plans_table(const std::vector<PlanningRow>& rows) {
@@ -129,8 +126,8 @@ ReportTable all_plans_table(const std::vector<PlanningRow>& rows) {
         {row.environment, model_name(row), fmt::format("{} of {}", row.solved, row.trials),
          fmt::format("{} of {}", row.reached, row.executed),
          fmt::format("{} of {}", row.collided, row.executed),
-         show(row.distance_cm.mean, 1) + " / " + show(row.distance_free_cm.mean, 1),
-         show(row.orientation_rad.mean, 2) + " / " + show(row.orientation_free_rad.mean, 2),
+         shown(row.distance_cm.mean, 1) + " / " + shown(row.distance_free_cm.mean, 1),
+         shown(row.orientation_rad.mean, 2) + " / " + shown(row.orientation_free_rad.mean, 2),
          with_error(row.first_solution_s, 4), with_error(row.cost_psi, 1)});
   }
   return table;
@@ -177,11 +174,11 @@ ReportTable spread_table(const std::vector<PlanningRow>& rows) {
                   "Defects"};
   for (const PlanningRow& row : rows) {
     table.rows.push_back(
-        {row.environment, model_name(row), show(row.first_solution_s.median, 4),
-         show(row.first_solution_s.p95, 4),
-         show(row.first_candidate_s.median, 4) + ", " + show(row.first_certificate_s.median, 4),
-         with_error(row.first_cost_psi, 1), show(row.distance_cm.median, 1),
-         show(row.distance_cm.p95, 1), std::to_string(row.not_certified)});
+        {row.environment, model_name(row), shown(row.first_solution_s.median, 4),
+         shown(row.first_solution_s.p95, 4),
+         shown(row.first_candidate_s.median, 4) + ", " + shown(row.first_certificate_s.median, 4),
+         with_error(row.first_cost_psi, 1), shown(row.distance_cm.median, 1),
+         shown(row.distance_cm.p95, 1), std::to_string(row.not_certified)});
   }
   return table;
 }
@@ -213,6 +210,10 @@ SampleFigures figures_of(const std::vector<double>& values) {
   return figures;
 }
 
+std::string shown(const std::optional<double>& value, int digits, const char* none) {
+  return value ? fmt::format("{:.{}f}", *value, digits) : none;
+}
+
 std::vector<PlanningRow> planning_rows(const std::vector<PlanTrial>& trials) {
   std::vector<PlanningRow> rows;
   for (const PlanTrial& trial : trials) {
@@ -225,11 +226,23 @@ std::vector<PlanningRow> planning_rows(const std::vector<PlanTrial>& trials) {
       row.planner = trial.planner;
       row.controller = trial.controller;
       row.disturbance = trial.disturbance;
-      fill(row, trials);
+      fill(row, trials, [&](const PlanTrial& other) { return is_of(other, row); });
       rows.push_back(std::move(row));
     }
   }
   return rows;
+}
+
+PlanningRow planning_row(const std::vector<PlanTrial>& trials, const std::string& environment,
+                         const std::string& model) {
+  PlanningRow row;
+  row.environment = environment;
+  row.model = model;
+  fill(row, trials, [&](const PlanTrial& trial) {
+    return (environment.empty() || trial.environment == environment) &&
+           (model.empty() || trial.model == model);
+  });
+  return row;
 }
 
 Json to_json(const std::vector<PlanningRow>& rows) {

@@ -7,6 +7,7 @@
 
 #include "limber/common/error.hpp"
 #include "limber/plot/svg_text.hpp"
+#include "limber/report/page_bytes.hpp"
 
 namespace limber {
 
@@ -54,6 +55,11 @@ figure svg { display: block; width: 100%; height: auto; max-height: 90vh; border
 figcaption { margin-top: 0.4rem; font-size: 0.95rem; }
 pre { background: var(--card); border-radius: 0.4rem; padding: 0.8rem; overflow-x: auto; }
 details { margin: 1rem 0; } summary { cursor: pointer; color: var(--accent); }
+#moment { position: fixed; z-index: 1; pointer-events: none; background: var(--card);
+  border: 1px solid var(--rule); border-radius: 0.3rem; padding: 0.2rem 0.5rem; font-size: 0.85rem;
+  font-variant-numeric: tabular-nums; }
+#moment i { display: inline-block; width: 0.8em; height: 0.2em; vertical-align: middle; }
+svg[data-x] { cursor: crosshair; touch-action: pan-y; }
 @media print { body { max-width: none; } figure, tr { break-inside: avoid; } }
 )";
 
@@ -211,10 +217,12 @@ std::string ReportPage::html() const {
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
       "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<header>\n<h1>{0}</h1>\n{2}"
-      "</header>\n{3}<main>\n{4}</main>\n</body>\n</html>\n",
+      "</header>\n{3}<main>\n{4}</main>\n<script>//<![CDATA[\n{5}//]]></script>\n</body>\n"
+      "</html>\n",
       escape_xml(title_), kStyleSheet,
       subtitle_.empty() ? "" : element("p", subtitle_, " class=\"subtitle\""),
-      links.empty() ? "" : "<nav><ul>\n" + links + "</ul></nav>\n", body);
+      links.empty() ? "" : "<nav><ul>\n" + links + "</ul></nav>\n", body,
+      page_bytes().at("/assets/report.js"));
 }
 
 }  // namespace limber

@@ -56,10 +56,6 @@ Json run_figures(const SampleFigures& figures) {
           {"p95", json_number(figures.p95)}};
 }
 
-std::string shown(const std::optional<double>& value, int digits) {
-  return value ? fmt::format("{:.{}f}", *value, digits) : "N/A";
-}
-
 }  // namespace
 
 std::vector<RunRow> run_rows(const std::vector<PlanTrial>& trials) {

@@ -15,13 +15,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json to_json(const RolloutErrors& errors) {
-  return {{"one_step", to_json(errors.one_step)},
-          {"window_32", to_json(errors.window_32)},
-          {"per_motion", to_json(errors.per_motion)},
-          {"open_loop", to_json(errors.open_loop)}};
-}
-
 Json to_json(const std::optional<FineTuningReport::Change>& change) {
   return change ? Json{{"before", to_json(change->before)}, {"after", to_json(change->after)}}
                 : Json();

@@ -33,9 +33,8 @@ std::string cell(double value) {
   return std::isfinite(value) ? fmt::format("{:>11.2f}", value) : fmt::format("{:>11}", "-");
 }
 
-std::string yardstick_row(const Yardstick& yardstick) {
-  const HorizonErrors& errors = yardstick.errors;
-  std::string text = fmt::format("{:<26}", yardstick.label);
+std::string yardstick_row(const std::string& label, const RolloutErrors& errors) {
+  std::string text = fmt::format("{:<26}", label);
   for (const TipErrors& one :
        {errors.one_step, errors.window_32, errors.per_motion, errors.open_loop}) {
     text += cell(one.position_cm.mean);
@@ -45,8 +44,9 @@ std::string yardstick_row(const Yardstick& yardstick) {
 
 /// Of the curve that has the best right to be trusted: the network's, or the no-load model's.
 std::string worst_episodes(const YardstickReport& report) {
-  const auto network = std::ranges::find(report.curves, "network", &PredictorCurve::key);
-  const PredictorCurve& shown = network != report.curves.end() ? *network : report.curves.front();
+  const auto network = std::ranges::find(report.predictors, "network", &PredictorErrors::key);
+  const PredictorErrors& shown =
+      network != report.predictors.end() ? *network : report.predictors.front();
   std::vector<std::size_t> order(shown.episode_cm.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::erase_if(order, [&](std::size_t i) { return std::isnan(shown.episode_cm[i]); });
@@ -105,15 +105,6 @@ std::string frames_counted_in_words() {
 
 Json to_json(const YardstickReport& report, const std::vector<Episode>& episodes) {
   Json json;
-  Json& baselines = json["baselines"];
-  for (const Yardstick& yardstick : report.yardsticks) {
-    const HorizonErrors& errors = yardstick.errors;
-    baselines[yardstick.key] = {{"one_step", to_json(errors.one_step)},
-                                {"one_step_moving", to_json(errors.one_step_moving)},
-                                {"window_32", to_json(errors.window_32)},
-                                {"per_motion", to_json(errors.per_motion)},
-                                {"open_loop", to_json(errors.open_loop)}};
-  }
   json["yardsticks_fitted_to"] = report.fitted_to;
   json["frames_counted"] = frames_counted_in_words();
   json["horizons"]["frames"] = report.horizon_frames;
@@ -124,7 +115,10 @@ Json to_json(const YardstickReport& report, const std::vector<Episode>& episodes
          {"frames", episodes[e].frame_count()},
          {"tracked", episodes[e].frame_count() - episodes[e].untracked_count()}});
   }
-  for (const PredictorCurve& curve : report.curves) {
+  for (const PredictorErrors& curve : report.predictors) {
+    if (curve.errors) {
+      json["baselines"][curve.key] = to_json(*curve.errors);
+    }
     Json& horizon = json["horizons"]["tip_error_cm"][curve.key];
     for (const double value : curve.tip_cm) {
       horizon.push_back(json_number(value));
@@ -140,8 +134,8 @@ std::string to_text(const YardstickReport& report) {
   std::string text =
       fmt::format("{:<26}{:>11}{:>11}{:>11}{:>11}{:>11}\n", "yardsticks, mean tip [cm]", "one step",
                   "32 frames", "per motion", "open loop", "all plates");
-  for (const Yardstick& yardstick : report.yardsticks) {
-    text += yardstick_row(yardstick);
+  for (const PredictorErrors& predictor : report.predictors) {
+    text += predictor.errors ? yardstick_row(predictor.label, *predictor.errors) : "";
   }
   text += "all plates: open loop, mean over all plates but the base. Fitted to " +
           report.fitted_to + "\n";
@@ -159,10 +153,9 @@ std::string error_over_horizon_svg(const YardstickReport& report) {
     x.push_back(std::log2(double(frames)));
   }
   int color = kTrueArmColor + 1;
-  for (const PredictorCurve& curve : report.curves) {
+  for (const PredictorErrors& curve : report.predictors) {
     SeriesStyle style;
-    const bool is_model = curve.key == "no_load" || curve.key == "network";
-    style.dashed = !is_model;
+    style.dashed = curve.errors.has_value();  // of yardsticks
     style.color = palette_color(curve.key == "no_load"   ? kNoLoadColor
                                 : curve.key == "network" ? kNetworkColor
                                                          : color++);

@@ -2,14 +2,15 @@
 
 #include <fmt/format.h>
 
+#include "dropped_obstacle.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"
 #include "limber/driver/driver_run.hpp"
 #include "limber/forward/error_room.hpp"
+#include "limber/report/motion_track.hpp"
+#include "limber/report/scene_json.hpp"
 #include "limber/run/closed_loop.hpp"
-#include "scene_json.hpp"
-#include "track.hpp"
 
 namespace limber {
 
@@ -67,7 +68,7 @@ class FrameWatch {
  private:
   const ArmControl& control_;
   const std::function<void(const Json&)>& on_frame_;
-  Track track_;
+  MotionTrack track_;
   Backbone shape_;  // where it was seen last; before that, where the plan has it
   Json setpoints_kpa_ = Json::array();
   Json obstacle_ = nullptr;

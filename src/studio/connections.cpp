@@ -132,11 +132,13 @@ void GuardedServer::close_oldest() {
 
 bool GuardedServer::process_and_close_socket(socket_t socket) {
   std::list<Connection>::iterator own;
+  bool is_full = false;  // else those that wait have threads of their own in a moment
   {
     const std::lock_guard lock(mutex_);
     own = connections_.insert(connections_.end(), {socket});
+    is_full = connections_.size() >= kMaxConnections;
   }
-  if (--waiting_ > 0) {
+  if (--waiting_ > 0 && is_full) {
     close_oldest();  // a crowd that came at once goes through one by one
   }
   Clock::time_point idle_end = Clock::now() + kIdleTime;

@@ -8,6 +8,8 @@
 #include <variant>
 
 #include "event_queue.hpp"
+#include "limber/common/json_reader.hpp"
+#include "limber/run/tip_path.hpp"
 #include "limber/world/plan.hpp"
 #include "studio_scene.hpp"
 
@@ -29,12 +31,31 @@ struct RunJob {
   bool replan = false;         ///< the virtual arm, closed loop
   bool drop_obstacle = false;  ///< into its way while it moves
 };
+/// The virtual arm's tip, led along a path that was drawn.
+struct FollowJob {
+  std::uint64_t request = 0;
+  SceneNames scene;
+  nlohmann::json environment;
+  TipPath path;
+};
 /// Models moved by hand, side by side, from rest.
 struct DriveJob {
   std::uint64_t request = 0;
   SceneNames scene;
 };
-using Job = std::variant<PlanJob, RunJob, DriveJob>;
+/// A plan that `limber experiment` has made.
+struct OpenJob {
+  std::uint64_t request = 0;
+  std::string folder;
+  std::string run;
+};
+/// The model's errors on a recording, and what the recording covers.
+struct MeasureJob {
+  std::uint64_t request = 0;
+  SceneNames scene;
+  std::string recording;
+};
+using Job = std::variant<PlanJob, RunJob, FollowJob, DriveJob, OpenJob, MeasureJob>;
 
 /// A plan that was found, with what it was made for.
 struct FoundPlan {
@@ -43,22 +64,32 @@ struct FoundPlan {
   Plan plan;
 };
 
-/// Set points that a hand moves while arms follow. Threads: any.
+/// Where a hand moves what follows it.
+struct DriveTo {
+  Pressures kpa;
+  Eigen::VectorXf e;  ///< which arm of the model's family; empty: as the model stands
+};
+
+/// The same, as it changes. Threads: any.
 class DriveTarget {
  public:
-  void set(Pressures kpa) {
+  void set(DriveTo to) {
     const std::lock_guard lock(mutex_);
-    kpa_ = std::move(kpa);
+    to_ = std::move(to);
   }
-  Pressures get() const {
+  DriveTo get() const {
     const std::lock_guard lock(mutex_);
-    return kpa_;
+    return to_;
   }
 
  private:
   mutable std::mutex mutex_;
-  Pressures kpa_;
+  DriveTo to_;
 };
+
+/// The path of a request: time_s, x_m and y_m of each point, flat, times from 0 on.
+/// @throws InputError naming the point.
+TipPath tip_path_in(const JsonReader& body);
 
 // Each runs until it is done or `stop` is set, and reports through `events`.
 
@@ -67,7 +98,13 @@ void run_plan_job(const PlanJob& job, const StudioScene& scene, const std::atomi
                   EventQueue& events, const std::function<void(FoundPlan)>& found);
 void run_run_job(const RunJob& job, const StudioScene& scene, const FoundPlan& found,
                  const std::atomic<bool>& stop, EventQueue& events);
+void run_follow_job(const FollowJob& job, const StudioScene& scene, const std::atomic<bool>& stop,
+                    EventQueue& events);
 void run_drive_job(const DriveJob& job, const StudioScene& scene, const DriveTarget& target,
                    const std::atomic<bool>& stop, EventQueue& events);
+void run_open_job(const OpenJob& job, const ProjectFolder& project, EventQueue& events,
+                  const std::function<void(FoundPlan)>& found);
+void run_measure_job(const MeasureJob& job, const ProjectFolder& project, const StudioScene& scene,
+                     const std::atomic<bool>& stop, EventQueue& events);
 
 }  // namespace limber

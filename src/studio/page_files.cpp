@@ -1,5 +1,7 @@
 #include "page_files.hpp"
 
+#include "limber/report/page_bytes.hpp"
+
 namespace limber {
 
 namespace {

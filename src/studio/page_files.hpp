@@ -1,14 +1,10 @@
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace limber {
-
-/// web/dist inside the program: "/index.html", "/assets/index.js" → bytes.
-const std::map<std::string, std::string_view>& page_bytes();
 
 struct PageFile {
   std::string_view bytes;

@@ -1,5 +1,14 @@
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include <fmt/format.h>
+
 #include "jobs.hpp"
 #include "limber/arm/pressure_limits.hpp"
+#include "limber/common/units.hpp"
 #include "limber/forward/error_room.hpp"
 #include "limber/planning/planner_factory.hpp"
 #include "limber/planning/problem_check.hpp"
@@ -15,14 +24,21 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMaxEdges = 5000;
 constexpr double kDoubtAfterS = 0.4;  // without a plan: then it is said what may be in the way
+constexpr double kBetweenPlansS = 0.25;
 constexpr double kDoubtForS = 0.3;
 
 /// One search's events; its callbacks come from the planner's thread, which is the worker's.
 class PlanReporter {
  public:
   PlanReporter(const PlanJob& job, const StudioScene& scene, const Environment& environment,
-               const std::atomic<bool>& stop, EventQueue& events)
-      : job_(job), scene_(scene), environment_(environment), stop_(stop), events_(events) {}
+               const std::atomic<bool>& stop, EventQueue& events,
+               const std::function<void(FoundPlan)>& found)
+      : job_(job),
+        scene_(scene),
+        environment_(environment),
+        stop_(stop),
+        events_(events),
+        found_(found) {}
 
   bool note(const PlannerProgress& progress) {
     if (!progress.best_cost_kpa && !doubted_ && progress.time_s > kDoubtAfterS) {
@@ -33,15 +49,29 @@ class PlanReporter {
     json["request"] = job_.request;
     json["doubt"] = doubt_;
     events_.push("progress", json.dump());
+    if (better_ && now_s() > sent_s_ + kBetweenPlansS) {
+      send(*std::exchange(better_, std::nullopt));
+    }
     return !stop_;
   }
 
-  void send(const Plan& plan) {
-    const double time_s =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  /// The first one is shown at once. Searches find many better ones at first: then no more than an
+  /// eye follows.
+  void take(const Plan& plan) {
     if (plans_++ == 0) {
-      first_s_ = time_s;
+      first_s_ = now_s();
+      send(plan);
+    } else {
+      better_ = plan;
     }
+  }
+  /// What is shown is what is kept.
+  void send(const Plan& plan) {
+    const double time_s = now_s();
+    sent_s_ = time_s;
+    Plan kept = plan;
+    kept.model_hash = scene_.model_hash();
+    found_({job_.scene, environment_, std::move(kept)});
     Json json = plan_to_json(plan);
     json["request"] = job_.request;
     json["time_s"] = time_s;
@@ -52,14 +82,24 @@ class PlanReporter {
   }
 
  private:
-  /// Whether the goal is only reached in collision, as far as the simple model tells.
+  double now_s() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+  /// What may be in the way, as far as the simple model tells; else what has not been found yet.
   std::string doubt() const {
-    const PlanningProblem problem = problem_with_room(scene_.arm(), scene_.motion(), environment_,
-                                                      error_room(scene_.motion().forward()));
+    const ErrorRoom room = error_room(scene_.motion().forward());
+    const PlanningProblem problem =
+        problem_with_room(scene_.arm(), scene_.motion(), environment_, room);
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(kDoubtForS);
-    return reached_only_in_collision(problem, checker_of(problem), job_.seed, [&] {
-      return stop_ || std::chrono::steady_clock::now() > end;
-    });
+    const std::string in_the_way =
+        reached_only_in_collision(problem, checker_of(problem), job_.seed,
+                                  [&] { return stop_ || std::chrono::steady_clock::now() > end; });
+    return !in_the_way.empty()
+               ? in_the_way
+               : fmt::format(
+                     "So far no motion that keeps {:.1f} cm clear ends in the goal; the "
+                     "search goes on.",
+                     kCmPerM * room.margin_m);
   }
 
   const PlanJob& job_;
@@ -67,6 +107,9 @@ class PlanReporter {
   const Environment& environment_;
   const std::atomic<bool>& stop_;
   EventQueue& events_;
+  const std::function<void(FoundPlan)>& found_;
+  std::optional<Plan> better_;  // than what was sent
+  double sent_s_ = 0.0;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   int plans_ = 0;
   double first_s_ = 0.0;
@@ -78,17 +121,13 @@ class PlanReporter {
 
 void run_plan_job(const PlanJob& job, const StudioScene& scene, const std::atomic<bool>& stop,
                   EventQueue& events, const std::function<void(FoundPlan)>& found) {
+  scene.require_one_arm();
   const Environment environment = environment_from_json(job.environment, scene.arm());
-  PlanReporter reporter(job, scene, environment, stop, events);
-  const auto keep = [&](const Plan& plan) {
-    Plan kept = plan;
-    kept.model_hash = scene.model_hash();
-    found({job.scene, environment, std::move(kept)});
-    reporter.send(plan);
-  };
+  PlanReporter reporter(job, scene, environment, stop, events, found);
   PlanSettings settings;
   settings.callback = [&](const PlannerProgress& progress) { return reporter.note(progress); };
-  settings.on_plan = keep;
+  settings.jobs = std::max(1, int(std::thread::hardware_concurrency()) - 1);  // one for the browser
+  settings.on_plan = [&](const Plan& plan) { reporter.take(plan); };
   settings.within = limits_of(with_scaled_limits(scene.arm(), job.limit_scale));
   PlannerLimits limits;
   limits.time_s = job.time_limit_s;
@@ -98,7 +137,7 @@ void run_plan_job(const PlanJob& job, const StudioScene& scene, const std::atomi
     return;
   }
   if (result.plan) {
-    keep(*result.plan);
+    reporter.send(*result.plan);
   }
   Json json = to_json(result, scene.arm().command, environment.goal, "default",
                       scene.has_network() ? "network" : "no_load", job.seed);

@@ -21,7 +21,9 @@ constexpr std::size_t kHead = 65536;  // a forest's header: four tensors, and it
 constexpr std::size_t kMaxName = 100;
 
 const char* ending_of(ProjectItem kind) {
-  return kind == ProjectItem::model ? ".safetensors" : ".yaml";
+  return kind == ProjectItem::model       ? ".safetensors"
+         : kind == ProjectItem::recording ? ".h5"
+                                          : ".yaml";
 }
 
 std::string head_of(const fs::path& file) {
@@ -46,13 +48,23 @@ bool is_of(ProjectItem kind, const fs::path& file) {
       return says("limber/environment/");
     case ProjectItem::model:
       return !says("limber/forest/");
+    case ProjectItem::recording:
+      return head.starts_with("\x89HDF\r\n");
   }
   return false;
 }
 
 fs::path own_folder(ProjectItem kind) {
   constexpr std::array<const char*, 3> kFolders = {"arms", "families", "environments"};
-  return data_folder() / kFolders.at(static_cast<std::size_t>(kind));
+  return kind == ProjectItem::recording
+             ? fs::path()
+             : data_folder() / kFolders.at(static_cast<std::size_t>(kind));
+}
+
+bool is_experiment(const fs::directory_entry& entry) {
+  std::error_code error;
+  return entry.is_directory(error) && !entry.is_symlink(error) &&
+         fs::is_regular_file(entry.path() / "experiment.json", error);
 }
 
 bool is_plain_name(const std::string& name) {
@@ -111,6 +123,35 @@ std::vector<std::string> ProjectFolder::names(ProjectItem kind) const {
   }
   std::vector<std::string> found;
   std::error_code error;
+  look_through([&](const fs::directory_entry& entry) {
+    if (entry.is_regular_file(error) && is_of(kind, entry.path())) {
+      found.push_back(name_of(entry.path()));
+    }
+  });
+  add_sorted(result, std::move(found));
+  std::vector<std::string> own;
+  for (const auto& file : fs::directory_iterator(own_folder(kind), error)) {
+    if (is_of(kind, file.path())) {
+      own.push_back(std::string(kOwn) + file.path().stem().string());
+    }
+  }
+  add_sorted(result, std::move(own));
+  return result;
+}
+
+std::vector<std::string> ProjectFolder::experiments() const {
+  std::vector<std::string> result;
+  look_through([&](const fs::directory_entry& entry) {
+    if (is_experiment(entry)) {
+      result.push_back(name_of(entry.path()));
+    }
+  });
+  return result;
+}
+
+template <class Use>
+void ProjectFolder::look_through(const Use& use) const {
+  std::error_code error;
   int looked_at = 0;
   fs::recursive_directory_iterator entry(folder_, fs::directory_options::skip_permission_denied,
                                          error);
@@ -118,21 +159,13 @@ std::vector<std::string> ProjectFolder::names(ProjectItem kind) const {
        entry.increment(error), ++looked_at) {
     if (entry->path().filename().string().front() == '.' || entry.depth() >= kMaxDepth) {
       entry.disable_recursion_pending();
-    } else if (entry->is_regular_file(error) && is_of(kind, entry->path())) {
-      found.push_back(name_of(entry->path()));
+      continue;
     }
-  }
-  add_sorted(result, std::move(found));
-  if (kind != ProjectItem::model) {  // a family is no arm's model before `limber adapt`
-    std::vector<std::string> own;
-    for (const auto& file : fs::directory_iterator(own_folder(kind), error)) {
-      if (is_of(kind, file.path())) {
-        own.push_back(std::string(kOwn) + file.path().stem().string());
-      }
+    if (is_experiment(*entry)) {  // thousands of trials
+      entry.disable_recursion_pending();
     }
-    add_sorted(result, std::move(own));
+    use(*entry);
   }
-  return result;
 }
 
 fs::path ProjectFolder::find(ProjectItem kind, const std::string& name) const {
@@ -144,16 +177,25 @@ fs::path ProjectFolder::find(ProjectItem kind, const std::string& name) const {
   if (name.starts_with(kOwn)) {
     const std::string own = name.substr(kOwn.size());
     const fs::path file = own_folder(kind) / (own + ending_of(kind));
-    if (!is_plain_name(own) || !fs::is_regular_file(file, error)) {
+    if (kind == ProjectItem::recording || !is_plain_name(own) ||
+        !fs::is_regular_file(file, error)) {
       refuse_name(name);
     }
     return file;
   }
+  const fs::path whole = inside(name);
+  if (whole.extension() != ending_of(kind)) {
+    refuse_name(name);
+  }
+  return whole;
+}
+
+fs::path ProjectFolder::inside(const std::string& name) const {
+  std::error_code error;
   const bool has_null = name.find('\0') != std::string::npos;
   const fs::path whole = has_null ? fs::path() : fs::canonical(folder_ / name, error);
   if (name.empty() || has_null || error || fs::path(name).is_absolute() ||
-      !is_inside(folder_, whole) || whole.extension() != ending_of(kind) ||
-      !fs::is_regular_file(whole, error)) {
+      !is_inside(folder_, whole) || !fs::is_regular_file(whole, error)) {
     refuse_name(name);
   }
   return whole;

@@ -7,7 +7,7 @@
 
 namespace limber {
 
-enum class ProjectItem { arm, model, environment };
+enum class ProjectItem { arm, model, environment, recording };
 
 /// Files that the studio offers: those of a project folder by their path in it
 /// ("environments/mine.yaml"), limber's own by their name ("limber:01_pillar"), and files that the
@@ -22,11 +22,17 @@ class ProjectFolder {
   std::string give(ProjectItem kind, const std::filesystem::path& file);
 
   /// Names of all files of a kind: given ones, the project's, limber's own. Looks kMaxDepth folders
-  /// deep, at kMaxEntries files and folders.
+  /// deep, at kMaxEntries files and folders, and never into an experiment's.
   std::vector<std::string> names(ProjectItem kind) const;
+
+  /// Folders that `limber experiment` has written.
+  std::vector<std::string> experiments() const;
 
   /// @throws InputError if the name is none that could be offered, or there is no such file.
   std::filesystem::path find(ProjectItem kind, const std::string& name) const;
+
+  /// A file of any kind by its path in the project. @throws InputError if it is none, or outside.
+  std::filesystem::path inside(const std::string& name) const;
 
   /// Where a file of that name is saved: "mine" becomes FOLDER/subfolder/mine.yaml.
   /// @throws InputError unless the name is made of letters, digits, "_", "-", "." and spaces.
@@ -41,8 +47,12 @@ class ProjectFolder {
   static constexpr int kMaxEntries = 5000;
 
  private:
+  /// use(entry) for what is looked at.
+  template <class Use>
+  void look_through(const Use& use) const;
+
   std::filesystem::path folder_;  // canonical
-  std::map<std::string, std::filesystem::path> given_[3];
+  std::map<std::string, std::filesystem::path> given_[4];
 };
 
 }  // namespace limber

@@ -1,12 +1,13 @@
 #include <optional>
 
+#include "dropped_obstacle.hpp"
 #include "jobs.hpp"
 #include "limber/forward/error_room.hpp"
 #include "limber/forward/motion_simulator.hpp"
+#include "limber/report/motion_track.hpp"
+#include "limber/report/scene_json.hpp"
 #include "limber/run/closed_loop.hpp"
 #include "limber/sim/virtual_arm.hpp"
-#include "scene_json.hpp"
-#include "track.hpp"
 
 namespace limber {
 
@@ -14,9 +15,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Track track_of_model(const char* key, const MotionModel& model, const FoundPlan& found,
-                     const ArmDescription& arm) {
-  Track track(key, arm, found.environment.obstacles);
+MotionTrack track_of_model(const char* key, const MotionModel& model, const FoundPlan& found,
+                           const ArmDescription& arm) {
+  MotionTrack track(key, arm, found.environment.obstacles);
   MotionState state = state_of(start_state(found.environment, arm), model);
   MotionModel::Workspace workspace;
   const std::vector<PlanFrame>& frames = found.plan.frames;
@@ -46,30 +47,6 @@ ExecutionResult run_virtual_arm(const RunJob& job, const StudioScene& scene, con
   return execute(scene.arm(), found.environment, found.plan, driver, settings);
 }
 
-Track track_of(const ExecutionResult& result, const FoundPlan& found, const ArmDescription& arm) {
-  Track track("virtual_arm", arm, found.environment.obstacles);
-  const Episode& episode = result.episode;
-  bool has_appeared = false;
-  for (int k = 0; k < episode.frame_count(); ++k) {
-    if (result.appeared && !has_appeared &&
-        episode.time_s[k] - episode.time_s[0] >= result.appeared->time_s) {
-      has_appeared = true;
-      track.add_obstacle(result.appeared->circle);
-    }
-    track.add(episode.pressure_kpa.row(k).transpose(), backbone_at(episode.backbone, k));
-  }
-  track.set_outcome(outcome_text(found.environment.goal, result));
-  return track;
-}
-
-Json rows_to_json(const FrameMatrix& rows) {
-  Json json = Json::array();
-  for (Eigen::Index k = 0; k < rows.rows(); ++k) {
-    json.push_back(pressures_to_json(rows.row(k).transpose()));
-  }
-  return json;
-}
-
 }  // namespace
 
 void run_run_job(const RunJob& job, const StudioScene& scene, const FoundPlan& found,
@@ -77,10 +54,7 @@ void run_run_job(const RunJob& job, const StudioScene& scene, const FoundPlan& f
   Json json = {{"request", job.request},
                {"frame_rate_hz", found.plan.frame_rate_hz},
                {"tracks", Json::array()}};
-  json["setpoints_kpa"] = Json::array();
-  for (const PlanFrame& frame : found.plan.frames) {
-    json["setpoints_kpa"].push_back(pressures_to_json(frame.setpoint_kpa));
-  }
+  json["setpoints_kpa"] = setpoints_to_json(found.plan);
   json["tracks"].push_back(track_of_model("simple", scene.simple(), found, scene.arm()).json());
   if (scene.has_network()) {
     json["tracks"].push_back(track_of_model("network", scene.motion(), found, scene.arm()).json());
@@ -92,7 +66,8 @@ void run_run_job(const RunJob& job, const StudioScene& scene, const FoundPlan& f
       json["setpoints_kpa"] = rows_to_json(result.episode.setpoint_kpa);
     }
     json["appeared"] = appeared_to_json(result.appeared);
-    json["tracks"].push_back(track_of(result, found, scene.arm()).json());
+    json["tracks"].push_back(
+        executed_track("virtual_arm", scene.arm(), found.environment, result).json());
   }
   if (!stop) {
     events.push("run", json.dump());

@@ -10,6 +10,7 @@
 #include "limber/common/json_number.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/common/yaml_reader.hpp"
+#include "limber/report/scene_json.hpp"
 
 namespace limber {
 
@@ -19,30 +20,6 @@ using Json = nlohmann::ordered_json;
 
 double rounded_to(double value, double parts) {
   return std::round(value * parts) / parts;
-}
-
-Json exact_pressures(const Pressures& kpa) {
-  return std::vector<float>(kpa.begin(), kpa.end());
-}
-
-Json exact_backbone(const Backbone& backbone) {
-  Json rows = Json::array();
-  for (Eigen::Index i = 0; i < backbone.rows(); ++i) {
-    rows.push_back({backbone(i, 0), backbone(i, 1), backbone(i, 2)});
-  }
-  return rows;
-}
-
-Json start_to_json(const ArmStart& start) {
-  Json json = {{"pressures_kpa", exact_pressures(start.pressures_kpa)},
-               {"backbone", exact_backbone(start.backbone)}};
-  if (start.before.rows() > 0) {
-    json["backbone_before"] = exact_backbone(start.before);
-  }
-  for (const Pressures& kpa : start.setpoints_kpa) {
-    json["setpoints_kpa"].push_back(exact_pressures(kpa));
-  }
-  return json;
 }
 
 using Cells = std::set<std::pair<int, int>>;
@@ -69,62 +46,6 @@ Cells without_holes(const Cells& cells) {
 
 }  // namespace
 
-Json arm_to_json(const ArmDescription& arm) {
-  Json json = {{"name", arm.name},
-               {"command", {{"name", arm.command.name}, {"unit", arm.command.unit}}},
-               {"frame_rate_hz", arm.frame_rate_hz},
-               {"rate_limit_kpa_per_s", arm.pressure_rate_limit_kpa_per_s},
-               {"length_m", arm.length_m()},
-               {"actuator_radius_m", arm.actuator_radius_m}};
-  json["segments"] = Json::array();
-  for (const Segment& segment : arm.segments) {
-    json["segments"].push_back({{"length_m", segment.length_m},
-                                {"width_m", segment.width_m},
-                                {"gaps", segment.gaps},
-                                {"lower_kpa", segment.pressure_limit_kpa.lower_kpa},
-                                {"upper_kpa", segment.pressure_limit_kpa.upper_kpa}});
-  }
-  json["rest"] = shape_to_json(start_state(Environment(), arm).backbone);
-  return json;
-}
-
-Json obstacle_to_json(const Obstacle& obstacle) {
-  if (const auto* c = std::get_if<Circle>(&obstacle)) {
-    return {{"circle", {{"x_m", c->x_m}, {"y_m", c->y_m}, {"radius_m", c->radius_m}}}};
-  }
-  if (const auto* r = std::get_if<Rectangle>(&obstacle)) {
-    return {{"rectangle",
-             {{"x_m", r->x_m},
-              {"y_m", r->y_m},
-              {"width_m", r->width_m},
-              {"height_m", r->height_m},
-              {"angle_rad", r->angle_rad}}}};
-  }
-  Json points = Json::array();
-  for (const Eigen::Vector2d& p : std::get<Polygon>(obstacle).points_m) {
-    points.push_back({p.x(), p.y()});
-  }
-  return {{"polygon", points}};
-}
-
-Json environment_to_json(const Environment& environment) {
-  Json json = {{"name", environment.name}, {"obstacles", Json::array()}};
-  for (const Obstacle& obstacle : environment.obstacles) {
-    json["obstacles"].push_back(obstacle_to_json(obstacle));
-  }
-  json["start"] = environment.start ? start_to_json(*environment.start) : Json("rest");
-  const PoseGoal& goal = environment.goal;
-  json["goal"] = {{"x_m", goal.x_m}, {"y_m", goal.y_m}};
-  if (goal.theta_rad) {
-    json["goal"]["theta_rad"] = *goal.theta_rad;
-  }
-  json["goal"]["position_tolerance_m"] = goal.position_tolerance_m;
-  if (goal.theta_rad) {
-    json["goal"]["orientation_tolerance_rad"] = goal.orientation_tolerance_rad;
-  }
-  return json;
-}
-
 /// JSON is YAML: the reader of files reads it, with all of its checks.
 Environment environment_from_json(const nlohmann::json& json, const ArmDescription& arm) {
   if (!json.is_object()) {
@@ -133,28 +54,6 @@ Environment environment_from_json(const nlohmann::json& json, const ArmDescripti
   nlohmann::json file = json;
   file["schema"] = "limber/environment/1";
   return read_environment(YamlReader::from_text(file.dump(), "environment"), arm);
-}
-
-Json shape_to_json(const Eigen::Ref<const Backbone>& backbone) {
-  Json numbers = Json::array();
-  for (Eigen::Index i = 0; i < backbone.rows(); ++i) {
-    numbers.push_back(rounded_to(double(backbone(i, 0)), 1e5));
-    numbers.push_back(rounded_to(double(backbone(i, 1)), 1e5));
-    numbers.push_back(rounded_to(double(backbone(i, 2)), 1e4));
-  }
-  return numbers;
-}
-
-Json length_to_json(double length_m) {
-  return std::isfinite(length_m) ? Json(rounded_to(length_m, 1e5)) : Json(nullptr);
-}
-
-Json pressures_to_json(const Eigen::Ref<const Pressures>& kpa) {
-  Json numbers = Json::array();
-  for (const float value : kpa) {
-    numbers.push_back(rounded_to(double(value), 1e3));
-  }
-  return numbers;
 }
 
 Json plan_to_json(const Plan& plan) {
@@ -173,11 +72,10 @@ Json plan_to_json(const Plan& plan) {
                     {"start_share", plan.tube->growth.start_share},
                     {"full_after_m", plan.tube->growth.full_after_m}};
   }
-  json["setpoints_kpa"] = Json::array();
+  json["setpoints_kpa"] = setpoints_to_json(plan);
   json["pressures_kpa"] = Json::array();
   json["shapes"] = Json::array();
   for (const PlanFrame& frame : plan.frames) {
-    json["setpoints_kpa"].push_back(pressures_to_json(frame.setpoint_kpa));
     json["pressures_kpa"].push_back(pressures_to_json(frame.pressure_kpa));
     json["shapes"].push_back(shape_to_json(frame.backbone));
   }

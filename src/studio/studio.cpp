@@ -9,10 +9,12 @@
 #include "arm_requests.hpp"
 #include "arm_station.hpp"
 #include "connections.hpp"
+#include "experiment_folder.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/json_reader.hpp"
 #include "limber/common/version.hpp"
+#include "limber/network/arm_family.hpp"
 #include "page_files.hpp"
 #include "project_folder.hpp"
 #include "scene_json.hpp"
@@ -28,6 +30,7 @@ using httplib::Response;
 
 constexpr double kMaxTimeLimitS = 60.0;
 constexpr double kMinLimitScale = 0.01;
+constexpr double kMaxE = 10.0;  // no arm of a family is so far from its middle
 
 /// Only this machine's own program listens here: cpp-httplib would share the port with others.
 void reuse_address(socket_t socket) {
@@ -42,6 +45,19 @@ SceneNames scene_of(const JsonReader& body) {
 std::uint64_t request_of(const JsonReader& body) {
   constexpr std::uint64_t kMaxRequest = std::uint64_t{1} << 53U;
   return body.at("request").count(kMaxRequest);
+}
+
+Eigen::VectorXf as_vector(const std::vector<double>& numbers) {
+  return Eigen::Map<const Eigen::VectorXd>(numbers.data(), Eigen::Index(numbers.size()))
+      .cast<float>();
+}
+
+/// How many numbers tell arms of the model's family apart, and those of the model's own arm.
+Json family_to_json(const CompensationModel& model) {
+  const Eigen::Index size = model.family ? model.family->size() : 0;
+  const Eigen::VectorXf e =
+      model.member_of_family ? model.member_of_family->e : Eigen::VectorXf::Zero(size);
+  return {{"is_family", is_family(model)}, {"e", std::vector<float>(e.begin(), e.end())}};
 }
 
 }  // namespace
@@ -72,6 +88,7 @@ class Studio::Server {
     add_rules();
     add_files();
     add_work();
+    add_results();
     add_page();  // last: its pattern matches every path
   }
 
@@ -150,6 +167,7 @@ class Studio::Server {
                         {"arms", project_.names(ProjectItem::arm)},
                         {"models", project_.names(ProjectItem::model)},
                         {"environments", project_.names(ProjectItem::environment)},
+                        {"recordings", project_.names(ProjectItem::recording)},
                         {"first_arm", first_arm_},
                         {"first_model", first_model_},
                         {"driver", driver_},
@@ -210,13 +228,19 @@ class Studio::Server {
         }
       });
     });
+    post("/api/follow", [this](const JsonReader& body, Response& response) {
+      const FollowJob job{request_of(body), scene_of(body), body.at("environment").value(),
+                          tip_path_in(body)};
+      with_tab(body, response, [&](Tab& tab) { tab.post(job); });
+    });
     post("/api/drive", [this](const JsonReader& body, Response& response) {
       const std::vector<double> kpa = body.at("setpoint_kpa").numbers(std::string::npos, "kPa");
       const bool restart = body.at("restart").boolean();
+      const std::vector<double> e =
+          body.at("e").numbers(std::string::npos, "standard deviations", -kMaxE, kMaxE);
       const DriveJob job{request_of(body), scene_of(body)};
       with_tab(body, response, [&](Tab& tab) {
-        tab.target().set(
-            Eigen::Map<const Eigen::VectorXd>(kpa.data(), Eigen::Index(kpa.size())).cast<float>());
+        tab.target().set({as_vector(kpa), as_vector(e)});
         if (restart) {
           tab.post(job);
         }
@@ -227,6 +251,31 @@ class Studio::Server {
     });
     add_arm_requests(station_ ? &*station_ : nullptr, tabs_,
                      [this](const char* path, Post handle) { post(path, std::move(handle)); });
+  }
+
+  /// What was made before: experiments, models and recordings.
+  void add_results() {
+    get("/api/model", [this](const Request& request, Response& response) {
+      answer(response, family_to_json(read_model(
+                           project_.find(ProjectItem::model, request.get_param_value("name")))));
+    });
+    get("/api/experiment", [this](const Request&, Response& response) {
+      const std::optional<ExperimentFolder> newest = ExperimentFolder::newest(project_);
+      answer(response, {{"folder", newest ? newest->name() : ""},
+                        {"rows", newest ? newest->rows() : Json::array()}});
+    });
+    post("/api/experiment/runs", [this](const JsonReader& body, Response& response) {
+      const std::uint64_t row = body.at("row").count(ExperimentFolder::kMaxRows);
+      answer(response, {{"runs", ExperimentFolder(project_, body.at("folder").text()).runs(row)}});
+    });
+    post("/api/plan/open", [this](const JsonReader& body, Response& response) {
+      const OpenJob job{request_of(body), body.at("folder").text(), body.at("run").text()};
+      with_tab(body, response, [&](Tab& tab) { tab.post(job); });
+    });
+    post("/api/measure", [this](const JsonReader& body, Response& response) {
+      const MeasureJob job{request_of(body), scene_of(body), body.at("recording").text()};
+      with_tab(body, response, [&](Tab& tab) { tab.post(job); });
+    });
   }
 
   void stream_events(Response& response) {

@@ -1,7 +1,10 @@
 #include "studio_scene.hpp"
 
+#include <fmt/format.h>
+
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
+#include "limber/common/error.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/network/gap_bounds.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
@@ -18,13 +21,22 @@ ArmDescription checked_arm(const fs::path& file) {
   return arm;
 }
 
-ForwardModel forward_of(const ArmDescription& arm, const fs::path& model_file) {
-  if (model_file.empty()) {
+std::optional<CompensationModel> network_of(const fs::path& model_file) {
+  return model_file.empty() ? std::nullopt : std::optional(read_model(model_file));
+}
+
+ForwardModel forward_of(const ArmDescription& arm, std::optional<CompensationModel> network,
+                        const fs::path& model_file) {
+  if (!network) {
     return ForwardModel(arm);
   }
-  CompensationModel network = read_model_of_one_arm(model_file);
-  require_bounded(network, model_file.filename().string());
-  return ForwardModel(arm, std::move(network));
+  if (is_family(*network)) {
+    const Eigen::Index size = network->family->size();
+    network = model_of_arm(*std::move(network), {"", Eigen::VectorXf::Zero(size),
+                                                 Eigen::MatrixXf::Identity(size, size)});
+  }
+  require_bounded(*network, model_file.filename().string());
+  return ForwardModel(arm, *std::move(network));
 }
 
 ValveModel valves_of(const ArmDescription& arm, const ForwardModel& forward) {
@@ -42,7 +54,8 @@ StudioScene::StudioScene(const ProjectFolder& project, SceneNames names)
                                        : project.find(ProjectItem::model, names_.model)),
       arm_time_(fs::last_write_time(arm_file_)),
       arm_(checked_arm(arm_file_)),
-      forward_(forward_of(arm_, model_file_)),
+      network_(network_of(model_file_)),
+      forward_(forward_of(arm_, network_, model_file_)),
       simple_(arm_),
       motion_(forward_, valves_of(arm_, forward_)),
       simple_motion_(simple_) {
@@ -50,6 +63,25 @@ StudioScene::StudioScene(const ProjectFolder& project, SceneNames names)
     model_time_ = fs::last_write_time(model_file_);
     model_hash_ = content_hash(read_file(model_file_));
   }
+}
+
+void StudioScene::require_one_arm() const {
+  if (network_) {
+    limber::require_one_arm(*network_, model_file_.filename().string());
+  }
+}
+
+ForwardModel StudioScene::model_of(const Eigen::VectorXf& e) const {
+  const Eigen::Index size = network_ && network_->family ? network_->family->size() : 0;
+  if (size == 0 || e.size() != size) {
+    throw InputError(fmt::format("e: {} numbers; the model's family has {}", e.size(), size));
+  }
+  return ForwardModel(arm_,
+                      model_of_arm(*network_, {"", e, Eigen::MatrixXf::Identity(size, size)}));
+}
+
+MotionModel StudioScene::motion_of(const ForwardModel& forward) const {
+  return MotionModel(forward, valves_of(arm_, forward));
 }
 
 bool StudioScene::is_current(const SceneNames& names) const {

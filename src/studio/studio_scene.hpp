@@ -23,6 +23,7 @@ struct SceneNames {
 /// An arm and what its motions are predicted with. Threads: constant after construction.
 class StudioScene {
  public:
+  /// Of a family, its middle arm.
   /// @throws InputError if a file does not fit, as `limber plan` would.
   StudioScene(const ProjectFolder& project, SceneNames names);
 
@@ -35,6 +36,12 @@ class StudioScene {
   const MotionModel& simple() const { return simple_motion_; }
   bool has_network() const { return motion_.has_network(); }
   bool has_virtual_arm() const { return arm_.command.is_pressure_kpa(); }
+  /// @throws InputError, with the command that makes it one arm's, if the model is a family's.
+  void require_one_arm() const;
+  /// The model of another arm of its family. @throws InputError unless e has the family's size.
+  ForwardModel model_of(const Eigen::VectorXf& e) const;
+  /// With the valves of the model.
+  MotionModel motion_of(const ForwardModel& forward) const;
   /// Content hash of the model's file; empty for the simple model.
   const std::string& model_hash() const { return model_hash_; }
 
@@ -48,6 +55,7 @@ class StudioScene {
   FileTime model_time_{};
   ArmDescription arm_;
   std::string model_hash_;
+  std::optional<CompensationModel> network_;  // as its file has it
   ForwardModel forward_;
   ForwardModel simple_;
   MotionModel motion_;

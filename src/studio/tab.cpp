@@ -1,5 +1,8 @@
 #include "tab.hpp"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <exception>
 #include <utility>
 
@@ -11,6 +14,13 @@ namespace {
 
 std::uint64_t request_of(const Job& job) {
   return std::visit([](const auto& one) { return one.request; }, job);
+}
+
+/// This thread alone: the browser on the same machine paints first. An arm behind a driver has a
+/// thread of its own.
+void give_way() {
+  constexpr int kNice = 10;
+  setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice);  // where it is refused, it is late
 }
 
 }  // namespace
@@ -30,7 +40,7 @@ Tab::~Tab() {
 void Tab::post(Job job) {
   {
     const std::lock_guard lock(mutex_);
-    if (std::holds_alternative<PlanJob>(job)) {
+    if (std::holds_alternative<PlanJob>(job) || std::holds_alternative<OpenJob>(job)) {
       found_.reset();  // of another scene: nothing may run it any more
     }
     next_ = std::move(job);
@@ -51,6 +61,7 @@ std::optional<FoundPlan> Tab::found() const {
 }
 
 void Tab::work() {
+  give_way();
   const StopScope scope(&stop_job_);  // a search looks at it often
   while (true) {
     std::optional<Job> job;
@@ -81,16 +92,25 @@ void Tab::run(const Job& job) {
       const std::lock_guard lock(mutex_);
       found_.reset();
     }
-    run_plan_job(*plan, scene(plan->scene), stop_job_, events_, [this](FoundPlan found) {
-      const std::lock_guard lock(mutex_);
-      if (!next_) {  // else it answers a question that nobody asks any more
-        found_ = std::move(found);
-      }
-    });
+    run_plan_job(*plan, scene(plan->scene), stop_job_, events_,
+                 [this](FoundPlan found) { keep(std::move(found)); });
+  } else if (const auto* open = std::get_if<OpenJob>(&job)) {
+    run_open_job(*open, project_, events_, [this](FoundPlan found) { keep(std::move(found)); });
   } else if (const auto* drive = std::get_if<DriveJob>(&job)) {
     run_drive_job(*drive, scene(drive->scene), target_, stop_job_, events_);
+  } else if (const auto* follow = std::get_if<FollowJob>(&job)) {
+    run_follow_job(*follow, scene(follow->scene), stop_job_, events_);
+  } else if (const auto* measure = std::get_if<MeasureJob>(&job)) {
+    run_measure_job(*measure, project_, scene(measure->scene), stop_job_, events_);
   } else if (const std::optional<FoundPlan> plan_found = found()) {
     run_run_job(std::get<RunJob>(job), scene(plan_found->scene), *plan_found, stop_job_, events_);
+  }
+}
+
+void Tab::keep(FoundPlan found) {
+  const std::lock_guard lock(mutex_);
+  if (!next_) {  // else it answers a question that nobody asks any more
+    found_ = std::move(found);
   }
 }
 

@@ -31,6 +31,7 @@ class Tab {
  private:
   void work();
   void run(const Job& job);
+  void keep(FoundPlan found);
   const StudioScene& scene(const SceneNames& names);
 
   const ProjectFolder& project_;

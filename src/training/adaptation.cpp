@@ -81,7 +81,7 @@ class Adapter {
       : arm_(arm), family_(family_of(family)), settings_(settings) {}
 
   Adaptation run(const std::vector<Episode>& episodes) {
-    const Halves halves = split(episodes);
+    const Halves halves = settings_.measures_errors ? split(episodes) : Halves{episodes, {}};
     const ArmFit whole = fitted_to(episodes);
     Adaptation result;
     result.model = whole.model;

@@ -1,8 +1,6 @@
 #include "limber/training/evaluation.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -18,22 +16,7 @@ namespace limber {
 
 namespace {
 
-constexpr int kWindowFrames = 32;
 constexpr int kMinFrames = 3;  // constant velocity needs two frames before the one it predicts
-
-std::vector<RolloutPiece> pieces_for(const std::vector<Episode>& episodes, Restart restart) {
-  switch (restart) {
-    case Restart::every_frame:
-      return pieces_of_length(episodes, 1);
-    case Restart::every_32_frames:
-      return pieces_of_length(episodes, kWindowFrames);
-    case Restart::every_motion:
-      return pieces_of_motions(episodes);
-    case Restart::at_the_start_only:
-      break;
-  }
-  return pieces_of_length(episodes, std::numeric_limits<int>::max());
-}
 
 /// A piece for every frame but the first, whether a start was tracked or not: for models that need
 /// none.
@@ -45,15 +28,6 @@ std::vector<RolloutPiece> pieces_of_every_frame(const std::vector<Episode>& epis
     }
   }
   return pieces;
-}
-
-TipErrorSeries errors_over(const std::vector<FrameMatrix>& predicted,
-                           const std::vector<Episode>& episodes, int first) {
-  TipErrorSeries all;
-  for (std::size_t i = 0; i < episodes.size(); ++i) {
-    append(all, tip_errors(predicted[i], episodes[i], first));
-  }
-  return all;
 }
 
 /// @throws InputError if a prediction within the pieces is not finite.
@@ -85,45 +59,9 @@ std::vector<FrameMatrix> predict_checked(const ForwardModel& model,
   return predicted;
 }
 
-TipErrorSeries rollout_errors(const ForwardModel& model, const std::vector<Episode>& episodes,
-                              Restart restart, int jobs) {
-  return errors_over(predict_checked(model, episodes, restart, jobs), episodes, 1);
-}
-
-/// Makes predictions NaN that depend on an untracked frame among the `count` frames before them.
-void forget_guesses(const Episode& episode, int count, FrameMatrix& predicted) {
-  for (int t = 0; t < episode.frame_count(); ++t) {
-    for (int before = std::max(t - count, 0); before < t; ++before) {
-      if (!episode.was_tracked(before)) {
-        predicted.row(t).setConstant(std::numeric_limits<float>::quiet_NaN());
-      }
-    }
-  }
-}
-
-std::vector<FrameMatrix> hold(const std::vector<Episode>& episodes) {
-  std::vector<FrameMatrix> predicted;
-  for (const Episode& episode : episodes) {
-    const Eigen::Index frames = episode.backbone.rows();
-    FrameMatrix held = episode.backbone;
-    held.bottomRows(frames - 1) = episode.backbone.topRows(frames - 1);
-    forget_guesses(episode, 1, held);
-    predicted.push_back(std::move(held));
-  }
-  return predicted;
-}
-
-std::vector<FrameMatrix> constant_velocity(const std::vector<Episode>& episodes) {
-  std::vector<FrameMatrix> predicted;
-  for (const Episode& episode : episodes) {
-    const Eigen::Index frames = episode.backbone.rows();
-    FrameMatrix moved = episode.backbone;
-    moved.bottomRows(frames - 2) =
-        2.0F * episode.backbone.middleRows(1, frames - 2) - episode.backbone.topRows(frames - 2);
-    forget_guesses(episode, 2, moved);
-    predicted.push_back(std::move(moved));
-  }
-  return predicted;
+TipErrors rollout_errors(const ForwardModel& model, const std::vector<Episode>& episodes,
+                         Restart restart, int jobs) {
+  return summarise(errors_over(predict_checked(model, episodes, restart, jobs), episodes));
 }
 
 double reduction_percent(double before, double after) {
@@ -171,7 +109,7 @@ std::optional<TipErrors> errors_from_setpoints(const ForwardModel& network,
     const double rate_hz = (frames - 1) / (episode.time_s[frames - 1] - episode.time_s[0]);
     episode.pressure_kpa = simulate_valves(*valves, rate_hz, episode);
   }
-  return summarise(rollout_errors(network, episodes, Restart::at_the_start_only, jobs));
+  return rollout_errors(network, episodes, Restart::at_the_start_only, jobs);
 }
 
 /// Two arms of equal sizes that differ in numbers alone would pass for one.
@@ -218,25 +156,21 @@ Evaluation evaluate(const ForwardModel& no_load, const ForwardModel* network,
   result.command = no_load.no_load().command();
   result.frames = counted_frames(episodes);
   // The no-load model has no memory: restarting it would change nothing.
-  const auto errors_of = [&](const ForwardModel& model, Restart restart) {
-    return summarise(rollout_errors(model, episodes, restart, jobs));
-  };
-  result.no_load_open_loop = errors_of(no_load, Restart::every_frame);
-  const auto one_step = [](const TipErrorSeries& series, TipErrors& all, TipErrors& moving) {
+  result.no_load_open_loop = rollout_errors(no_load, episodes, Restart::every_frame, jobs);
+  const auto one_step = [&](const PiecePrediction& predict_piece, TipErrors& all,
+                            TipErrors& moving) {
+    const TipErrorSeries series = errors_over(
+        predict_pieces(predict_piece, episodes, pieces_of_length(episodes, 1)), episodes);
     all = summarise(series);
     moving = summarise(moving_frames(series));
   };
-  one_step(errors_over(hold(episodes), episodes, 1), result.hold_one_step,
-           result.hold_one_step_moving);
-  one_step(errors_over(constant_velocity(episodes), episodes, 2), result.constant_velocity_one_step,
+  one_step(hold, result.hold_one_step, result.hold_one_step_moving);
+  one_step(keep_velocity, result.constant_velocity_one_step,
            result.constant_velocity_one_step_moving);
   if (network != nullptr) {
-    RolloutErrors errors;
-    one_step(rollout_errors(*network, episodes, Restart::every_frame, jobs), errors.one_step,
-             errors.one_step_moving);
-    errors.window_32 = errors_of(*network, Restart::every_32_frames);
-    errors.per_motion = errors_of(*network, Restart::every_motion);
-    errors.open_loop = errors_of(*network, Restart::at_the_start_only);
+    RolloutErrors errors = errors_at_every_restart(episodes, [&](Restart restart) {
+      return predict_checked(*network, episodes, restart, jobs);
+    });
     errors.open_loop_from_setpoints = errors_from_setpoints(*network, episodes, jobs);
     result.long_rollout = roll_out_long(*network, episodes);
     if (network->compensation().learnt) {

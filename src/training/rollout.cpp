@@ -16,6 +16,16 @@ namespace limber {
 namespace {
 
 constexpr std::size_t kPiecesPerBatch = 64;
+constexpr int kWindowFrames = 32;
+
+std::vector<FrameMatrix> nothing_predicted(const std::vector<Episode>& episodes) {
+  std::vector<FrameMatrix> predicted;
+  for (const Episode& episode : episodes) {
+    predicted.push_back(FrameMatrix::Constant(episode.backbone.rows(), episode.backbone.cols(),
+                                              std::numeric_limits<float>::quiet_NaN()));
+  }
+  return predicted;
+}
 
 /// Rolls out pieces of a batch; they are sorted, longest first, so that those still running are the
 /// first columns.
@@ -107,14 +117,24 @@ std::vector<RolloutPiece> pieces_of_motions(const std::vector<Episode>& episodes
   return pieces;
 }
 
+std::vector<RolloutPiece> pieces_for(const std::vector<Episode>& episodes, Restart restart) {
+  switch (restart) {
+    case Restart::every_frame:
+      return pieces_of_length(episodes, 1);
+    case Restart::every_32_frames:
+      return pieces_of_length(episodes, kWindowFrames);
+    case Restart::every_motion:
+      return pieces_of_motions(episodes);
+    case Restart::at_the_start_only:
+      break;
+  }
+  return pieces_of_length(episodes, std::numeric_limits<int>::max());
+}
+
 std::vector<FrameMatrix> roll_out(const ForwardModel& model, const std::vector<Episode>& episodes,
                                   std::vector<RolloutPiece> pieces, int jobs,
                                   OnInterrupt on_interrupt) {
-  std::vector<FrameMatrix> predicted;
-  for (const Episode& episode : episodes) {
-    predicted.push_back(FrameMatrix::Constant(episode.backbone.rows(), episode.backbone.cols(),
-                                              std::numeric_limits<float>::quiet_NaN()));
-  }
+  std::vector<FrameMatrix> predicted = nothing_predicted(episodes);
   std::stable_sort(pieces.begin(), pieces.end(), [](const RolloutPiece& a, const RolloutPiece& b) {
     return a.frames > b.frames;
   });
@@ -131,6 +151,58 @@ std::vector<FrameMatrix> roll_out(const ForwardModel& model, const std::vector<E
     });
   });
   return predicted;
+}
+
+std::vector<FrameMatrix> predict_pieces(const PiecePrediction& predict_piece,
+                                        const std::vector<Episode>& episodes,
+                                        const std::vector<RolloutPiece>& pieces) {
+  std::vector<FrameMatrix> predicted = nothing_predicted(episodes);
+  for (const RolloutPiece& piece : pieces) {
+    throw_if_interrupted();
+    const auto index = static_cast<std::size_t>(piece.episode);
+    predict_piece(episodes[index], piece, predicted[index]);
+  }
+  return predicted;
+}
+
+void hold(const Episode& episode, const RolloutPiece& piece, FrameMatrix& predicted) {
+  for (int k = 1; k <= piece.frames; ++k) {
+    predicted.row(piece.first + k) = episode.backbone.row(piece.first);
+  }
+}
+
+void keep_velocity(const Episode& episode, const RolloutPiece& piece, FrameMatrix& predicted) {
+  const int before = before_start(episode, piece.first);
+  if (before == piece.first && piece.frames == 1) {
+    return;
+  }
+  const auto start = episode.backbone.row(piece.first);
+  const Eigen::RowVectorXf step = start - episode.backbone.row(before);
+  for (int k = 1; k <= piece.frames; ++k) {
+    predicted.row(piece.first + k) = start + float(k) * step;
+  }
+}
+
+TipErrorSeries errors_over(const std::vector<FrameMatrix>& predicted,
+                           const std::vector<Episode>& episodes) {
+  TipErrorSeries all;
+  for (std::size_t i = 0; i < episodes.size(); ++i) {
+    append(all, tip_errors(predicted[i], episodes[i], 1));
+  }
+  return all;
+}
+
+RolloutErrors errors_at_every_restart(
+    const std::vector<Episode>& episodes,
+    const std::function<std::vector<FrameMatrix>(Restart)>& predict) {
+  const auto series = [&](Restart restart) { return errors_over(predict(restart), episodes); };
+  const TipErrorSeries step = series(Restart::every_frame);
+  return {summarise(step),
+          summarise(moving_frames(step)),
+          summarise(series(Restart::every_32_frames)),
+          summarise(series(Restart::every_motion)),
+          summarise(series(Restart::at_the_start_only)),
+          std::nullopt};
 }
 
 std::vector<FrameMatrix> mean_of(const std::vector<std::vector<FrameMatrix>>& predicted) {

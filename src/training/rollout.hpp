@@ -1,9 +1,12 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "limber/data/recording.hpp"
 #include "limber/forward/forward_model.hpp"
+#include "limber/training/evaluation.hpp"
+#include "limber/training/tip_errors.hpp"
 
 namespace limber {
 
@@ -23,6 +26,8 @@ std::vector<RolloutPiece> pieces_of_length(const std::vector<Episode>& episodes,
 /// after that in which the arm was tracked.
 std::vector<RolloutPiece> pieces_of_motions(const std::vector<Episode>& episodes);
 
+std::vector<RolloutPiece> pieces_for(const std::vector<Episode>& episodes, Restart restart);
+
 /// The frame that tells how the arm moves in frame `first`; itself where nobody saw that.
 int before_start(const Episode& episode, int first);
 
@@ -36,6 +41,25 @@ enum class OnInterrupt { finish, stop };
 std::vector<FrameMatrix> roll_out(const ForwardModel& model, const std::vector<Episode>& episodes,
                                   std::vector<RolloutPiece> pieces, int jobs,
                                   OnInterrupt on_interrupt = OnInterrupt::finish);
+
+/// Predicts the frames of a piece from the recorded backbone at its start; leaves them NaN where it
+/// can't.
+using PiecePrediction =
+    std::function<void(const Episode&, const RolloutPiece&, FrameMatrix& predicted)>;
+std::vector<FrameMatrix> predict_pieces(const PiecePrediction& predict_piece,
+                                        const std::vector<Episode>& episodes,
+                                        const std::vector<RolloutPiece>& pieces);
+
+void hold(const Episode& episode, const RolloutPiece& piece, FrameMatrix& predicted);
+/// Needs two tracked frames. Without them it holds the pose; a single step then says nothing.
+void keep_velocity(const Episode& episode, const RolloutPiece& piece, FrameMatrix& predicted);
+
+TipErrorSeries errors_over(const std::vector<FrameMatrix>& predicted,
+                           const std::vector<Episode>& episodes);
+/// Of what `predict` makes of them; `open_loop_from_setpoints` stays empty.
+RolloutErrors errors_at_every_restart(
+    const std::vector<Episode>& episodes,
+    const std::function<std::vector<FrameMatrix>(Restart)>& predict);
 
 /// Mean over an ensemble's members of what `roll_out` gave for each, episode by episode.
 std::vector<FrameMatrix> mean_of(const std::vector<std::vector<FrameMatrix>>& predicted);

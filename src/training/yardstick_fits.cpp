@@ -12,25 +12,15 @@ namespace {
 constexpr int kYardstickFolds = 5;
 constexpr double kRidge = 1e-6;  // of the mean square of the terms: neighbouring plates are alike
 
-/// XᵀX and XᵀY, of which the coefficients come.
-struct NormalEquations {
-  Eigen::MatrixXd square;
-  Eigen::MatrixXd product;
-
-  NormalEquations(Eigen::Index terms, Eigen::Index answers)
-      : square(Eigen::MatrixXd::Zero(terms, terms)),
-        product(Eigen::MatrixXd::Zero(terms, answers)) {}
-
-  void add(const Eigen::VectorXd& terms, const Eigen::VectorXd& answer) {
-    square.selfadjointView<Eigen::Lower>().rankUpdate(terms);
-    product.noalias() += terms * answer.transpose();
+/// Each over its segment's limit.
+Eigen::VectorXd command_terms(const ArmDescription& arm, const Episode& episode, int t) {
+  Eigen::VectorXd terms(arm.segment_count());
+  for (Eigen::Index i = 0; i < terms.size(); ++i) {
+    terms[i] = double(episode.pressure_kpa(t, i)) /
+               arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa.largest_kpa();
   }
-
-  Eigen::MatrixXd solved() const {
-    const double damping = kRidge * (square.trace() / double(square.rows()) + 1.0);
-    return damped_solve(square, product, damping).transpose();
-  }
-};
+  return terms;
+}
 
 }  // namespace
 
@@ -73,45 +63,31 @@ std::vector<Episode> Folds::training(const std::vector<Episode>& episodes, int f
   return others;
 }
 
-Eigen::VectorXd command_terms(const ArmDescription& arm, const Episode& episode, int t) {
-  const Eigen::Index n = arm.segment_count();
-  Eigen::VectorXd terms(n + 1);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    terms[i] = double(episode.pressure_kpa(t, i)) /
-               arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa.largest_kpa();
-  }
-  terms[n] = 1.0;
-  return terms;
-}
-
 Eigen::VectorXd step_terms(const ArmDescription& arm, const Episode& episode, int t,
                            const Eigen::VectorXd& before) {
-  const Eigen::Index n = arm.segment_count();
-  Eigen::VectorXd terms(2 * n + before.size() + 1);
-  terms << command_terms(arm, episode, t - 1).head(n), command_terms(arm, episode, t).head(n),
-      before, 1.0;
+  Eigen::VectorXd terms(2 * arm.segment_count() + before.size() + 1);
+  terms << command_terms(arm, episode, t - 1), command_terms(arm, episode, t), before, 1.0;
   return terms;
 }
 
-LinearModels fit_linear(const ArmDescription& arm, const std::vector<Episode>& episodes) {
-  const Eigen::Index n = arm.segment_count();
+Eigen::MatrixXd fit_linear_step(const ArmDescription& arm, const std::vector<Episode>& episodes) {
   const Eigen::Index size = kPoseSize * arm.point_count();
-  NormalEquations of_commands(n + 1, size);
-  NormalEquations of_a_step(2 * n + size + 1, size);
+  const Eigen::Index count = 2 * arm.segment_count() + size + 1;
+  Eigen::MatrixXd square = Eigen::MatrixXd::Zero(count, count);  // XᵀX
+  Eigen::MatrixXd product = Eigen::MatrixXd::Zero(count, size);  // XᵀY
   for (const Episode& episode : episodes) {
-    for (int t = 0; t < episode.frame_count(); ++t) {
-      if (!episode.was_tracked(t)) {
-        continue;
-      }
-      const Eigen::VectorXd now = episode.backbone.row(t).transpose().cast<double>();
-      of_commands.add(command_terms(arm, episode, t), now);
-      if (t > 0 && episode.was_tracked(t - 1)) {
+    for (int t = 1; t < episode.frame_count(); ++t) {
+      if (episode.was_tracked(t) && episode.was_tracked(t - 1)) {
+        const Eigen::VectorXd now = episode.backbone.row(t).transpose().cast<double>();
         const Eigen::VectorXd before = episode.backbone.row(t - 1).transpose().cast<double>();
-        of_a_step.add(step_terms(arm, episode, t, before), now - before);
+        const Eigen::VectorXd terms = step_terms(arm, episode, t, before);
+        square.selfadjointView<Eigen::Lower>().rankUpdate(terms);
+        product.noalias() += terms * (now - before).transpose();
       }
     }
   }
-  return {of_commands.solved(), of_a_step.solved()};
+  const double damping = kRidge * (square.trace() / double(count) + 1.0);
+  return damped_solve(square, product, damping).transpose();
 }
 
 }  // namespace limber

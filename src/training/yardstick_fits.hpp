@@ -27,17 +27,11 @@ class Folds {
   int count_ = 1;
 };
 
-/// B_t from (q_t), and B_t − B_{t−1} from (q_{t−1}, q_t, B_{t−1}): least squares with a constant.
-struct LinearModels {
-  Eigen::MatrixXd of_commands;  ///< 3m×(n + 1)
-  Eigen::MatrixXd of_a_step;    ///< 3m×(2n + 3m + 1)
-};
-
-/// Commands over their limits and, where there is one, the backbone before; a 1 at the end.
-Eigen::VectorXd command_terms(const ArmDescription& arm, const Episode& episode, int t);
+/// What B_t − B_{t−1} is fitted to: both commands over their limits, the backbone before, and a 1.
 Eigen::VectorXd step_terms(const ArmDescription& arm, const Episode& episode, int t,
                            const Eigen::VectorXd& before);
 
-LinearModels fit_linear(const ArmDescription& arm, const std::vector<Episode>& episodes);
+/// B_t − B_{t−1} from step_terms, by damped least squares: 3m×(2n + 3m + 1).
+Eigen::MatrixXd fit_linear_step(const ArmDescription& arm, const std::vector<Episode>& episodes);
 
 }  // namespace limber

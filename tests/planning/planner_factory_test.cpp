@@ -13,7 +13,6 @@ namespace limber {
 namespace {
 
 using ::testing::AllOf;
-using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::ThrowsMessage;
@@ -34,7 +33,6 @@ TEST(PlannerFactory, MakesAPlannerOfEveryNameThatItGives) {
   EXPECT_EQ(planner_names().front(), "default");
   for (const std::string& name : planner_names()) {
     EXPECT_EQ(make_planner(name)->name(), name);
-    EXPECT_THAT(planner_name_notes(name), IsEmpty()) << "today's names are no old ones";
     EXPECT_EQ(is_default_planner(name), name == "default");
   }
   for (const std::string& name : ompl_planner_names()) {
@@ -73,21 +71,6 @@ TEST(PlannerFactory, SettingsFollowTheName) {
   expect_refusal("paper,speed=1", {"planner setting speed: unknown", "valves"});
   expect_refusal("paper,valves=2", {"valves = '2'", "from 0 to 1"});
   expect_refusal("default,improved_plans", {"expected NAME,key=value"});
-}
-
-// Runs limited by iterations depend on seed and problem alone, so one plan tells both apart.
-TEST(PlannerFactory, OldNamesMakeWhatTheNewOnesMake) {
-  const std::string before = "default,goal_shots=0.3,dearest=2";
-  const std::string now = "default,goal_steering_share=0.3,max_cost_ratio=2";
-  EXPECT_THAT(planner_name_notes(before),
-              ElementsAre(HasSubstr("goal_steering_share"), HasSubstr("max_cost_ratio")));
-  EXPECT_THAT(planner_name_notes(now), IsEmpty());
-  Setting setting(false);
-  const PlanResult a = setting.plan(before, 400);
-  const PlanResult b = setting.plan(now, 400);
-  EXPECT_EQ(a.status, b.status);
-  EXPECT_EQ(a.statistics.queries, b.statistics.queries);
-  EXPECT_TRUE(same_tree(a, b));
 }
 
 TEST(PlannerFactory, GivesAForestToTheDefaultPlannerAlone) {

@@ -21,15 +21,6 @@ TEST(PlannerName, IsANameAndWhatIsSetBehindIt) {
   EXPECT_EQ(set.name, "ompl:SST");
   EXPECT_THAT(set.settings,
               ElementsAre(Pair("empty", ""), Pair("frames", "3"), Pair("rule", "a=b")));
-  EXPECT_THAT(set.notes, IsEmpty());
-}
-
-TEST(PlannerName, NamesOfBeforeAreUnderstoodAndSaidSo) {
-  const PlannerName old = PlannerName::parse("default,goal_shots=0.1,dearest=3");
-  EXPECT_THAT(old.settings,
-              ElementsAre(Pair("goal_steering_share", "0.1"), Pair("max_cost_ratio", "3")));
-  EXPECT_THAT(old.notes, ElementsAre("goal_shots is called goal_steering_share now",
-                                     "dearest is called max_cost_ratio now"));
 }
 
 TEST(PlannerName, WhatIsNoSettingIsRefused) {
@@ -41,7 +32,6 @@ TEST(PlannerName, WhatIsNoSettingIsRefused) {
   refusal("default,=3", "planner setting '=3'");
   refusal("default,a=1,,b=2", "planner setting ''");
   refusal("default,a=1,a=2", "planner setting a: given twice");
-  refusal("default,goal_shots=1,goal_steering_share=1", "goal_steering_share: given twice");
 }
 
 TEST(PlannerName, ASettingIsTakenOnceAndOnlyInItsRange) {

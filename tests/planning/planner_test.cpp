@@ -16,7 +16,6 @@ namespace {
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 using ::testing::ThrowsMessage;
 
 TEST(Planner, TakesSettingsWithItsName) {
@@ -42,19 +41,6 @@ TEST(Planner, TakesSettingsWithItsName) {
           "goal_bias + goal_steering_share = 1.2; expected 0 to 1");
   refusal("paper,goal_steering_share=0",
           "planner setting goal_steering_share: unknown; 'paper' has the setting valves");
-}
-
-TEST(Planner, UnderstandsTheNamesOfBefore) {
-  Setting s(false);
-  const PlanResult before = s.plan("default,goal_shots=0.4,dearest=1.5", 800);
-  const PlanResult now = s.plan("default,goal_steering_share=0.4,max_cost_ratio=1.5", 800);
-  ASSERT_EQ(now.status, PlanStatus::solved);
-  EXPECT_EQ(before.plan->waypoints_kpa, now.plan->waypoints_kpa);
-  EXPECT_THAT(planner_name_notes("default,dearest=1.5"),
-              ElementsAre("dearest is called max_cost_ratio now"));
-  EXPECT_THAT(planner_name_notes("default,max_cost_ratio=1.5"), IsEmpty());
-  EXPECT_THAT([] { (void)make_planner("default,goal_shots=0,goal_steering_share=1"); },
-              ThrowsMessage<InputError>(HasSubstr("goal_steering_share: given twice")));
 }
 
 TEST(Planner, LogsHowTheCostFell) {

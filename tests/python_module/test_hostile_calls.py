@@ -49,7 +49,6 @@ class WrongEpisodes(InFolder):
             "fitted_arm": lambda e: limber.fitted_arm(arm, fit, e),
             "train": lambda e: limber.train(arm, data(e), settings),
             "fine_tune": lambda e: limber.fine_tune(arm, data(e), settings, good["start"]),
-            "choose_stages": lambda e: limber.choose_stages(arm, data(e), settings),
             "evaluate": lambda e: limber.evaluate(no_load, forward, e),
             "evaluate without network": lambda e: limber.evaluate(no_load, None, e),
             "predict": lambda e: [limber.predict(forward, one, limber.Restart.every_frame)

@@ -55,7 +55,7 @@ class Pictures(unittest.TestCase):
         self.assert_svg(limber.plan_picture(arm, environment, self.result))
         self.assert_svg(limber.environment_picture(arm, environment))
         self.assert_svg(limber.pressure_picture(arm, plan))
-        self.assertIn("<canvas", limber.plan_animation(arm, environment, plan))
+        self.assertIn('<script type="application/json" id="data">', limber.plan_animation(arm, environment, plan))
         run = limber.execute(arm, environment, plan, limber.VirtualArm(arm))
         self.assert_svg(limber.execution_picture(arm, environment, plan, run))
 

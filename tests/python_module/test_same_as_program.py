@@ -115,8 +115,8 @@ class SameAsProgram(InFolder):
         theirs = self.program_plans()
         result = self.plan(self.chain.model)
         self.assert_same_plan(result)
-        error = self.network.prediction_error
-        self.assertEqual(result.plan.margin_m, error.off_path_m)
+        # The model's own, or a share of it where that leaves no way.
+        self.assertLessEqual(result.plan.margin_m, self.network.prediction_error.off_path_m)
         self.assertGreater(result.plan.margin_m, 0.0)
         own = limber.to_json(result, self.chain.environment.goal, "default", "network", SEED)
         for key in ("status", "cost_kpa", "queries", "nodes", "frames", "distance_to_goal_cm"):

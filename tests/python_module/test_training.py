@@ -1,4 +1,4 @@
-"""Training beyond `train` itself: windows chosen by short runs, the simple model fitted to
+"""Training beyond `train` itself: the simple model fitted to
 recordings, broken episodes found."""
 
 import unittest
@@ -24,28 +24,6 @@ class Training(InFolder):
 
     def data(self):
         return limber.hold_back_validation(self.episodes, 0.1, 1)
-
-    def test_windows_are_chosen_by_short_runs(self):
-        settings, epochs = settings_of(90), []
-        choice = limber.choose_stages(self.chain.arm, self.data(), settings,
-                                      lambda point: epochs.append(point.epoch))
-        self.assertEqual([tried.window_frames for tried in choice.tried],
-                         [[32], [8, 32], [2, 8, 32]])
-        self.assertEqual(choice.epochs + 3 * choice.race_epochs, 90)
-        self.assertEqual(settings.epoch_count, choice.epochs)
-        self.assertEqual([stage.window_frames for stage in settings.stages],
-                         choice.tried[choice.chosen].window_frames)
-        self.assertEqual(len(epochs), 3 * choice.race_epochs)
-        self.assertIn("chosen", str(choice))
-
-    def test_a_callback_stops_the_short_runs(self):
-        with self.assertRaises(limber.Interrupted):
-            limber.choose_stages(self.chain.arm, self.data(), settings_of(90), lambda point: False)
-
-    def test_without_validation_nothing_is_chosen(self):
-        with self.assertRaisesRegex(limber.InputError, "hold_back_validation"):
-            limber.choose_stages(self.chain.arm, limber.TrainingData(self.episodes),
-                                 settings_of(90))
 
     def test_results_say_how_the_model_drifts(self):
         data = self.data()

@@ -51,14 +51,5 @@ class Types(InFolder):
         self.assertEqual(found, expected, result.stdout)
 
 
-class Stubs(unittest.TestCase):
-    def test_stubs_are_up_to_date(self):
-        result = subprocess.run(
-            [sys.executable, str(ROOT / "tools" / "python_stubs.py"), "--check",
-             str(ROOT / "python" / "limber" / "_limber.pyi")],
-            capture_output=True, encoding="utf-8", check=False)
-        self.assertEqual(result.returncode, 0, result.stderr)
-
-
 if __name__ == "__main__":
     unittest.main()

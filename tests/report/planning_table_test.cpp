@@ -71,6 +71,18 @@ TEST(PlanningTable, DistancesStandWithAndWithoutTheRunsThatCollided) {
   EXPECT_EQ(rows[0].one_plan, &trials[0]);
 }
 
+TEST(PlanningTable, ARowOfAllEnvironmentsCountsThoseOfItsModel) {
+  std::vector<PlanTrial> trials{trial("a", "network", 100.0, 0.02),
+                                trial("b", "network", 90.0, 0.10),
+                                trial("a", "no_load", 80.0, 0.30)};
+  trials[0].asks_heading = true;
+  trials[0].execution->goal_error.orientation_rad = 0.3;
+  EXPECT_EQ(planning_row(trials, "a", "").trials, 2);
+  EXPECT_DOUBLE_EQ(*planning_row(trials, "", "network").distance_cm.mean, 6.0);
+  EXPECT_DOUBLE_EQ(*planning_row(trials, "", "").orientation_rad.mean, 0.3);
+  EXPECT_FALSE(planning_row(trials, "c", "").distance_cm.mean);
+}
+
 TEST(PlanningTable, RefusedPlansAreDefectsAndNotSolved) {
   std::vector<PlanTrial> trials{trial("a", "network", 100.0, 0.01)};
   trials[0].planning.status = PlanStatus::not_certified;

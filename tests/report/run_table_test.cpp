@@ -53,7 +53,7 @@ TEST(RunTable, ARunThatWasNotSeenIsNoArrivalAndHasNoDistance) {
   EXPECT_EQ(row.executed, 2);
   EXPECT_EQ(row.reached, 1);
   EXPECT_DOUBLE_EQ(*row.distance_cm.mean, 1.0);
-  EXPECT_DOUBLE_EQ(*summarise(trials, "", "").distance_m, 0.01);
+  EXPECT_DOUBLE_EQ(*planning_row(trials, "", "").distance_cm.mean, 1.0);
 }
 
 TEST(RunTable, ARunThatWasStoppedCountsWithWhatItStruckAndAFaultDoesNot) {
@@ -67,7 +67,7 @@ TEST(RunTable, ARunThatWasStoppedCountsWithWhatItStruckAndAFaultDoesNot) {
   EXPECT_EQ(row.collided, 1);
   EXPECT_EQ(row.faults, 1);
   EXPECT_DOUBLE_EQ(*row.distance_cm.median, 30.0);
-  const TrialSummary sum = summarise(trials, "", "");
+  const PlanningRow sum = planning_row(trials, "", "");
   EXPECT_EQ(sum.executed, 1);
   EXPECT_EQ(sum.collided, 1);
 }

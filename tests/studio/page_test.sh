@@ -26,7 +26,12 @@ case $1 in
       'data:text/html,<p>it starts' 2>/dev/null </dev/null | grep -q "it starts" ||
       missing "chromium does not start here"
     node tests/browser.mjs
+    node tests/browser_exports.mjs
     node tests/browser_arm.mjs
+    node tests/browser_results.mjs
+    node tests/browser_follow.mjs
+    node tests/browser_report.mjs
+    node tests/browser_axe.mjs
     ;;
   *) exit 2 ;;
 esac

@@ -10,6 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::Contains;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::ThrowsMessage;
@@ -26,6 +27,10 @@ class Project : public ::testing::Test {
     write_file_atomically(root_ / "project/.hidden/mine.yaml", kEnvironment);
     write_file_atomically(root_ / "project/notes.yaml", "hello: world\n");
     write_file_atomically(root_ / "outside/secret.yaml", kEnvironment);
+    write_file_atomically(root_ / "project/runs/first.h5", "\x89HDF\r\n\x1a\n");
+    write_file_atomically(root_ / "project/runs/text.h5", "no recording");
+    write_file_atomically(root_ / "project/table/experiment.json", "{}");
+    write_file_atomically(root_ / "project/table/trials/mine.yaml", kEnvironment);
     fs::create_directory_symlink(root_ / "outside", root_ / "project/out");
     fs::create_symlink(root_ / "outside/secret.yaml", root_ / "project/link.yaml");
   }
@@ -45,6 +50,15 @@ TEST_F(Project, OffersWhatFilesSayThatTheyAre) {
   EXPECT_THAT(environments, Not(Contains(HasSubstr("notes"))));
   EXPECT_THAT(environments, Not(Contains(HasSubstr("hidden"))));
   EXPECT_THAT(environments, Not(Contains(HasSubstr("secret"))));
+}
+
+TEST_F(Project, OffersRecordingsFamiliesAndExperiments) {
+  const ProjectFolder project(root_ / "project");
+  EXPECT_THAT(project.names(ProjectItem::recording), ElementsAre("runs/first.h5"));
+  EXPECT_THROW((void)project.find(ProjectItem::recording, "limber:first"), InputError);
+  EXPECT_THAT(project.names(ProjectItem::model), Contains("limber:three_segment"));
+  EXPECT_THAT(project.experiments(), ElementsAre("table"));
+  EXPECT_THAT(project.names(ProjectItem::environment), Not(Contains(HasSubstr("trials"))));
 }
 
 TEST_F(Project, FindsWhatItOffers) {

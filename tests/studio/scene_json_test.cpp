@@ -4,6 +4,7 @@
 
 #include "limber/common/data_folder.hpp"
 #include "limber/common/error.hpp"
+#include "limber/report/scene_json.hpp"
 
 namespace limber {
 namespace {

@@ -228,6 +228,24 @@ TEST_F(StudioServer, SlowAndSilentStrangersShutNobodyOut) {
   EXPECT_THAT(get("/api/project"), StartsWith("HTTP/1.1 200"));
 }
 
+// They wait for a thread for a moment, and none of them is a stranger who is in the way.
+TEST_F(StudioServer, ConnectionsThatComeAtOnceAreAllAnswered) {
+  constexpr int kAtOnce = 6;  // as many as a browser opens
+  constexpr int kTimes = 20;
+  for (int k = 0; k < kTimes; ++k) {
+    std::vector<std::unique_ptr<RawClient>> pages;
+    for (int i = 0; i < kAtOnce; ++i) {
+      pages.push_back(std::make_unique<RawClient>(studio_->port()));
+    }
+    for (const auto& page : pages) {
+      page->send("GET /assets/studio.css HTTP/1.1\r\n" + own_headers() + "\r\n");
+    }
+    for (const auto& page : pages) {
+      EXPECT_THAT(page->read_until("\r\n\r\n"), StartsWith("HTTP/1.1 200"));
+    }
+  }
+}
+
 TEST_F(StudioServer, StreamsAreFewAndEndWithTheirPage) {
   const std::string line = "GET /api/events HTTP/1.1\r\n" + own_headers() + "\r\n";
   std::vector<std::unique_ptr<RawClient>> pages;
@@ -279,6 +297,26 @@ TEST_F(StudioServer, APageGetsACertifiedPlanAndSavesIt) {
             read_plan(folder_ / "project/plans/first.json").environment_hash);
   save["name"] = "../first";
   EXPECT_THAT(post("/api/environment", save.dump()), StartsWith("HTTP/1.1 400"));
+}
+
+TEST_F(StudioServer, PathsThatAreNoneAreRefused) {
+  const nlohmann::json follow = {{"tab", std::string(32, '0')},
+                                 {"request", 1},
+                                 {"arm", "limber:three_segment"},
+                                 {"model", ""},
+                                 {"environment", nlohmann::json::object()}};
+  const std::vector<std::pair<std::vector<double>, std::string>> paths = {
+      {{0.0, 0.3, 0.1}, "2 to 2000 points"},
+      {{0.0, 0.3, 0.1, 1.0, 0.3}, "5 numbers"},
+      {{0.0, 0.3, 0.1, 0.0, 0.3, 0.2}, "point 1 has time_s = 0"},
+      {{1.0, 0.3, 0.1, 2.0, 0.3, 0.2}, "point 0 has time_s = 1"},
+      {{0.0, 0.3, 0.1, 1000.0, 0.3, 0.2}, "path"}};
+  for (const auto& [path, word] : paths) {
+    nlohmann::json body = follow;
+    body["path"] = path;
+    const std::string answer = post("/api/follow", body.dump());
+    EXPECT_THAT(answer, AllOf(StartsWith("HTTP/1.1 400"), HasSubstr(word)));
+  }
 }
 
 TEST(StudioSettingsTest, EveryAddressAtOnceAndATakenPortAreRefused) {

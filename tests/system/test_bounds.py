@@ -1,5 +1,5 @@
 """Bounds of gaps: every trained model has them, `plan` refuses one without, and `train --epochs 0` adds
-them; and the windows that the default preset chooses."""
+them; and the windows of the default preset."""
 
 import json
 import struct
@@ -84,7 +84,6 @@ class Bounds(InFolder):
         self.assertEqual([t["epochs"] for t in folds["tried"]], [100, 300, 600])
         self.assertIn(one["epochs"], (100, 300, 600))
         self.assertEqual((one["epochs"], one["best_epoch"]), (folds["epochs"], folds["epochs"]))
-        self.assertIsNone(one["windows_choice"])
         self.assertEqual(one["validation_episodes"], [])
         self.assertGreater(one["prediction_error"]["runs"], 0)
         record = self.run_json("inspect", "m.safetensors")["training"]
@@ -101,29 +100,19 @@ class Bounds(InFolder):
                                "--epochs", 3, "--out", "m.safetensors").stderr
         self.assertIn("--validation train.h5 is learnt from too", said)
 
-    def test_windows_are_chosen_where_something_validates_for_any_number_of_jobs(self):
+    def test_windows_are_of_32_where_something_validates_for_any_number_of_jobs(self):
         self.run_limber("collect", *ARM, "--schedule", "random", "--count", 5, "--seed", 9, "--out",
                         "other.h5")
         validation = ("--validation", "other.h5")
         one = self.train("--jobs", 1, *validation)
-        choice = one["windows_choice"]
-        self.assertEqual([t["windows"] for t in choice["tried"]], [[32], [8, 32], [2, 8, 32]])
-        self.assertIn(choice["windows"], [t["windows"] for t in choice["tried"]])
-        self.assertEqual(choice["epochs"] + 3 * choice["race_epochs"], 450)
-        self.assertEqual(one["epochs"], choice["epochs"])
-        record = self.run_json("inspect", "m.safetensors")["training"]
-        self.assertEqual(record["windows"], " ".join(str(w) for w in choice["windows"]))
-        self.assertIn("chosen", record["windows_choice"])
-        self.assertEqual([], list(self.folder.glob("*.checkpoint*")))
+        self.assertEqual(one["epochs"], 450)
+        self.assertEqual(self.run_json("inspect", "m.safetensors")["training"]["windows"], "32")
         first = (self.folder / "m.safetensors").read_bytes()
-        two = self.train("--jobs", 2, "--force", *validation)
-        self.assertEqual(two["windows_choice"], choice)
+        self.train("--jobs", 2, "--force", *validation)
         self.assertEqual((self.folder / "m.safetensors").read_bytes(), first)
 
-    def test_no_choice_is_made_where_windows_or_epochs_are_given(self):
-        self.assertIsNone(self.train("--epochs", 3)["windows_choice"])
-        given = self.train("--windows", 8, "--epochs", 3, "--force")
-        self.assertIsNone(given["windows_choice"])
+    def test_windows_are_as_given(self):
+        self.train("--windows", 8, "--epochs", 3)
         self.assertEqual(self.run_json("inspect", "m.safetensors")["training"]["windows"], "8")
 
 

@@ -76,7 +76,7 @@ class Chain(InFolder):
         self.assertEqual(set(found["no_load"]), {"open_loop"})
         self.assertEqual(
             set(found["baselines"]),
-            {"hold", "constant_velocity", "static_linear", "linear_one_step", "simple_model"},
+            {"hold", "constant_velocity", "linear_one_step", "simple_model"},
         )
         for kind in kinds:
             self.assertEqual(set(found["network"][kind]), errors)

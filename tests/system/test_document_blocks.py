@@ -50,7 +50,8 @@ ELSEWHERE = {
     ("docs/formats.md", "commands:"): "an excerpt; tests/arm/arm_commands_test.cpp",
     ("docs/importing.md", "command:"): "an excerpt; test_import.py has such arms",
     ("docs/families.md", "limber collect"): "test_family.py adapts, and plans with what it made",
-    ("docs/improving.md", "limber improve"): "an hour; test_improve.py runs a small one",
+    ("docs/improving.md", "limber improve"): "an hour; test_plan_schedule.py runs a small one",
+    ("docs/improving.md", "limber collect"): "ten minutes; test_plan_schedule.py runs a small one",
     ("docs/tube.md", "limber calibrate"): "hours; test_calibrate.py runs small ones",
     ("docs/tube.md", "limber plan --model model.safetensors"):
         "59 runs; test_calibrate.py has them",

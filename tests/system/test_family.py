@@ -10,7 +10,7 @@ from program import PROGRAM, InFolder
 from test_plan import PILLAR
 
 ARM = ("--arm", "two_segment")
-SMALL = ("--hours", 0.25, "--epochs", 60, "--family-size", 3, "--vary-physics", 1.5)
+SMALL = ("--hours", 0.25, "--epochs", 60, "--family-size", 3, "--vary-physics", 1.5, "--tube-runs", 0)
 
 
 class Family(InFolder):

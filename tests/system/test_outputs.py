@@ -63,8 +63,6 @@ class Outputs(InFolder):
             (["export", i / "r.h5"], "--motive", True),
             (["export", i / "m.safetensors"], "--onnx", False),
             (["export", i / "arm.yaml"], "--mjcf", False),
-            (["improve", *ARM, "--model", i / "m.safetensors", "--data", i / "r.h5", "--rounds", 100000],
-             "--out", True),
             (["import", "csv", *logs, "--mapping", i / "csv" / "mapping.yaml", *ARM], "--out", False),
             (plan, "--out", False),
             (plan, "--csv", False),
@@ -89,7 +87,7 @@ class Outputs(InFolder):
             paths = [("", "names no file"), ("a_file/x/y", "a_file is no folder"),
                      ("/proc/nowhere/x", "no file can be made in /proc"), ("n" * 300, "")]
             paths.append(("a_file", "folder") if is_folder else ("foo/", "names no file"))
-            if command[0] in ("demo", "experiment", "improve") or flag in ("--plots",):
+            if command[0] in ("demo", "experiment") or flag in ("--plots",):
                 paths = [p for p in paths if p[0] != "a_file"]  # tested with those verbs
             for path, reason in paths:
                 with self.subTest(verb=command[0], flag=flag, path=path[:20]):

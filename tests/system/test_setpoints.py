@@ -85,7 +85,7 @@ class Setpoints(InFolder):
         errors = self.run_json(*ask, "setpoints.h5")
         self.assertEqual(errors["commands_are"], "setpoints")
         self.assertIsNone(errors["network"]["open_loop_from_setpoints"])
-        for name in ("hold", "static_linear", "linear_one_step", "simple_model"):
+        for name in ("hold", "linear_one_step", "simple_model"):
             error = errors["baselines"][name]["open_loop"]["position_error_cm"]["mean"]
             self.assertTrue(math.isfinite(error) and error > 0.0, name)
         # The fitted lag makes up for what the no-load model does not know: the valves, for one.

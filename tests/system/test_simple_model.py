@@ -9,7 +9,7 @@ from program import InFolder
 ARM = ("--arm", "two_segment")
 EPISODES = 8
 BROKEN = 5
-YARDSTICKS = ("hold", "constant_velocity", "static_linear", "linear_one_step", "simple_model")
+YARDSTICKS = ("hold", "constant_velocity", "linear_one_step", "simple_model")
 HORIZONS = ("one_step", "one_step_moving", "window_32", "per_motion", "open_loop")
 
 

@@ -71,6 +71,13 @@ TEST(RunErrors, TheTubesEndIsThatOfThePredictionError) {
   EXPECT_NO_THROW(validate(tube, "the tube"));
 }
 
+TEST(RunErrors, OneOutlierAmongAFewRunsDoesNotRule) {
+  // Off the path: 0.03 m in the first of 25 runs, 0.01 m in all others.
+  const auto off_path_m = [](int runs) { return errors_of(runs, false).result(0.05)->off_path_m; };
+  EXPECT_DOUBLE_EQ(off_path_m(8), 0.02) << "95 % of a few runs is twice their median";
+  EXPECT_DOUBLE_EQ(off_path_m(19), 0.03) << "95 % of 19 is the largest";
+}
+
 TEST(RunErrors, SayWhereMoreMotionsWouldHelp) {
   const std::string where = errors_of(600, false).widest_where("kPa");
   EXPECT_THAT(where, testing::HasSubstr("segment 1 at 40 to 60 kPa: 3.0 cm off the path in 24 of"));

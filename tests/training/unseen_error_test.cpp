@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "limber/common/statistics.hpp"
 #include "limber/data/valve_simulation.hpp"
 #include "limber/forward/forward_model.hpp"
 #include "limber/network/untrained_model.hpp"
@@ -104,18 +105,18 @@ TEST_P(UnseenErrorByHand, IsThatOfMotionsFromSetPoints) {
     ASSERT_TRUE(error);
     EXPECT_EQ(error->runs, 5);
     EXPECT_NEAR(error->run_s, 2.0, kMicrometre);
-    // Fewer than 19 runs: the largest.
-    EXPECT_NEAR(error->max_position_m, *std::ranges::max_element(largest), kMicrometre);
-    EXPECT_NEAR(error->off_path_m, *std::ranges::max_element(off_path), kMicrometre);
-    EXPECT_NEAR(error->end_position_m, *std::ranges::max_element(end), kMicrometre);
-    EXPECT_NEAR(error->end_orientation_rad, *std::ranges::max_element(turn), kMicrometre);
+    // Fewer than 19 runs: usual multiples of the median.
+    EXPECT_NEAR(error->max_position_m, 2.0 * median(largest), kMicrometre);
+    EXPECT_NEAR(error->off_path_m, 2.0 * median(off_path), kMicrometre);
+    EXPECT_NEAR(error->end_position_m, 2.6 * median(end), kMicrometre);
+    EXPECT_NEAR(error->end_orientation_rad, 5.4 * median(turn), kMicrometre);
     EXPECT_LE(error->off_path_m, error->max_position_m);
   }
   // The last motion alone, with what is known of the arm before it.
   const auto last = measure_prediction_error(arm, model, {episode}, 1, 160);
   ASSERT_TRUE(last);
   EXPECT_EQ(last->runs, 1);
-  EXPECT_NEAR(last->max_position_m, largest.back(), kMicrometre);
+  EXPECT_NEAR(last->max_position_m, 2.0 * largest.back(), kMicrometre);
 }
 
 TEST(UnseenError, LongMotionsAreCutAndWhatStandsDoesNotCount) {

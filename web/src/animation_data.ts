@@ -1,6 +1,7 @@
 // What the animation's file holds, and how it is made.
 
 import type { Arm, Environment, Motion, Track, TrackKey } from './api';
+import { trackNames } from './names';
 import { packed, unpacked } from './packing';
 
 const kShapeUnits = [1e-4, 1e-4, 1e-3]; // m, m, rad: below a pixel
@@ -47,25 +48,16 @@ export function motionOf({ arm, frame_rate_hz, appeared, setpoints_kpa, tracks }
 
 const escaped = (text: string): string => text.replace(/[&<>"]/g, (sign) => `&#${sign.charCodeAt(0)};`);
 
-/** One file that needs no other, and nothing that is not in it. Where scripts are off there is `still`. */
-export function animationPage(animation: Animation, style: string, script: string, still: string): string {
-  const json = JSON.stringify(animation).replaceAll('<', '\\u003c');
-  const ends = animation.tracks.map(({ key, outcome }) => `<li>${key}: ${escaped(outcome)}</li>`).join('');
-  return `<!doctype html>
-<html lang="en" class="animation">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'">
-<title>${escaped(animation.title)}</title>
-<style>${style}</style>
-</head>
-<body>
-<header><h1>${escaped(animation.title)} <span>limber</span></h1></header>
-<main><div id="stage">${still}</div><section id="panel" aria-label="Time and plots"><ul>${ends}</ul></section></main>
-<script type="application/json" id="data">${json}</script>
-<script>${script.replaceAll('</script', '<\\/script')}</script>
-</body>
-</html>
-`;
+/**
+ * One file that needs no other, and nothing that is not in it. Where scripts are off there is `still`.
+ * @param template  public/animation.html
+ */
+export function animationPage(animation: Animation, template: string, style: string, script: string, still: string): string {
+  const parts: Record<string, string> = {
+    TITLE: escaped(animation.title), STYLE: style, STILL: still,
+    ENDS: animation.tracks.map(({ key, outcome }) => `<li>${trackNames[key]}: ${escaped(outcome)}</li>`).join(''),
+    DATA: JSON.stringify(animation).replaceAll('<', '\\u003c'),
+    SCRIPT: script.replaceAll('</script', '<\\/script'),
+  };
+  return template.replace(/@([A-Z]+)@/g, (_, name: string) => parts[name]);
 }

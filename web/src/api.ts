@@ -37,6 +37,7 @@ export type Project = {
   arms: string[];
   models: string[];
   environments: string[];
+  recordings: string[];
   first_arm: string;
   first_model: string;
   driver: string; // its command; empty: none
@@ -50,8 +51,8 @@ export type Tube = {
 };
 export type Plan = {
   request: number;
-  time_s: number;
-  first_s: number;
+  time_s?: number;
+  first_s?: number; // none: it was opened, not searched for
   cost_kpa: number;
   duration_s: number;
   frame_rate_hz: number;
@@ -96,6 +97,8 @@ export type Motion = {
   tracks: Track[];
 };
 export type Run = Motion & { request: number };
+/** Where the tip is to be in each frame. */
+export type Followed = Run & { wanted_m: [number, number][]; path_starts_s: number };
 export type Drive = { request: number; time_s: number; setpoint_kpa: number[] } & Record<
   Exclude<TrackKey, 'arm'>,
   number[] | null
@@ -110,16 +113,62 @@ export type ArmFrame = {
   holds: string;
 };
 
+/** What tells arms of the model's family apart; empty: it is of none. */
+export type Family = { is_family: boolean; e: number[] };
+
+export type Figure = { median: number | null; p95: number | null; count: number } | null;
+/** A row of `limber experiment`'s table. */
+export type Row = {
+  environment: string;
+  model: string;
+  planner: string;
+  controller: string;
+  disturbance: string;
+  trials: number;
+  solved: number;
+  executed: number;
+  collided: number;
+  reached: number;
+  distance_to_goal_cm: Figure;
+};
+export type Experiment = { folder: string; rows: Row[] };
+export type TrialRun = {
+  id: string;
+  status: string;
+  cost_kpa: number | null;
+  goal_reached: boolean | null;
+  collided: boolean | null;
+  stopped_ahead: boolean | null;
+  distance_to_goal_cm: number | null;
+};
+export type Opened = { request: number; arm: string; model: string; environment: string; plan: Plan };
+export type Horizons = { frames: number[]; tip_error_cm: Record<string, (number | null)[]> };
+export type Coverage = { cells: number; pairs: { segments: [number, number]; frames: number[] }[] };
+export type Measured = {
+  request: number;
+  recording: string;
+  frame_rate_hz: number;
+  frames: number;
+  frames_used: number;
+  learnt_from_it: boolean;
+  horizons: Horizons;
+  coverage: Coverage;
+};
+
 export type Events = {
   tab: { id: string };
   progress: Progress;
   plan: Plan;
   result: Result;
   run: Run;
+  followed: Followed;
   drive: Drive;
   arm: ArmStatus;
   arm_frame: ArmFrame;
   arm_run: Motion;
+  opened: Opened;
+  measuring: { request: number; share: number };
+  measured: Measured;
   fault: { request: number; message: string };
 };
 

@@ -1,29 +1,39 @@
-import { type Arm, type Environment, get, listen, type Plan, type Project, Refusal } from './api';
+import { type Arm, type Environment, get, listen, type Opened, type Plan, type Project, Refusal } from './api';
 import { ArmLink } from './arm_link';
 import { toWorld } from './camera';
 import { byId } from './dom';
 import { DriveMode } from './drive_mode';
-import { added, dragged, type Handle, hit, newObstacle, type Point, removed, type Selection } from './environment';
+import { added, newObstacle, type Point, removed, type Selection } from './environment';
+import { FollowMode } from './follow_mode';
 import { History } from './history';
 import { keyEdit } from './keys';
 import type { Scene } from './picture';
 import { PlanMode } from './plan_mode';
 import { LivePlanner } from './planner';
 import { PlayMode } from './play_mode';
+import { ResultsMode } from './results_mode';
+import { fragmentOf, linkOf } from './scene_link';
 import { Stage } from './stage';
 
-/** One of the three things to do; each fills the panel and says what is shown. */
+/** One of the things to do; each fills the panel and says what is shown. */
 export interface Mode {
   enter(panel: HTMLElement): void;
   leave(): void;
   /** Something has changed: the panel follows. */
   refresh(): void;
   scene(): Partial<Scene>;
+  /** What a pointer does, in metres. Whether it grabs something: else it moves the stage. */
+  down?(at: Point, reach_m: number): boolean;
+  /** @param at_ms  when the hand was there */
+  drag?(at: Point, at_ms: number): void;
+  up?(): void;
   /** What stands for what on the stage: class of the swatch, and words. */
   legend(): [string, string][];
 }
 
-type ModeName = 'plan' | 'play' | 'drive';
+type ModeName = 'plan' | 'play' | 'follow' | 'drive' | 'results';
+
+const kLost = 'The studio does not answer. Is limber studio still running, in fewer than six tabs?';
 
 /** Everything that modes share: the project, the document and its history, the search, the stage. */
 export class App {
@@ -42,22 +52,27 @@ export class App {
   timeLimit_s = 5;
   limitScale = 1; // of the pressures that plans may use
   view = { tree: false, tube: false, reach: true };
-  readonly planner = new LivePlanner(() => this.tab, () => this.refresh());
+  readonly planner = new LivePlanner(() => this.tab, (seen = true) => this.refreshSoon(seen));
   readonly armLink = new ArmLink(() => this.tab, () => this.armChanged());
   readonly stage: Stage;
   private readonly plan = new PlanMode(this);
   private readonly play = new PlayMode(this);
+  private readonly follow = new FollowMode(this);
   private readonly drive = new DriveMode(this);
-  private readonly modes: Record<ModeName, Mode> = { plan: this.plan, play: this.play, drive: this.drive };
+  private readonly results = new ResultsMode(this);
+  private readonly modes: Record<ModeName, Mode> = {
+    plan: this.plan, play: this.play, follow: this.follow, drive: this.drive, results: this.results,
+  };
   private mode: ModeName = 'plan';
-  private grip: { handle: Handle; from: Point; begin: Environment } | null = null;
   private measured: Plan | null = null;
+  private due = false; // a refresh
+  private draws = false; // it paints the stage too
 
   constructor() {
     this.stage = new Stage(byId<HTMLCanvasElement>('canvas'), () => this.scene(), {
       down: (at, reach, event) => this.down(at, reach, event),
-      drag: (at, event) => this.drag(at, event),
-      up: () => this.up(),
+      drag: (at, event) => this.modes[this.mode].drag?.(at, event.timeStamp),
+      up: () => this.modes[this.mode].up?.(),
     });
     this.stage.painted = () => this.measure();
   }
@@ -71,12 +86,13 @@ export class App {
 
   async start(): Promise<void> {
     this.project = await get<Project>('project');
-    const at = new URLSearchParams(location.hash.slice(1));
     byId('folder').textContent = `${this.project.folder} · limber ${this.project.version}`;
-    this.model = at.get('model') ?? this.project.first_model;
-    await this.openArm(at.get('arm') ?? this.project.first_arm);
-    const first = this.project.environments.find((name) => name.endsWith('01_pillar'));
-    await this.openEnvironment(at.get('environment') ?? first ?? this.project.environments[0]);
+    await this.attempt(() => this.openLink(location.hash));
+    if (!this.environmentName) await this.openLink('');
+    addEventListener('hashchange', () => void this.attempt(async () => {
+      await this.openLink(location.hash);
+      this.replan();
+    }));
     for (const name of Object.keys(this.modes) as ModeName[]) {
       byId(`mode-${name}`).addEventListener('click', () => this.enter(name));
     }
@@ -94,7 +110,7 @@ export class App {
       {
         tab: ({ id }) => {
           this.tab = id;
-          this.say('');
+          if (byId('notice').textContent === kLost) this.say('');
           if (this.mode === 'plan') this.ask();
           else this.enter(this.mode);
         },
@@ -102,18 +118,24 @@ export class App {
         progress: (progress) => this.planner.onProgress(progress),
         result: (result) => this.planner.onResult(result),
         run: (run) => this.play.onRun(run),
+        followed: (run) => this.follow.onFollowed(run),
         drive: (drive) => this.drive.onDrive(drive),
         arm: (status) => this.armLink.onStatus(status),
         arm_frame: (frame) => this.armLink.onFrame(frame),
         arm_run: (motion) => this.play.onArmRun(motion),
+        opened: (opened) => void this.attempt(() => this.onOpened(opened)),
+        measuring: ({ request, share }) => this.results.onMeasuring(request, share),
+        measured: (measured) => this.results.onMeasured(measured),
         fault: ({ request, message }) => {
           if (this.mode === 'plan') this.planner.onFault(request, message);
+          else if (this.mode === 'follow') this.follow.onFault(request, message);
+          else if (this.mode === 'results') this.results.onFault(request, message);
           else this.say(message);
         },
       },
       () => {
         this.tab = '';
-        this.say('The studio does not answer. Is limber studio still running, in fewer than six tabs?');
+        this.say(kLost);
       },
     );
   }
@@ -144,10 +166,42 @@ export class App {
     this.selected = null;
   }
 
+  /** Of an address. A scene that comes to an open one of the same arm is a step of its history. */
+  private async openLink(fragment: string): Promise<void> {
+    const { arm, model, environmentName, environment } = linkOf(fragment, this.project);
+    const isOpen = arm === this.armName;
+    if (!isOpen) await this.openArm(arm);
+    this.model = model;
+    if (!environment) return this.openEnvironment(environmentName);
+    this.environmentName = environmentName;
+    this.selected = null;
+    if (isOpen) this.history.set(environment);
+    else this.history.reset(environment);
+  }
+  /** The page's address, so that a bookmark opens what is chosen. @param environment  with it */
+  link(environment: Environment | null = null): string {
+    const { armName: arm, model, environmentName } = this;
+    history.replaceState(null, '', fragmentOf({ arm, model, environmentName, environment }));
+    return location.href;
+  }
+
+  /** A plan of an experiment, with all that it was made for: it is played. */
+  private async onOpened({ request, arm, model, environment, plan }: Opened): Promise<void> {
+    if (!this.planner.isAwaited(request)) return;
+    if (arm !== this.armName) await this.openArm(arm);
+    await this.openEnvironment(environment);
+    this.model = model;
+    this.planner.onPlan(plan);
+    this.link();
+    this.enter('play');
+  }
+
   /** After another arm, model or environment was chosen. */
   reopened(): void {
-    const names = { arm: this.armName, model: this.model, environment: this.environmentName };
-    history.replaceState(null, '', `#${new URLSearchParams(names)}`);
+    this.link();
+    this.replan();
+  }
+  private replan(): void {
     this.planner.forget();
     this.enter(this.mode);
     if (this.mode === 'plan') this.ask();
@@ -214,12 +268,14 @@ export class App {
     this.history.set(environment);
     this.edited();
   }
-  edited(at_ms = performance.now()): void {
+  /** @param dragged_ms  when a hand moved something that it holds: then the plan is asked for first */
+  edited(dragged_ms?: number): void {
     if (this.selected !== null && this.selected !== 'goal' && !this.environment.obstacles[this.selected]) {
       this.selected = null;
     }
-    if (this.live) this.ask(at_ms);
-    this.refresh();
+    if (this.live) this.ask(dragged_ms);
+    if (dragged_ms === undefined) this.refresh();
+    else this.refreshSoon();
   }
   select(selected: Selection): void {
     this.selected = selected;
@@ -253,6 +309,19 @@ export class App {
     this.stage.draw();
   }
 
+  /** With the next frame of the screen, however much happens until then. */
+  private refreshSoon(draws = true): void {
+    this.draws ||= draws;
+    if (this.due) return;
+    this.due = true;
+    requestAnimationFrame(() => {
+      this.due = false;
+      this.modes[this.mode].refresh();
+      if (this.draws) this.stage.drawNow();
+      this.draws = false;
+    });
+  }
+
   scene(): Scene {
     return {
       arm: this.arm ?? null,
@@ -270,25 +339,7 @@ export class App {
 
   private down(at: Point, reach_m: number, event: PointerEvent): boolean {
     byId('canvas').focus({ preventScroll: true });
-    if (this.mode !== 'plan' || event.button > 0) return false;
-    const handle = hit(this.environment, this.selected, at, reach_m);
-    this.select(handle ? handle.of : null);
-    if (!handle) return false;
-    this.grip = { handle, from: at, begin: this.environment };
-    this.history.begin();
-    return true;
-  }
-
-  private drag(at: Point, event: PointerEvent): void {
-    if (!this.grip) return;
-    this.history.change(dragged(this.grip.begin, this.grip.handle, this.grip.from, at));
-    this.edited(event.timeStamp);
-  }
-
-  private up(): void {
-    this.grip = null;
-    this.history.end();
-    this.refresh();
+    return event.button <= 0 && (this.modes[this.mode].down?.(at, reach_m) ?? false);
   }
 
   private key(event: KeyboardEvent): void {

@@ -1,9 +1,9 @@
-import { type Drive, post, type TrackKey } from './api';
+import { type Drive, type Family, get, post, type TrackKey } from './api';
 import type { App, Mode } from './app';
 import { button, facts, h } from './dom';
 import type { Point } from './environment';
 import { trackNames } from './names';
-import { cm, driveSliders } from './panels';
+import { cm, driveSliders, familySliders } from './panels';
 import type { Figure, Scene } from './picture';
 import { distance, tipOf } from './shape';
 
@@ -15,6 +15,10 @@ export class DriveMode implements Mode {
   private now: Drive | null = null;
   private trails = new Map<TrackKey, Point[]>();
   private target: number[] = [];
+  private family: Family = { is_family: false, e: [] };
+  private e: number[] = []; // the arm of the family; empty: as the model stands
+  private showsAll = false;
+  private arms = h('section', { hidden: true });
   private request = 0;
   private sending = false;
   private waiting = false;
@@ -29,11 +33,40 @@ export class DriveMode implements Mode {
         h('div', { class: 'row' },
           button('All to zero', () => this.set(this.target.map(() => 0))),
           button('Start again from rest', () => this.restart()))),
+      this.arms,
       h('section', {}, h('h2', {}, 'Tips'), this.readout,
         h('p', { class: 'hint' }, 'Bend the arm and go back to zero: the simple model returns to where it was. ' +
           'The virtual arm, held by friction, does not quite.')),
     );
+    this.e = [];
+    this.arms.hidden = true;
     this.restart();
+    if (this.app.model !== '') void this.app.attempt(() => this.openFamily(this.app.model));
+  }
+
+  private async openFamily(model: string): Promise<void> {
+    this.family = await get<Family>('model', { name: model });
+    if (model !== this.app.model || this.family.e.length === 0) return;
+    this.showFamily();
+  }
+  private showFamily(): void {
+    const { family } = this;
+    const become = (e: number[]) => {
+      this.e = e;
+      void this.send(false);
+    };
+    this.arms.hidden = false;
+    this.arms.replaceChildren(
+      h('h2', {}, family.is_family ? 'Which arm of the family' : 'Another arm of the model’s family'),
+      familySliders(this.e.length ? this.e : family.e, this.showsAll, become, () => {
+        this.showsAll = !this.showsAll;
+        this.showFamily();
+        this.arms.querySelector<HTMLElement>('[aria-expanded]')?.focus();
+      }),
+      h('div', { class: 'row' }, button(family.is_family ? 'The family’s middle' : 'The model’s own arm', () => {
+        become([]);
+        this.showFamily();
+      })));
   }
 
   leave(): void {
@@ -69,7 +102,7 @@ export class DriveMode implements Mode {
     await app.attempt(() =>
       post('drive', {
         tab: app.tab, request: this.request, arm: app.armName, model: app.model,
-        setpoint_kpa: this.target, restart,
+        setpoint_kpa: this.target, e: this.e, restart,
       }));
     this.sending = false;
     if (this.waiting) {

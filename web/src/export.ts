@@ -7,7 +7,8 @@ import { drawingOf } from './drawing';
 
 const kPngScale = 2;
 
-function save(name: string, content: Blob): void {
+/** Downloads it. */
+export function save(name: string, content: Blob): void {
   const address = URL.createObjectURL(content);
   h('a', { href: address, download: name }).click();
   setTimeout(() => URL.revokeObjectURL(address), 60_000);
@@ -26,9 +27,9 @@ async function pngOf(text: string): Promise<Blob> {
 
 async function animate(app: App, motion: Motion): Promise<Blob> {
   const style = document.querySelector<HTMLLinkElement>('link[rel=stylesheet]')!.href;
-  const [css, script] = await Promise.all([style, animationScript].map(async (address) => (await fetch(address)).text()));
+  const [template, css, script] = await Promise.all(['/animation.html', style, animationScript].map(async (address) => (await fetch(address)).text()));
   const data = animationOf(app.environment.name, app.arm, app.environment, motion);
-  return new Blob([animationPage(data, css, script, drawing(app))], { type: 'text/html' });
+  return new Blob([animationPage(data, template, css, script, drawing(app))], { type: 'text/html' });
 }
 
 /** Buttons that save what is shown. @param motion  for modes that show one */

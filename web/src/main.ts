@@ -1,3 +1,4 @@
+import 'uplot/dist/uPlot.min.css';
 import { App } from './app';
 import { byId } from './dom';
 

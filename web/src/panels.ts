@@ -74,7 +74,7 @@ export function planPanel(planner: LivePlanner, unit: string): HTMLElement {
         ['Duration', `${plan.duration_s.toFixed(1)} s`],
         ['Clearance', plan.clearance_m === null ? 'no obstacles' : cm(plan.clearance_m)],
         ['Ends from the goal’s centre', cm(plan.goal_distance_m)],
-        ['First certified after', seconds(plan.first_s)],
+        ...(plan.first_s === undefined ? [] : ([['First certified after', seconds(plan.first_s)]] as [string, string][])),
         ...(queries && time_s
           ? ([
               ['Model queries', thousands(queries)],
@@ -126,29 +126,51 @@ export function tracksPanel(run: Motion, shown: Set<TrackKey>, toggle: (key: Tra
         h('small', {}, outcome))));
 }
 
+/** A slider with its name and value; arrow keys move it by a hundredth of its range. */
+function sliderRow(
+  name: string, label: string, [low, high]: [number, number], value: number,
+  text: (value: number) => string, set: (value: number) => void,
+): HTMLElement {
+  const output = h('output', {}, text(value));
+  const input = h('input', { type: 'range', min: low, max: high, step: 'any', value: String(value), 'aria-label': label });
+  input.addEventListener('keydown', (event) => {
+    const step = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -10, PageUp: 10 }[event.key];
+    if (step === undefined) return;
+    event.preventDefault();
+    input.valueAsNumber += (step * (high - low)) / 100;
+    input.dispatchEvent(new Event('input'));
+  });
+  input.addEventListener('input', () => {
+    output.textContent = text(input.valueAsNumber);
+    set(input.valueAsNumber);
+  });
+  return h('label', {}, h('span', {}, name), input, output);
+}
+
 /** A slider for each segment's pressure. */
 export function driveSliders(arm: Arm, setpoint_kpa: number[], set: (i: number, kpa: number) => void): HTMLElement {
-  const { unit } = arm.command;
+  const { unit, name } = arm.command;
   return h('div', { class: 'sliders' },
-    ...arm.segments.map((segment, i) => {
-      const output = h('output', {}, `${setpoint_kpa[i].toFixed(0)} ${unit}`);
-      const input = h('input', {
-        type: 'range', min: segment.lower_kpa, max: segment.upper_kpa, step: 'any',
-        value: String(setpoint_kpa[i]), 'aria-label': `Segment ${i}, ${arm.command.name} in ${unit}`,
-      });
-      input.addEventListener('keydown', (event) => {
-        const step = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -10, PageUp: 10 }[event.key];
-        if (step === undefined) return;
-        event.preventDefault();
-        input.valueAsNumber += (step * (segment.upper_kpa - segment.lower_kpa)) / 100;
-        input.dispatchEvent(new Event('input'));
-      });
-      input.addEventListener('input', () => {
-        output.textContent = `${input.valueAsNumber.toFixed(0)} ${unit}`;
-        set(i, input.valueAsNumber);
-      });
-      return h('label', {}, h('span', {}, `Segment ${i}`), input, output);
-    }));
+    ...arm.segments.map(({ lower_kpa, upper_kpa }, i) =>
+      sliderRow(`Segment ${i}`, `Segment ${i}, ${name} in ${unit}`, [lower_kpa, upper_kpa], setpoint_kpa[i],
+        (kpa) => `${kpa.toFixed(0)} ${unit}`, (kpa) => set(i, kpa))));
+}
+
+const kShownNumbers = 6; // of a family
+const kFarthest = 2; // standard deviations of its arms
+
+/** A slider for each number that tells the family's arms apart. */
+export function familySliders(e: number[], all: boolean, become: (e: number[]) => void, more: () => void): HTMLElement {
+  let now = e;
+  const count = all ? e.length : Math.min(e.length, kShownNumbers);
+  return h('div', { class: 'sliders', id: 'family' },
+    ...e.slice(0, count).map((value, i) =>
+      sliderRow(`e ${i}`, `Number ${i} of the family, in standard deviations`,
+        [Math.min(-kFarthest, value), Math.max(kFarthest, value)], value, (v) => v.toFixed(2), (v) => {
+          now = now.map((old, k) => (k === i ? v : old));
+          become(now);
+        })),
+    e.length > kShownNumbers && button(all ? 'Fewer' : `More: ${e.length - kShownNumbers}`, more, { 'aria-expanded': String(all) }));
 }
 
 export { cm, choice };

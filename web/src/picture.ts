@@ -24,6 +24,8 @@ export type Scene = {
   showTube: boolean;
   showReach: boolean;
   figures: Figure[];
+  path?: Point[]; // that the tip is to follow
+  hidesGoal?: boolean;
 };
 
 export type Palette = Record<
@@ -57,7 +59,8 @@ export class Picture {
     if (scene.showReach && scene.arm) this.reach(scene.arm);
     this.grid();
     if (scene.showTree) this.tree(scene.showTree);
-    if (scene.environment) this.environment(scene.environment, scene.selected);
+    if (scene.environment) this.environment(scene.environment, scene.selected, scene.hidesGoal);
+    if (scene.path) this.painter.path(scene.path, this.px(2.5), this.palette.goal);
     if (scene.plan && scene.arm) this.plan(scene.plan, scene.arm, scene);
     for (const figure of scene.figures) {
       if (scene.arm) this.figure(figure, scene.arm);
@@ -76,9 +79,12 @@ export class Picture {
 
   private reach({ reach: { cell_m, middles_m } }: Arm): void {
     const h = cell_m / 2;
-    for (let i = 0; i < middles_m.length; i += 2) {
+    for (let i = 0, next; i < middles_m.length; i = next) {
       const [x, y] = [middles_m[i], middles_m[i + 1]];
-      this.painter.quad([x - h, y - h], [x + h, y - h], [x + h, y + h], [x - h, y + h], this.palette.reach);
+      // Cells come column by column: those on top of one another are one.
+      for (next = i + 2; middles_m[next] === x && middles_m[next + 1] - middles_m[next - 1] < 1.5 * cell_m; ) next += 2;
+      const top = middles_m[next - 1];
+      this.painter.quad([x - h, y - h], [x + h, y - h], [x + h, top + h], [x - h, top + h], this.palette.reach);
     }
   }
 
@@ -103,7 +109,7 @@ export class Picture {
     }
   }
 
-  private environment({ obstacles, goal }: Environment, selected: Selection): void {
+  private environment({ obstacles, goal }: Environment, selected: Selection, hidesGoal = false): void {
     const { painter, palette } = this;
     obstacles.forEach((obstacle, i) => {
       const outline = outlineOf(obstacle);
@@ -111,6 +117,7 @@ export class Picture {
       const chosen = selected === i;
       painter.path(outline, this.px(chosen ? 2.5 : 1.5), chosen ? palette.select : palette.obstacle, true);
     });
+    if (hidesGoal) return;
     const at: Point = [goal.x_m, goal.y_m];
     const chosen = selected === 'goal';
     painter.disc(at, goal.position_tolerance_m, faded(palette.goal, 0.22));

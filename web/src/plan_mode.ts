@@ -1,7 +1,7 @@
 import { type Environment, post, Refusal } from './api';
 import type { App, Mode } from './app';
 import { button, byId, checkbox, choice, field, h } from './dom';
-import type { Selection } from './environment';
+import { dragged, type Handle, hit, type Point, type Selection } from './environment';
 import { exportRow } from './export';
 import { planPanel, scaleChoice, selectionPanel, thingsList } from './panels';
 import type { Scene } from './picture';
@@ -21,6 +21,7 @@ export class PlanMode implements Mode {
   private status = h('div', { id: 'status' });
   private drawn: [Environment, Selection] | null = null; // what the lists show
   private buttons: Record<'undo' | 'redo' | 'stop' | 'savePlan', HTMLButtonElement> | null = null;
+  private grip: { handle: Handle; from: Point; begin: Environment } | null = null;
   private name = h('input', { type: 'text', id: 'name', 'aria-label': 'Name to save as' });
 
   constructor(private readonly app: App) {}
@@ -85,7 +86,9 @@ export class PlanMode implements Mode {
           reopen(() => app.openEnvironment(name)))),
         field('Name', this.name),
         h('div', { class: 'row' }, button('Save environment', () =>
-          this.save('environment', { arm: app.armName, environment: { ...app.environment, name: this.name.value } })))),
+          this.save('environment', { arm: app.armName, environment: this.named() })),
+          button('Copy link', () => void app.attempt(() => this.copyLink()),
+            { title: 'A link that restores the scene' }))),
       h('section', {}, h('h2', {}, 'Goal and obstacles'), this.things, this.selection),
       h('section', {}, h('h2', {}, 'Save the picture'), exportRow(app)),
     );
@@ -94,6 +97,26 @@ export class PlanMode implements Mode {
   leave(): void {
     byId('tools').replaceChildren();
     this.app.planner.searching = false; // what comes next ends it
+  }
+
+  down(at: Point, reach_m: number): boolean {
+    const { app } = this;
+    const handle = hit(app.environment, app.selected, at, reach_m);
+    app.select(handle ? handle.of : null);
+    if (!handle) return false;
+    this.grip = { handle, from: at, begin: app.environment };
+    app.history.begin();
+    return true;
+  }
+  drag(at: Point, at_ms: number): void {
+    if (!this.grip) return;
+    this.app.history.change(dragged(this.grip.begin, this.grip.handle, this.grip.from, at));
+    this.app.edited(at_ms);
+  }
+  up(): void {
+    this.grip = null;
+    this.app.history.end();
+    this.app.refresh();
   }
 
   refresh(): void {
@@ -132,6 +155,19 @@ export class PlanMode implements Mode {
     return [['plan', 'Plan'], ['goal', 'Goal'], ['reach', 'Reached by the simple model, at rest']];
   }
 
+  /** The environment under the name that is typed. */
+  private named(): Environment {
+    return { ...this.app.environment, name: this.name.value };
+  }
+  private async copyLink(): Promise<void> {
+    const { app } = this;
+    const link = app.link(this.named());
+    const isCopied = await navigator.clipboard?.writeText(link).then(() => true, () => false);
+    app.say(isCopied
+      ? 'Copied: a link that restores the scene'
+      : 'The page’s address now restores the scene: copy it from there');
+  }
+
   /** Asks before it replaces a file. */
   private save(path: string, body: object): void {
     const { app } = this;
@@ -140,7 +176,7 @@ export class PlanMode implements Mode {
       const saved = await post<{ name: string }>(path, { ...body, tab: app.tab, name, overwrite });
       app.project = { ...app.project, environments: [...new Set([...app.project.environments, ...(path === 'environment' ? [saved.name] : [])])] };
       if (path === 'environment') {
-        app.history.reset({ ...app.environment, name: this.name.value });
+        app.history.reset(this.named());
         app.environmentName = saved.name;
         app.enter('plan');
       }

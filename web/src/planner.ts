@@ -26,7 +26,8 @@ export class LivePlanner {
 
   constructor(
     private readonly tab: () => string,
-    private readonly changed: () => void,
+    /** @param seen  whether the picture changes too, or words alone */
+    private readonly changed: (seen?: boolean) => void,
   ) {}
 
   /** Whether the plan answers the last question. */
@@ -55,6 +56,15 @@ export class LivePlanner {
     this.fault = '';
   }
 
+  /** Takes no other plan than one that is opened. @return the request that it answers */
+  expect(): number {
+    this.forget();
+    return this.request;
+  }
+  isAwaited(request: number): boolean {
+    return request === this.request;
+  }
+
   async stop(): Promise<void> {
     this.next = null;
     this.searching = false;
@@ -70,7 +80,7 @@ export class LivePlanner {
   onProgress(progress: Progress): void {
     if (progress.request !== this.request) return;
     this.progress = progress;
-    this.changed();
+    this.changed(false);
   }
   onResult(result: Result): void {
     if (result.request !== this.request) return;

@@ -7,6 +7,7 @@ import { exportRow } from './export';
 import { durationOf, environmentAt, figuresAt, mainOf } from './motion';
 import { tracksPanel } from './panels';
 import type { Figure, Scene } from './picture';
+import { Player } from './player';
 import { chartsOf, Plots } from './plots';
 import { tipOf } from './shape';
 
@@ -14,29 +15,19 @@ import { tipOf } from './shape';
 export class PlayMode implements Mode {
   private run: Motion | null = null;
   private shown = new Set<TrackKey>(['simple', 'network', 'virtual_arm', 'arm']);
-  private time_s = 0;
-  private playing = false;
-  private last_ms = 0;
   private request = 0;
   private options = { replan: false, obstacle: false };
   private trail: Point[] = []; // of the arm's tip, while it moves
-  private slider = h('input', { type: 'range', min: 0, step: 'any', 'aria-label': 'Time in seconds' });
-  private clock = h('output');
-  private press = button('Play', () => this.toggle(), { class: 'main' });
+  private player: Player = new Player(() => (this.run ? durationOf(this.run) : 0), () => this.app.refresh(), () => this.toggle());
   private stop = button('Stop', () => void this.app.attempt(() => this.app.armLink.stop().then(() => {})));
   private tracks = h('div');
   private plots = new Plots((time_s) => {
-    this.playing = false;
-    if (!this.app.armLink.live) this.seek(time_s);
+    if (!this.app.armLink.live) this.player.seek(time_s);
   });
   private armPanel: ArmPanel;
 
   constructor(private readonly app: App) {
     this.armPanel = new ArmPanel(app);
-    this.slider.addEventListener('input', () => {
-      this.playing = false;
-      this.seek(this.slider.valueAsNumber);
-    });
   }
 
   enter(panel: HTMLElement): void {
@@ -53,7 +44,7 @@ export class PlayMode implements Mode {
         this.ask();
       });
     panel.append(
-      h('section', {}, h('h2', {}, 'Time'), h('div', { class: 'play' }, this.press, this.slider, this.clock),
+      h('section', {}, h('h2', {}, 'Time'), this.player.element,
         h('div', { class: 'checks' }, app.model !== '' && choose('Closed loop', 'replan'),
           choose('Drop an obstacle into the way', 'obstacle'))),
       this.armPanel.isThere && h('section', {}, h('h2', {}, 'The arm'), this.armPanel.element, h('div', { class: 'row' }, this.stop)) || '',
@@ -64,12 +55,12 @@ export class PlayMode implements Mode {
   }
 
   leave(): void {
-    this.playing = false;
+    this.player.halt(0);
   }
 
   private ask(): void {
-    this.playing = false;
     this.run = null;
+    this.player.halt(0);
     this.tracks.replaceChildren(h('p', { class: 'hint', 'aria-live': 'polite' }, 'Moving the models …'));
     this.plots.show([], 1, this.shown);
     this.app.refresh();
@@ -88,13 +79,11 @@ export class PlayMode implements Mode {
     const models = this.run.tracks.filter(({ key }) => key !== 'arm' && key !== 'virtual_arm');
     this.trail = [];
     this.show({ ...motion, tracks: [...models, ...motion.tracks] });
-    this.seek(this.duration_s);
+    this.player.seek(durationOf(motion));
   }
 
   private show(run: Motion): void {
     this.run = run;
-    this.slider.max = String(this.duration_s);
-    this.time_s = 0;
     this.tracks.replaceChildren(tracksPanel(run, this.shown, (key, on) => {
       if (on) this.shown.add(key);
       else this.shown.delete(key);
@@ -102,15 +91,11 @@ export class PlayMode implements Mode {
       this.app.refresh();
     }));
     this.plot();
-    this.app.refresh();
+    this.player.seek(0);
   }
   private plot(): void {
     const { run, app } = this;
     if (run) this.plots.show(chartsOf(run, mainOf(run), app.environment.goal, app.unit), run.frame_rate_hz, this.shown);
-  }
-
-  private get duration_s(): number {
-    return this.run ? durationOf(this.run) : 0;
   }
 
   /** Play and Pause: of the arm, if it is armed here; else of what is shown. */
@@ -120,60 +105,37 @@ export class PlayMode implements Mode {
       const { armLink } = app;
       if (armLink.runs) return void app.attempt(() => armLink.pause(!armLink.paused));
       this.trail = [];
-      this.playing = false;
-      this.seek(0);
+      this.player.seek(0);
       return void app.attempt(() => armLink.run({ ...this.options, limit_scale: this.armPanel.limitScale }));
     }
-    if (!this.run) return;
-    this.playing = !this.playing;
-    if (this.playing && this.time_s >= this.duration_s) this.time_s = 0;
-    this.last_ms = performance.now();
-    if (this.playing) requestAnimationFrame((now) => this.step(now));
-    app.refresh();
-  }
-
-  private step(now_ms: number): void {
-    if (!this.playing) return;
-    const next_s = this.time_s + Math.max(0, now_ms - this.last_ms) / 1000;
-    this.last_ms = now_ms;
-    if (next_s >= this.duration_s) this.playing = false;
-    else requestAnimationFrame((now) => this.step(now));
-    this.seek(next_s);
-  }
-
-  private seek(time_s: number): void {
-    this.time_s = Math.min(time_s, this.duration_s);
-    this.app.refresh();
+    if (this.run) this.player.toggle();
   }
 
   refresh(): void {
-    const { run } = this;
+    const { run, player } = this;
     const { armLink } = this.app;
     const { live } = armLink;
     const isLive = armLink.runs && armLink.ownRun;
     this.armPanel.refresh(this.app.planner.plan);
     this.stop.disabled = !armLink.runs || !armLink.isMine;
-    this.slider.disabled = isLive;
-    this.press.disabled = isLive && !armLink.isMine;
-    this.press.textContent = isLive
-      ? (armLink.paused ? 'Go on' : 'Pause')
-      : this.playing ? 'Pause' : this.armPanel.isChosen ? 'Play on the arm' : 'Play';
     if (live) {
-      this.playing = false;
-      this.time_s = live.time_s;
+      player.halt(live.time_s);
       this.trail.push(tipOf(live.shape));
     }
-    this.slider.value = String(this.time_s);
-    this.slider.setAttribute('aria-valuetext', `${this.time_s.toFixed(1)} seconds`);
-    this.clock.textContent = `${this.time_s.toFixed(1)} s`;
-    if (run) this.plots.at(this.time_s);
+    player.slider.disabled = isLive;
+    player.press.disabled = isLive && !armLink.isMine;
+    player.press.textContent = isLive
+      ? (armLink.paused ? 'Go on' : 'Pause')
+      : player.playing ? 'Pause' : this.armPanel.isChosen ? 'Play on the arm' : 'Play';
+    if (run) this.plots.at(player.time_s);
   }
 
   scene(): Partial<Scene> {
-    const { run, time_s } = this;
-    const { armLink: { live }, environment } = this.app;
+    const { run, player: { time_s } } = this;
+    const { armLink: { live }, environment, planner, view } = this.app;
+    const showTree = view.tree ? (planner.result?.tree ?? null) : null;
     if (!live) {
-      return run ? { environment: environmentAt(environment, run, time_s), figures: figuresAt(run, this.shown, time_s), showReach: false } : {};
+      return run ? { environment: environmentAt(environment, run, time_s), figures: figuresAt(run, this.shown, time_s), showReach: false, showTree } : {};
     }
     const models = new Set([...this.shown].filter((key) => key !== 'arm' && key !== 'virtual_arm'));
     const now: Figure = { shape: live.shape, pressures_kpa: live.pressure_kpa, colour: 'arm', trail: this.trail };

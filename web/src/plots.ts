@@ -1,21 +1,23 @@
-// Charts over time in plain SVG, with a cursor that the slider moves, and that a click moves.
+// Charts over time. The slider moves their cursors and a click moves the slider; hovering shows a moment's numbers, a
+// drag zooms all of them, and a double click shows everything again.
 
-import type { Motion, Track, TrackKey } from './api';
-import { h, svg } from './dom';
-import type { Goal } from './api';
+import uPlot from 'uplot';
+import type { Goal, Motion, Track, TrackKey } from './api';
+import { h } from './dom';
+import type { Point } from './environment';
 import { trackNames } from './names';
 import { distance, tipOf } from './shape';
 
 type Series = { name: string; swatch: string; values: (number | null)[] };
 export type Chart = { title: string; unit: string; series: Series[] };
 
-const kWidth = 308;
+const kWidth = 308; // until it is laid out
 const kHeight = 84;
 const kLeft = 34; // of the axis' numbers
-const kFoot = 7; // half of a number's height
+const kTogether = 'time'; // cursors and zoom
 
-/** What there is to see of a motion; `main` is the track that is the most real. */
-export function chartsOf(motion: Motion, main: Track, goal: Goal, unit: string): Chart[] {
+/** What there is to see of a motion; `main` is the track that is the most real, `wanted` a goal or a tip for each frame. */
+export function chartsOf(motion: Motion, main: Track, wanted: Goal | Point[], unit: string): Chart[] {
   const others = motion.tracks.filter((track) => track !== main);
   const predicted = others.find(({ key }) => key === 'network') ?? others.find(({ key }) => key === 'simple');
   const segments = motion.setpoints_kpa[0]?.length ?? 0;
@@ -39,9 +41,10 @@ export function chartsOf(motion: Motion, main: Track, goal: Goal, unit: string):
     series: others.map((track) => series(track, cm(main.shapes.slice(0, track.shapes.length).map((shape, k) =>
       distance(tipOf(shape), tipOf(track.shapes[k])))))),
   }, {
-    title: 'Tip from the goal’s centre',
+    title: Array.isArray(wanted) ? 'Tip from the path' : 'Tip from the goal’s centre',
     unit: 'cm',
-    series: motion.tracks.map((track) => series(track, cm(track.shapes.map((shape) => distance(tipOf(shape), [goal.x_m, goal.y_m]))))),
+    series: motion.tracks.map((track) => series(track, cm(track.shapes.map((shape, k) =>
+      distance(tipOf(shape), Array.isArray(wanted) ? wanted[Math.min(k, wanted.length - 1)] : [wanted.x_m, wanted.y_m]))))),
   });
   if (motion.tracks.some(({ clearances_m }) => clearances_m.length > 0)) {
     charts.push({
@@ -51,83 +54,71 @@ export function chartsOf(motion: Motion, main: Track, goal: Goal, unit: string):
   return charts.filter((chart) => chart.series.length > 0);
 }
 
-/** Numbers for an axis: a round step, three or four of them. */
-export function ticks(low: number, high: number): number[] {
-  const raw = Math.max(1e-9, high - low) / 3;
-  const power = 10 ** Math.floor(Math.log10(raw));
-  const step = [1, 2, 5, 10].map((m) => m * power).find((s) => s >= raw)!;
-  const result: number[] = [];
-  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) result.push(k * step);
-  return result;
-}
+const colour = (name: string) => () =>
+  getComputedStyle(document.documentElement).getPropertyValue(name === 'set' ? '--quiet' : `--${name}`);
 
 /** All charts of a motion. `at` moves their cursors. */
 export class Plots {
   readonly element = h('div', { class: 'plots' });
-  private cursors: { line: SVGElement; x: (time_s: number) => number; values: (time_s: number) => void }[] = [];
+  private charts: { plot: uPlot; show: () => void }[] = [];
+  private time_s = 0;
 
-  constructor(private readonly seek: (time_s: number) => void) {}
+  constructor(private readonly seek: (time_s: number) => void) {
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.charts.forEach(({ plot }) => plot.redraw(false)));
+    new ResizeObserver(() => {
+      const width = this.element.clientWidth;
+      if (width > 0) this.charts.forEach(({ plot }) => plot.setSize({ width, height: kHeight }));
+    }).observe(this.element);
+  }
 
   show(charts: Chart[], rate_hz: number, shown: Set<TrackKey>): void {
-    this.cursors = [];
+    this.charts.forEach(({ plot }) => plot.destroy());
+    this.charts = [];
     this.element.replaceChildren(...charts.map((chart) =>
       this.chart({ ...chart, series: chart.series.filter(({ swatch }) => swatch === 'set' || shown.has(swatch as TrackKey)) }, rate_hz)));
   }
 
   at(time_s: number): void {
-    for (const { line, x, values } of this.cursors) {
-      line.setAttribute('x1', x(time_s).toFixed(1));
-      line.setAttribute('x2', x(time_s).toFixed(1));
-      values(time_s);
+    this.time_s = time_s;
+    for (const { plot, show } of this.charts.filter(({ plot: { status } }) => status === 1)) { // it has been laid out
+      plot.setCursor({ left: plot.valToPos(time_s, 'x'), top: 0 }, false);
+      show();
     }
   }
 
   private chart({ title, unit, series }: Chart, rate_hz: number): HTMLElement {
-    const numbers = series.flatMap(({ values }) => values.filter((value): value is number => value !== null));
-    const low = Math.min(0, ...numbers);
-    const high = Math.max(low + (unit === 'cm' ? 0.1 : 1), ...numbers);
-    const last_s = Math.max(1, ...series.map(({ values }) => values.length - 1)) / rate_hz;
-    const x = (time_s: number) => kLeft + (Math.min(time_s, last_s) / last_s) * (kWidth - kLeft - 2);
-    const y = (value: number) => kFoot + (1 - (value - low) / (high - low)) * (kHeight - 2 * kFoot);
-    const path = (values: (number | null)[]) => {
-      let pen = 'M';
-      return values.map((value, k) => {
-        if (value === null) {
-          pen = 'M';
-          return '';
-        }
-        const point = `${pen}${x(k / rate_hz).toFixed(1)} ${y(value).toFixed(1)}`;
-        pen = 'L';
-        return point;
-      }).join('');
-    };
-    const line = svg('line', { class: 'cursor', y1: 0, y2: kHeight, x1: kLeft, x2: kLeft });
-    const picture = svg('svg', { viewBox: `0 0 ${kWidth} ${kHeight}`, role: 'img', 'aria-label': `${title} in ${unit}, over ${last_s.toFixed(1)} s` },
-      ...ticks(low, high).flatMap((value) => [
-        svg('line', { class: 'tick', x1: kLeft, x2: kWidth, y1: y(value), y2: y(value) }),
-        svg('text', { x: kLeft - 5, y: y(value) + 3.5, 'text-anchor': 'end' }, String(Number(value.toPrecision(6)))),
-      ]),
-      ...series.map(({ swatch, values }) => svg('path', { class: `line ${swatch}`, d: path(values) })),
-      line);
-    const move = (event: PointerEvent) => {
-      if (event.buttons === 0) return;
-      const box = picture.getBoundingClientRect();
-      const at = ((event.clientX - box.left) / box.width) * kWidth;
-      this.seek(Math.max(0, Math.min(1, (at - kLeft) / (kWidth - kLeft - 2))) * last_s);
-    };
-    picture.addEventListener('pointerdown', move);
-    picture.addEventListener('pointermove', move);
+    const frames = Math.max(2, ...series.map(({ values }) => values.length));
+    const time_s = Array.from({ length: frames }, (_, k) => k / rate_hz);
+    const padded = series.map(({ values }) => [...values, ...Array<null>(frames - values.length).fill(null)]);
     const outputs = series.map(() => h('b'));
-    this.cursors.push({
-      line, x,
-      values: (time_s) => series.forEach(({ values }, i) => {
-        const value = values[Math.min(values.length - 1, Math.round(time_s * rate_hz))];
-        outputs[i].textContent = value == null ? '–' : value.toFixed(unit === 'cm' ? 2 : 1);
-      }),
+    const at = h('div', { role: 'img', 'aria-label': `${title} in ${unit}, over ${time_s[frames - 1].toFixed(1)} s` });
+    const grid = { show: true, stroke: colour('grid'), width: 1 };
+    const plot: uPlot = new uPlot({
+      width: this.element.clientWidth || kWidth,
+      height: kHeight,
+      padding: [6, 2, 6, 0],
+      legend: { show: false },
+      cursor: { y: false, drag: { x: true, y: false }, sync: { key: kTogether }, points: { size: 5 } },
+      scales: {
+        x: { time: false },
+        y: { range: (_, low, high) => [Math.min(0, low), Math.max(Math.min(0, low) + (unit === 'cm' ? 0.1 : 1), high)] },
+      },
+      axes: [{ show: false }, { size: kLeft, gap: 3, space: 22, font: '10px system-ui, sans-serif', stroke: colour('quiet'), grid, ticks: { show: false } }],
+      series: [{}, ...series.map(({ swatch }): uPlot.Series => ({
+        stroke: colour(swatch), width: 1.6, points: { show: false }, ...(swatch === 'set' ? { dash: [3, 2] } : {}),
+      }))],
+      hooks: { ready: [() => this.at(this.time_s)], setCursor: [() => show()] },
+    }, [time_s, ...padded] as uPlot.AlignedData, at);
+    const show = () => series.forEach(({ values }, i) => {
+      const k = Math.min(values.length - 1, plot.cursor.idx ?? Math.round(this.time_s * rate_hz));
+      outputs[i].textContent = values[k] == null ? '–' : values[k]!.toFixed(unit === 'cm' ? 2 : 1);
     });
+    plot.over.addEventListener('click', (event) => this.seek(Math.max(0, plot.posToVal(event.offsetX, 'x'))));
+    plot.over.addEventListener('mouseleave', () => this.at(this.time_s));
+    this.charts.push({ plot, show });
     return h('figure', {},
       h('figcaption', {}, `${title}, ${unit}`,
         h('span', {}, ...series.map(({ swatch, name }, i) => h('span', { title: name }, h('i', { class: `swatch ${swatch}` }), outputs[i])))),
-      picture as unknown as HTMLElement);
+      at);
   }
 }

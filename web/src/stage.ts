@@ -84,7 +84,7 @@ export class Stage {
     this.draw();
   }
 
-  private drawNow(): void {
+  drawNow(): void {
     const { x, y, m_per_px, width, height } = this.camera;
     Object.assign(this.view, {
       left: x - (width / 2) * m_per_px,

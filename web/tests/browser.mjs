@@ -4,31 +4,10 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { drag, fieldValue, network, openPage, pixelsOf, program, startBrowser, startStudio } from './studio.mjs';
+import { pageTest, serve, shared } from './page_test.mjs';
+import { drag, fieldValue, network, openPage, pixelsOf, program } from './studio.mjs';
 
-let studio;
-let browser;
-before(async () => {
-  studio = await startStudio('--model', network);
-  browser = await startBrowser();
-});
-after(async () => {
-  await browser?.close();
-  assert.equal(await studio?.stop(), 0, 'Ctrl-C ends the studio');
-});
-
-/** A test with a page of its own, which must not complain. */
-function pageTest(name, use, options) {
-  test(name, async () => {
-    const page = await openPage(browser, studio.address, options);
-    await page.waitForSelector('.status.good');
-    await use(page);
-    assert.deepEqual(page.faults, []);
-    await page.context().close();
-  });
-}
-
+serve();
 const certified = (page) => page.waitForSelector('.status.good');
 const select = (page, name) => page.getByRole('button', { name, exact: true }).click();
 const goal = [0.512, 0.331];
@@ -101,14 +80,14 @@ pageTest('what is saved is a file that limber verifies', async (page) => {
   await page.getByRole('textbox', { name: 'Name to save as' }).fill('my own');
   await page.getByRole('button', { name: 'Save environment' }).click();
   await page.waitForFunction(() => document.getElementById('notice').textContent.startsWith('Saved'));
-  const environment = join(studio.project, 'environments/my own.yaml');
+  const environment = join(shared.studio.project, 'environments/my own.yaml');
   assert.match(readFileSync(environment, 'utf8'), /^schema: limber\/environment\/1\nname: "my own"/);
   await page.getByRole('textbox', { name: 'Name to save as' }).fill('my own');
   await page.getByRole('button', { name: 'Plan', exact: true }).click();
   await page.waitForFunction(() => !document.querySelector('.status em'));
   await page.getByRole('button', { name: 'Save plan' }).click();
   await page.waitForFunction(() => document.getElementById('notice').textContent.includes('plans/'));
-  const plan = join(studio.project, 'plans/my own.json');
+  const plan = join(shared.studio.project, 'plans/my own.json');
   assert.ok(existsSync(plan));
   execFileSync(program, ['verify', '--model', network, '--environment', environment, '--plan', plan]);
 });
@@ -117,13 +96,62 @@ pageTest('another model and environment are chosen, and tree and tube shown', as
   await page.getByLabel('Model').selectOption('');
   await certified(page);
   await page.locator('.field', { hasText: /^Environment/ }).locator('select').selectOption('limber:05_between_pillars');
+  await page.waitForURL(/05_between_pillars/);
   await certified(page);
-  assert.match(page.url(), /05_between_pillars/);
   for (const name of ['Search tree', 'Tube', 'Reach']) await page.getByRole('checkbox', { name }).click();
   await page.getByRole('button', { name: 'Plan', exact: true }).click();
   await page.getByRole('button', { name: 'Stop' }).click({ force: true }); // or it has just ended
   await page.waitForFunction(() =>
     [...document.querySelectorAll('button')].find((b) => b.textContent === 'Stop').disabled);
+});
+
+pageTest('a link restores the scene, and undo still works', async (page) => {
+  await page.getByLabel('Model').selectOption('');
+  await page.getByRole('button', { name: 'Add a rectangle' }).click();
+  await placeGoal(page, goal);
+  await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+  await page.getByRole('button', { name: 'Copy link' }).click();
+  await page.getByText('Copied: a link that restores the scene').waitFor();
+  assert.equal(await page.evaluate(() => navigator.clipboard.readText()), page.url());
+  const { hash } = new URL(page.url());
+  const token = new URL(shared.studio.address).searchParams.get('token');
+  assert.ok(hash.includes('scene='));
+  assert.ok(token && !decodeURIComponent(page.url()).includes(token), 'no token');
+  const things = (of) => of.locator('.things li').allTextContents();
+  const isRestored = async (there) => {
+    assert.deepEqual(await things(there), await things(page));
+    assert.equal(await there.getByLabel('Model').inputValue(), '');
+    await select(there, 'Goal');
+    assert.deepEqual([await fieldValue(there, /^x/), await fieldValue(there, /^y/)], goal);
+  };
+  const press = (there, name) => there.getByRole('button', { name }).click();
+
+  const other = await openPage(shared.browser, shared.studio.address + hash); // as a colleague does
+  await other.waitForSelector('.status.good, .status.bad');
+  await isRestored(other);
+  const undo = other.getByRole('button', { name: 'Undo' });
+  assert.ok(await undo.isDisabled(), 'it begins with the link');
+  await press(other, 'Add a circle');
+  await press(other, 'Undo');
+  await isRestored(other);
+  await press(other, 'Redo');
+  const edited = await things(other);
+  await other.evaluate((link) => (location.hash = link), `${hash}&again`);
+  await other.waitForFunction(
+    (count) => document.querySelectorAll('.things li').length === count, edited.length - 1);
+  await isRestored(other);
+  await press(other, 'Undo');
+  assert.deepEqual(await things(other), edited, 'undo takes the link back');
+  await press(other, 'Redo');
+  await isRestored(other);
+  assert.deepEqual(other.faults, []);
+  await other.context().close();
+
+  const cut = await openPage(shared.browser, shared.studio.address + hash.slice(0, -9));
+  await cut.getByText('The link’s scene can’t be read. Was the link cut off?').waitFor();
+  await cut.waitForSelector('.status.good');
+  assert.deepEqual(cut.faults, []);
+  await cut.context().close();
 });
 
 pageTest('a plan is played by both models and the virtual arm', async (page) => {
@@ -140,10 +168,11 @@ pageTest('a plan is played by both models and the virtual arm', async (page) => 
   await slider.focus();
   await page.keyboard.press('End');
   assert.match(await page.textContent('.plots'), /Pressure of segment 2.*Tip from the virtual arm’s.*Clearance/s);
-  const cursor = () => page.locator('.plots .cursor').first().getAttribute('x1').then(Number);
+  const plot = await page.locator('.plots .u-over').first().boundingBox();
+  const cursor = () => page.locator('.plots .u-cursor-x').first().boundingBox().then(({ x }) => x - plot.x);
   const end = await cursor();
-  const box = await page.locator('.plots svg').first().boundingBox();
-  await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.click(plot.x + plot.width / 2, plot.y + plot.height / 2);
+  await page.mouse.move(0, 0);
   assert.ok((await cursor()) < 0.7 * end, 'a click into a plot moves the slider');
   assert.ok(Number(await slider.inputValue()) > 0);
 });
@@ -221,7 +250,7 @@ pageTest('a finger drags, two fingers zoom', async (page) => {
 }, { viewport: { width: 390, height: 844 }, hasTouch: true });
 
 pageTest('a page that is closed leaves the others at work', async (page) => {
-  const other = await openPage(browser, studio.address);
+  const other = await openPage(shared.browser, shared.studio.address);
   await other.waitForSelector('.status.good');
   await other.context().close();
   await placeGoal(page, goal);

@@ -60,6 +60,7 @@ test('armed by hand, the arm runs the plan within its limits, pauses, goes on an
   await moving(page);
   await page.getByRole('button', { name: 'Pause' }).dispatchEvent('click');
   await says(page, 'Holds: paused');
+  await page.waitForTimeout(500); // ten frames: a fast page would go on before three are over
   await page.getByRole('button', { name: 'Go on' }).click();
   await says(page, /vented: .* kPa/);
   assert.match(await page.textContent('.tracks'), /Simple model.*The arm.*(arrives|misses|strikes)/s);

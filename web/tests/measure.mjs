@@ -1,7 +1,7 @@
 // From the pointer event to the first painted certified plan, in real Chromium:
 //   node tests/measure.mjs [POSITIONS] [MODEL.safetensors]
 // In each of the eight environments the goal, without a heading, is dragged to POSITIONS places, drawn with a fixed seed from the
-// cells that the arm reaches. Places without a plan after 10 s are counted apart, with when their reason stood there.
+// cells that the arm reaches. Places without a plan after 5 s are counted apart, with when their reason stood there.
 
 import { network, openPage, pixelsOf, startBrowser, startStudio } from './studio.mjs';
 
@@ -53,17 +53,23 @@ for (const environment of environments) {
   const reasons = [];
   for (let i = 0; i < positions; ++i) {
     const cell = 2 * Math.floor((random() * middles_m.length) / 2);
-    await page.evaluate(() => performance.clearMeasures());
-    const begin = performance.now();
+    await page.evaluate(() => {
+      performance.clearMeasures();
+      window.reasonAt_ms = undefined;
+      window.movedAt_ms = performance.now();
+    });
     await page.mouse.move(...(await pixelsOf(page, [middles_m[cell], middles_m[cell + 1]])));
     const took = await page
       .waitForFunction(() => {
         const found = performance.getEntriesByType('measure')[0];
-        return found ? found.duration : document.querySelector('.status.bad') ? -1 : false;
+        const isOver = document.querySelector('.status.bad') !== null;
+        // The first sentence that says why not, while it still searches or at the end.
+        if (isOver || document.querySelector('.status.busy p')) window.reasonAt_ms ??= performance.now();
+        return found ? { painted: found.duration } : isOver ? { reason: window.reasonAt_ms - window.movedAt_ms } : false;
       }, null, { timeout: kPatience_ms, polling: 'raf' })
       .then((handle) => handle.jsonValue());
-    if (took >= 0) painted.push(took);
-    else reasons.push(performance.now() - begin);
+    if (took.painted !== undefined) painted.push(took.painted);
+    else reasons.push(took.reason);
   }
   await page.mouse.up();
   await page.context().close();

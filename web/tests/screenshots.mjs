@@ -1,7 +1,8 @@
 // The pictures of docs/studio.md, and the same in dark and on a phone, to look at:
 //   node tests/screenshots.mjs FOLDER
 
-import { join } from 'node:path';
+import { delimiter, dirname, join } from 'node:path';
+import { makeResults } from './results_folder.mjs';
 import { drag, network, openPage, program, startBrowser, startStudio } from './studio.mjs';
 
 const folder = process.argv[2];
@@ -11,7 +12,9 @@ const looks = {
   _phone: { viewport: { width: 390, height: 844 }, hasTouch: true },
   _phone_dark: { viewport: { width: 390, height: 844 }, hasTouch: true, colorScheme: 'dark' },
 };
-const studio = await startStudio('--model', network, '--driver', `exec:"${program}" virtual-arm --serve`);
+process.env.PATH = `${dirname(program)}${delimiter}${process.env.PATH}`; // no folder of this machine in a picture
+const studio = await startStudio('--model', network, '--driver', 'exec:limber virtual-arm --serve');
+makeResults(studio.project);
 const browser = await startBrowser();
 for (const [look, options] of Object.entries(looks)) {
   const page = await openPage(browser, studio.address, options);
@@ -36,6 +39,13 @@ for (const [look, options] of Object.entries(looks)) {
   await page.getByRole('button', { name: 'VENT' }).click();
   await page.locator('#arm-panel').filter({ hasText: 'VENT was pressed' }).waitFor();
   await shot('vented');
+  await page.getByRole('tab', { name: 'Plan' }).click();
+  await page.locator('.field', { hasText: /^Environment/ }).locator('select').selectOption('limber:01_pillar');
+  await idle();
+  await page.getByRole('tab', { name: 'Follow' }).click();
+  await page.getByRole('button', { name: 'Eight' }).click();
+  await page.waitForFunction(() => document.querySelector('.tracks small') && document.querySelector('.play input').valueAsNumber > 9);
+  await shot('follow');
   await page.getByRole('tab', { name: 'Drive' }).click();
   const slide = async (segment, key) => {
     await page.getByRole('slider', { name: new RegExp(`Segment ${segment}`) }).focus();
@@ -54,6 +64,22 @@ for (const [look, options] of Object.entries(looks)) {
   await page.getByRole('button', { name: 'All to zero' }).click();
   await settled();
   await shot('drive');
+  await page.getByRole('tab', { name: 'Results' }).click();
+  await page.locator('.experiment [aria-expanded]').nth(1).click();
+  await page.waitForSelector('.runs button');
+  await page.getByRole('button', { name: 'Measure' }).click();
+  await page.waitForSelector('#measured .maps');
+  await shot('results');
+  await page.locator('#panel').evaluate((panel) => panel.scrollTo(0, 1e6));
+  await shot('measured');
+  await page.getByRole('tab', { name: 'Plan', exact: true }).click();
+  await page.getByLabel('Model').selectOption('limber:three_segment_small');
+  await page.getByRole('tab', { name: 'Drive' }).click();
+  await page.waitForSelector('#family');
+  await slide(0, 'End');
+  await page.getByRole('slider', { name: /Number 0 / }).press('Home');
+  await page.waitForTimeout(2500);
+  await shot('family');
   if (look === '') {
     await page.getByRole('tab', { name: 'Plan', exact: true }).click();
     await page.getByLabel('Plan while dragging').uncheck();

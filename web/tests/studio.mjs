@@ -1,7 +1,7 @@
 // The real program and Debian's Chromium, for tests, screenshots and measurements.
 
 import { spawn } from 'node:child_process';
-import { mkdtempSync, rmSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -35,7 +35,7 @@ export async function startStudio(...flags) {
       });
       server.kill('SIGINT');
     });
-  return { address, project, stop };
+  return { address, project, stop, pid: server.pid };
 }
 
 export const startBrowser = () =>
@@ -43,6 +43,22 @@ export const startBrowser = () =>
     executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
     args: ['--no-sandbox', '--disable-dev-shm-usage', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
   });
+
+/**
+ * With LIMBER_PAGE=dist, that folder's page instead of the one in the program: a change of the page
+ * is tried before the program is built with it. The rules that come with the program's page hold.
+ */
+async function usePage(context, address) {
+  const folder = process.env.LIMBER_PAGE;
+  if (!folder) return address;
+  const { origin, hash } = new URL(address);
+  await context.request.get(address); // the token becomes a cookie
+  await context.route((url) => /^\/($|assets\/|animation\.html)/.test(url.pathname), async (route) => {
+    const name = new URL(route.request().url()).pathname.replace(/\/$/, '/index.html');
+    await route.fulfill({ response: await route.fetch(), body: readFileSync(join(folder, name)) });
+  });
+  return `${origin}/${hash}`;
+}
 
 /** A page with its stage's scale, read off the grid's labels as people do. */
 export async function openPage(browser, address, options = {}) {
@@ -54,7 +70,7 @@ export async function openPage(browser, address, options = {}) {
   page.on('console', (message) => {
     if (message.type() === 'error') page.faults.push(message.text());
   });
-  await page.goto(address);
+  await page.goto(await usePage(context, address));
   await page.waitForSelector('.grid-labels .x');
   return page;
 }

@@ -13,12 +13,12 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/json_number.hpp"
 #include "limber/common/json_reader.hpp"
 #include "limber/common/version.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/report/evidence_page.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
-#include "optional_json.hpp"
 
 namespace limber {
 

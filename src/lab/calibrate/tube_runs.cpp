@@ -18,7 +18,7 @@
 #include "limber/common/statistics.hpp"
 #include "limber/common/units.hpp"
 #include "limber/lab/planning_experiment.hpp"
-#include "limber/lab/random_environment.hpp"
+#include "limber/lab/witnessed_environment.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/sim/virtual_arm.hpp"
 
@@ -213,7 +213,9 @@ class PhaseRunner {
   }
 
   std::unique_ptr<RunModel> adapted(std::uint64_t number) const {
-    UnseenArm unseen = unseen_arm(settings_.arm, settings_.model, *settings_.unseen, seed_, number);
+    const bool keeps_measured_error = phase_.shape == nullptr;  // its plans keep that instead
+    UnseenArm unseen = unseen_arm(settings_.arm, settings_.model, *settings_.unseen, seed_, number,
+                                  keeps_measured_error);
     const double expected_m = unseen.adaptation.expected_error_m;
     const double width = phase_.expected_error_m > 0.0 ? expected_m / phase_.expected_error_m : 1.0;
     const CompensationModel& model = unseen.adaptation.model;
@@ -222,6 +224,12 @@ class PhaseRunner {
                                              model.identified_valves().parameters);
     result->expected_error_m = expected_m;
     return result;
+  }
+
+  std::optional<Environment> environment_for(const RunModel& with, std::uint64_t number) const {
+    auto about =
+        witnessed_environment(with.executed_arm, virtual_witness(with.executed_arm), seed_, number);
+    return about ? std::optional(std::move(about->environment)) : std::nullopt;
   }
 
   TubeRun make_run(std::uint64_t number) const {
@@ -235,13 +243,12 @@ class PhaseRunner {
     TubeRun run;
     run.number = number;
     run.expected_error_m = with.expected_error_m;
-    const std::optional<RandomEnvironment> sampled =
-        random_environment(settings_.arm, with.motion, seed_, number);
+    std::optional<Environment> sampled = environment_for(with, number);
     if (!sampled) {
       run.status = "no_environment";
       return run;
     }
-    const EnvironmentCase item{std::to_string(number), sampled->environment};
+    const EnvironmentCase item{std::to_string(number), std::move(*sampled)};
     PlanTrial trial = plan_trial(settings_.arm, with.motion, item, trial_, seed_ + number);
     run.status = to_string(trial.planning.status);
     if (trial.solved()) {

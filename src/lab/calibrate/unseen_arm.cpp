@@ -37,10 +37,12 @@ Episode identifying_run(const ArmDescription& arm, double seconds, std::uint64_t
 }
 
 UnseenArm unseen_arm(const ArmDescription& arm, const CompensationModel& family,
-                     const UnseenArms& of, std::uint64_t seed, std::uint64_t number) {
+                     const UnseenArms& of, std::uint64_t seed, std::uint64_t number,
+                     bool measures_errors) {
   UnseenArm result{with_related_physics(arm, of.variation, seed, number), {}};
   AdaptationSettings settings;
   settings.weights = AdaptWeights::never;
+  settings.measures_errors = measures_errors;
   settings.jobs = 1;
   result.adaptation =
       adapt(arm, family, {identifying_run(result.arm, of.seconds, seed, number)}, settings);

@@ -11,7 +11,6 @@
 #include "limber/lab/unseen_arm.hpp"
 #include "limber/sim/virtual_arm.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
-#include "optional_json.hpp"
 
 namespace limber {
 

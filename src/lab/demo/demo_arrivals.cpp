@@ -9,8 +9,8 @@
 #include "demo_environments.hpp"
 #include "kernels/job_arena.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/json_number.hpp"
 #include "limber/common/units.hpp"
-#include "optional_json.hpp"
 
 namespace limber {
 

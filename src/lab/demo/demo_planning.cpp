@@ -53,6 +53,19 @@ std::vector<TrialTask> all_tasks(const DemoResults& results) {
   return tasks;
 }
 
+/// The network's in that environment; null: none was solved.
+const PlanTrial* cheapest_plan(const std::vector<PlanTrial>& trials,
+                               const std::string& environment) {
+  const PlanTrial* best = nullptr;
+  for (const PlanTrial& trial : trials) {
+    if (trial.environment == environment && trial.model == "network" && trial.solved() &&
+        (best == nullptr || trial.planning.plan->cost_kpa < best->planning.plan->cost_kpa)) {
+      best = &trial;
+    }
+  }
+  return best;
+}
+
 }  // namespace
 
 MotionModel DemoResults::motion_model(const ForwardModel& forward) const {
@@ -118,7 +131,7 @@ void execute_stage(DemoResults& results) {
       results.output->write(fmt::format("plots/{}_{}.svg", kind, item.id), svg);
       results.plan_pictures.push_back({std::move(svg), item.environment.name + ": " + caption});
     };
-    const PlanTrial* best = cheapest_plan(results.trials, item.id, "network");
+    const PlanTrial* best = cheapest_plan(results.trials, item.id);
     if (best != nullptr) {
       PlanResult drawn = best->planning;
       drawn.tree.resize(std::min(drawn.tree.size(), kDrawnEdges));

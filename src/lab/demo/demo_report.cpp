@@ -4,10 +4,12 @@
 #include "demo_arrivals.hpp"
 #include "demo_stages.hpp"
 #include "limber/arm/valve_findings.hpp"
+#include "limber/common/json_number.hpp"
 #include "limber/common/progress.hpp"
 #include "limber/common/units.hpp"
 #include "limber/common/version.hpp"
 #include "limber/report/bench_chart.hpp"
+#include "limber/report/planning_table.hpp"
 #include "limber/report/report_page.hpp"
 #include "limber/report/speed_report.hpp"
 #include "limber/report/training_report.hpp"
@@ -17,13 +19,10 @@ namespace limber {
 
 namespace {
 
+constexpr const char* kNone = "–";  // where there is no mean
+
 std::string mean_std(const ErrorStatistics& error, int digits) {
   return fmt::format("{:.{}f} ± {:.{}f}", error.mean, digits, error.std, digits);
-}
-
-/// A mean in the unit that `factor` leads to; a dash if there is none.
-std::string show(const std::optional<double>& mean, double factor, int digits) {
-  return mean ? fmt::format("{:.{}f}", *mean * factor, digits) : "–";
 }
 
 std::string rate(double queries_per_s) {
@@ -38,15 +37,15 @@ std::string hours(const Recording& recording) {
 void opening(ReportPage& page, const DemoResults& results) {
   const Evaluation& evaluation = results.evaluation;
   const TipErrors& network = evaluation.network->open_loop;
-  const TrialSummary no_load_plans = summarise(results.trials, "", "no_load");
-  const TrialSummary network_plans = summarise(results.trials, "", "network");
+  const PlanningRow no_load_plans = planning_row(results.trials, "", "no_load");
+  const PlanningRow network_plans = planning_row(results.trials, "", "network");
   page.key_figures(
       {{"network plans that arrive",
         fmt::format("{} of {}", network_plans.reached, network_plans.trials),
         fmt::format("{} collide, {} cm off on average; no-load plans {} of {}, {} cm",
-                    network_plans.collided, show(network_plans.distance_m, kCmPerM, 1),
+                    network_plans.collided, shown(network_plans.distance_cm.mean, 1, kNone),
                     no_load_plans.reached, no_load_plans.trials,
-                    show(no_load_plans.distance_m, kCmPerM, 1))},
+                    shown(no_load_plans.distance_cm.mean, 1, kNone))},
        {"network, open loop", fmt::format("{:.1f} cm", network.position_cm.mean),
         fmt::format("no-load model {:.1f} cm; the paper 5.8 and 16.2",
                     evaluation.no_load_open_loop.position_cm.mean)},
@@ -181,18 +180,19 @@ ReportTable trial_table(const DemoResults& results) {
                   "cost [psi]"};
   const auto add = [&](const std::string& label, const std::string& environment,
                        const std::string& model) {
-    const TrialSummary sum = summarise(results.trials, environment, model);
+    const PlanningRow sum = planning_row(results.trials, environment, model);
     if (model == "network") {
       table.highlighted_rows.push_back(static_cast<int>(table.rows.size()));
     }
-    table.rows.push_back(
-        {label, model == "network" ? "network" : "no load",
-         fmt::format("{}/{}", sum.solved, sum.trials),
-         fmt::format("{}/{}", sum.reached, sum.executed),
-         fmt::format("{}/{}", sum.collided, sum.executed), show(sum.distance_m, kCmPerM, 1),
-         show(sum.orientation_rad, 1.0, 2),
-         show(sum.first_candidate_s, 1.0, 3) + " + " + show(sum.first_certificate_s, 1.0, 3),
-         show(sum.cost_kpa, 1.0 / kKpaPerPsi, 1)});
+    table.rows.push_back({label, model == "network" ? "network" : "no load",
+                          fmt::format("{}/{}", sum.solved, sum.trials),
+                          fmt::format("{}/{}", sum.reached, sum.executed),
+                          fmt::format("{}/{}", sum.collided, sum.executed),
+                          shown(sum.distance_cm.mean, 1, kNone),
+                          shown(sum.orientation_rad.mean, 2, kNone),
+                          shown(sum.first_candidate_s.mean, 3, kNone) + " + " +
+                              shown(sum.first_certificate_s.mean, 3, kNone),
+                          shown(sum.cost_psi.mean, 1, kNone)});
   };
   for (const EnvironmentCase& item : results.environments) {
     add(item.environment.name, item.id, "no_load");
@@ -324,23 +324,19 @@ nlohmann::ordered_json to_json(const DemoResults& results) {
           {"wall_time_s", training.wall_time_s}};
 }
 
-nlohmann::ordered_json number(const std::optional<double>& mean, double factor) {
-  return mean ? nlohmann::ordered_json(*mean * factor) : nlohmann::ordered_json(nullptr);
-}
-
 nlohmann::ordered_json to_json(const std::vector<PlanTrial>& trials) {
   nlohmann::ordered_json json;
   for (const char* model : {"no_load", "network"}) {
-    const TrialSummary sum = summarise(trials, "", model);
+    const PlanningRow sum = planning_row(trials, "", model);
     json[model] = {{"trials", sum.trials},
                    {"solved", sum.solved},
                    {"executed", sum.executed},
                    {"collided", sum.collided},
                    {"reached", sum.reached},
-                   {"mean_first_solution_s", number(sum.first_solution_s, 1.0)},
-                   {"mean_cost_psi", number(sum.cost_kpa, 1.0 / kKpaPerPsi)},
-                   {"mean_distance_to_goal_cm", number(sum.distance_m, kCmPerM)},
-                   {"mean_orientation_to_goal_rad", number(sum.orientation_rad, 1.0)}};
+                   {"mean_first_solution_s", optional_json(sum.first_solution_s.mean)},
+                   {"mean_cost_psi", optional_json(sum.cost_psi.mean)},
+                   {"mean_distance_to_goal_cm", optional_json(sum.distance_cm.mean)},
+                   {"mean_orientation_to_goal_rad", optional_json(sum.orientation_rad.mean)}};
   }
   return json;
 }

@@ -75,15 +75,25 @@ class EpisodeRun {
 
   void move(const Pressures& from, const Motion& motion) {
     if (settings_.schedule.approach == Approach::straight) {
-      const Pressures& to = motion.setpoint_kpa;
-      const int count = motion_frame_count(from, to, arm_.pressure_step_limit_kpa());
-      Pressures setpoint_kpa(to.size());
-      for (int k = 1; k < count; ++k) {
-        motion_setpoint(from, to, k, count, setpoint_kpa);
-        command(setpoint_kpa);
+      const Pressures* here = &from;
+      for (const Pressures& via : motion.via_kpa) {
+        go_straight(*here, via);
+        command(via);
+        here = &via;
       }
+      go_straight(*here, motion.setpoint_kpa);
     }
     hold(motion);
+  }
+
+  /// Up to the frame before the last.
+  void go_straight(const Pressures& from, const Pressures& to) {
+    const int count = motion_frame_count(from, to, arm_.pressure_step_limit_kpa());
+    Pressures setpoint_kpa(to.size());
+    for (int k = 1; k < count; ++k) {
+      motion_setpoint(from, to, k, count, setpoint_kpa);
+      command(setpoint_kpa);
+    }
   }
 
   void hold(const Motion& motion) {
@@ -334,10 +344,12 @@ CollectionResult collect(const ArmDescription& arm, const CollectionSettings& se
                          const DriverFactory& make_driver, const fs::path& path) {
   const auto start = std::chrono::steady_clock::now();
   const std::vector<EpisodeSchedule> schedule =
-      make_schedule(arm, settings.schedule, settings.seed);
+      settings.episodes.empty() ? make_schedule(arm, settings.schedule, settings.seed)
+                                : settings.episodes;
   CollectionResult result;
   result.recording = make_recording(arm, settings.source, settings.seed);
-  result.recording.settings = describe(settings.schedule);
+  result.recording.settings =
+      settings.episodes.empty() ? describe(settings.schedule) : settings.episodes_are;
   if (!settings.driver.empty()) {
     result.recording.settings += "; " + settings.driver;
   }

@@ -11,6 +11,9 @@
 
 namespace limber {
 
+/// Budget of each plan of a calibration, where none is asked for.
+inline constexpr std::uint64_t kCalibrationQueries = 20'000;
+
 struct CalibrationSettings {
   TubeRunSettings runs;
   std::filesystem::path model_file;

@@ -26,8 +26,10 @@ struct UnseenArm {
 /// Draws the arm, lets it move, and adapts the family to that: e alone, no weights. Of a family
 /// with a tube, the model has one.
 /// @param number  of the arm among those of `seed`; neither threads nor other arms matter
+/// @param measures_errors  as of AdaptationSettings
 UnseenArm unseen_arm(const ArmDescription& arm, const CompensationModel& family,
-                     const UnseenArms& of, std::uint64_t seed, std::uint64_t number);
+                     const UnseenArms& of, std::uint64_t seed, std::uint64_t number,
+                     bool measures_errors = true);
 
 /// limber's own family for arms with these dimensions, if it has one.
 std::optional<CompensationModel> own_family(const ArmDescription& arm);

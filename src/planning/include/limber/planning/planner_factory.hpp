@@ -77,10 +77,6 @@ PlanResult plan(const ArmDescription& arm, const ForwardModel& model,
                                     const std::vector<Pressures>& waypoints_kpa,
                                     const std::string& planner, std::uint64_t seed = 0);
 
-/// A sentence for each old name in `name`, which is still understood, with its new name.
-/// @throws InputError if the settings are no key=value.
-std::vector<std::string> planner_name_notes(const std::string& name);
-
 /// Whether that is the default planner, with settings or without.
 /// @throws InputError if the settings are no key=value.
 bool is_default_planner(const std::string& name);

@@ -22,6 +22,9 @@ struct SampleFigures {
 
 SampleFigures figures_of(const std::vector<double>& values);
 
+/// The number, or `none`.
+std::string shown(const std::optional<double>& value, int digits, const char* none = "N/A");
+
 /// One line of the paper's Table I: one environment, one model; and where they are compared, one
 /// controller and one disturbance.
 struct PlanningRow {
@@ -56,6 +59,11 @@ bool is_clean_stop(const ExecutionResult& run);
 /// A row for every planner, environment, model, controller and disturbance that has trials, in the
 /// order of their first trials. Trials are borrowed.
 std::vector<PlanningRow> planning_rows(const std::vector<PlanTrial>& trials);
+
+/// The row of all trials of one model in one environment, or in all of them, whatever planned and
+/// executed. @param environment, model  empty: any.
+PlanningRow planning_row(const std::vector<PlanTrial>& trials, const std::string& environment,
+                         const std::string& model);
 
 /// What the paper found when it compared both models, and whether it was found here too.
 struct PaperFinding {

@@ -27,9 +27,10 @@ struct ReportFigure {
   std::string caption;
 };
 
-/// Builds one self-contained HTML page: style sheet and pictures inside it, no scripts, nothing
-/// loaded from elsewhere; readable on a phone, in light and dark mode, and as XML (every element is
-/// closed). All text is escaped; only the figures' SVG is trusted.
+/// Builds one self-contained HTML page: style sheet and pictures inside it, nothing loaded
+/// from elsewhere; readable on a phone, in light and dark mode, and as XML (every element is
+/// closed). Charts can be hovered and zoomed where scripts are on. All text is escaped; only the
+/// figures' SVG is trusted.
 ///
 ///   ReportPage page("limber demo", "arm three_segment, seed 7");
 ///   page.heading("Evaluation").paragraph("…").table(errors).figure({chart.svg(), "Error over

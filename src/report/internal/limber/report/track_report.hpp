@@ -4,19 +4,9 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "limber/run/executor.hpp"
-#include "limber/run/track_errors.hpp"
+#include "limber/run/track_run.hpp"
 
 namespace limber {
-
-/// A tip path that an arm was asked to follow, and what came of it.
-struct TrackRun {
-  TipPath path;
-  ExecutionResult result;
-  int start_frame = 0;  ///< of the run, where the path's time is 0
-  TrackErrors errors;
-  std::uint64_t queries = 0;
-};
 
 /// Keys of `execute --track --json` (docs/tracking.md).
 nlohmann::ordered_json to_json(const TrackRun& run);

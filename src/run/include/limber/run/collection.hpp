@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/common/progress.hpp"
@@ -21,6 +22,10 @@ using DriverFactory = std::function<std::unique_ptr<ArmDriver>(int index)>;
 
 struct CollectionSettings {
   ScheduleSettings schedule;
+  /// Made elsewhere, in place of what `schedule` would make of its kind and counts: what it is, in
+  /// words, as in `Recording::settings`. Empty: it is made here.
+  std::vector<EpisodeSchedule> episodes = {};
+  std::string episodes_are = {};
   std::uint64_t seed = 1;
   std::string source = "virtual arm";
   std::string driver;  ///< everything else that decides the data (noise, parameters), in words

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "limber/planning/planner.hpp"
 #include "limber/run/executor.hpp"
@@ -32,29 +31,5 @@ struct PlanTrial {
 
   bool solved() const { return planning.status == PlanStatus::solved; }
 };
-
-/// Means over the trials of one model in one environment, or in all of them; none where nothing
-/// counts.
-struct TrialSummary {
-  int trials = 0;
-  int solved = 0;
-  int executed = 0;  ///< to their end
-  int collided = 0;
-  int reached = 0;  ///< ended within the goal's tolerances, without collision
-  std::optional<double> first_solution_s;     ///< over solved trials, certified
-  std::optional<double> first_candidate_s;    ///< its two parts: until it was found,
-  std::optional<double> first_certificate_s;  ///< and its certificate
-  std::optional<double> cost_kpa;             ///< over solved trials
-  std::optional<double> distance_m;           ///< executed, including runs that collided
-  std::optional<double> distance_free_m;      ///< executed without collision
-  std::optional<double> orientation_rad;      ///< executed, where the goal asks for a heading
-};
-/// @param environment, model  empty: any.
-TrialSummary summarise(const std::vector<PlanTrial>& trials, const std::string& environment,
-                       const std::string& model);
-
-/// The cheapest solved trial; null if there is none. @param environment, model  empty: any.
-const PlanTrial* cheapest_plan(const std::vector<PlanTrial>& trials, const std::string& environment,
-                               const std::string& model);
 
 }  // namespace limber

@@ -45,6 +45,8 @@ struct Motion {
   Pressures setpoint_kpa;      ///< size n, where it ends
   double hold_s = 0.0;         ///< at least this long at that set point
   bool until_reached = false;  ///< and until the measured pressures are there
+  /// Passed on the way without a halt, straight from one to the next; with `straight` alone.
+  std::vector<Pressures> via_kpa = {};
 };
 
 /// One unbroken run. Before it, the arm is led from rest to `first_kpa`; this is not recorded.

@@ -11,8 +11,7 @@
 
 namespace limber {
 
-/// What tunes a JacobianController; tools/tune_baselines.py searches for them on seeds of its own
-/// (docs/experiments.md, Controllers).
+/// What tunes a JacobianController (docs/experiments.md, Controllers).
 struct JacobianGains {
   double proportional = 0.0;    ///< share of the error's change that is taken back in each frame
   double integral_per_s = 0.0;  ///< of the error

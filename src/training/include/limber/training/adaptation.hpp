@@ -18,6 +18,9 @@ enum class AdaptWeights {
 
 struct AdaptationSettings {
   AdaptWeights weights = AdaptWeights::automatic;
+  /// On seconds held back, by a second fit without them: half of the time. False: weights are not
+  /// trained, and the model has no `prediction_error`.
+  bool measures_errors = true;
   std::uint64_t seed = 1;  ///< of training weights
   int jobs = 0;            ///< threads, 0: one per core; never changes a result
 };

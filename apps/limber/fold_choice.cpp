@@ -1,0 +1,29 @@
+#include "fold_choice.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "limber/common/atomic_file.hpp"
+
+namespace limber {
+
+namespace fs = std::filesystem;
+
+fs::path folds_path_of(const fs::path& checkpoint) {
+  return checkpoint.string() + ".folds.json";
+}
+
+CrossValidation choose_by_folds(const CommonFlags& flags, const ArmDescription& arm,
+                                const std::vector<Episode>& episodes,
+                                const TrainingSettings& settings, const IdentifiedValves& valves) {
+  const fs::path file = folds_path_of(settings.checkpoint);
+  const bool is_there = settings.resume && fs::exists(file);
+  const CrossValidation found = is_there ? read_cross_validation(read_file(file), file.string())
+                                         : cross_validate(arm, episodes, settings, valves);
+  if (!is_there) {
+    write_file_atomically(file, to_json(found).dump(2) + "\n");
+  }
+  say(flags, "{}", to_text(found));
+  return found;
+}
+
+}  // namespace limber

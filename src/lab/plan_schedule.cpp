@@ -1,0 +1,127 @@
+#include "limber/lab/plan_schedule.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "kernels/job_arena.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
+#include "limber/lab/random_environment.hpp"
+#include "limber/run/plan_trial.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr int kMaxInVain = 100;  // environments in a row without a plan
+constexpr int kMaxPlans = 100'000;
+// Of environments of one episode; no episode needs as many.
+constexpr std::uint64_t kNumbersOfAnEpisode = std::uint64_t(kMaxInVain) * kMaxPlans;
+
+void require_usable(const PlanScheduleSettings& settings) {
+  for (const auto& [flag, found] :
+       {std::pair{"--count", settings.count}, std::pair{"--episodes", settings.episodes}}) {
+    if (found < 1 || found > kMaxPlans) {
+      throw InputError(fmt::format("{} {}: expected 1 to {}", flag, found, kMaxPlans));
+    }
+  }
+}
+
+/// The plan's waypoints as one motion, its hold included.
+Motion motion_of(const Plan& plan) {
+  Motion motion{plan.waypoints_kpa.back(), plan.hold_frame_count / plan.frame_rate_hz};
+  motion.via_kpa.assign(plan.waypoints_kpa.begin() + 1, plan.waypoints_kpa.end() - 1);
+  return motion;
+}
+
+/// One episode, plan after plan.
+class EpisodePlanner {
+ public:
+  EpisodePlanner(const ArmDescription& arm, const MotionModel& model,
+                 const PlanScheduleSettings& settings, std::uint64_t episode)
+      : arm_(arm), model_(model), settings_(settings), number_(episode * kNumbersOfAnEpisode) {
+    trial_.limits.queries = settings.queries;
+    for (const Segment& segment : arm.segments) {
+      trial_.within.push_back(segment.pressure_limit_kpa);
+      trial_.within.back() *= settings.limit_scale;
+    }
+  }
+
+  EpisodeSchedule schedule(Progress& progress) {
+    EpisodeSchedule episode{Pressures::Zero(arm_.channel_count()), {}};
+    std::optional<ArmStart> start;
+    for (int k = 0; k < settings_.count; ++k) {
+      const Plan plan = next_plan(start);
+      episode.motions.push_back(motion_of(plan));
+      start = ArmStart{plan.waypoints_kpa.back(), plan.frames.back().backbone};
+      progress.advance();
+    }
+    return episode;
+  }
+
+ private:
+  Plan next_plan(const std::optional<ArmStart>& start) {
+    std::string why = "no environment";
+    for (int k = 0; k < kMaxInVain; ++k) {
+      throw_if_interrupted();
+      RandomEnvironmentSettings sampling;
+      sampling.start = start;
+      std::optional<RandomEnvironment> sampled =
+          random_environment(arm_, model_, settings_.seed, number_++, sampling);
+      if (!sampled) {
+        continue;
+      }
+      const EnvironmentCase item{std::to_string(number_), std::move(sampled->environment)};
+      PlanTrial trial = plan_trial(arm_, model_, item, trial_, settings_.seed + number_);
+      if (trial.solved()) {
+        return std::move(*trial.planning.plan);
+      }
+      why = to_string(trial.planning.status);
+    }
+    throw InputError(fmt::format(
+        "--schedule plans: {} environments in a row have no plan (the last: {}). The "
+        "model's error leaves no room beside obstacles; --max-queries asks for a longer "
+        "search, --schedule random for no model",
+        kMaxInVain, why));
+  }
+
+  const ArmDescription& arm_;
+  const MotionModel& model_;
+  const PlanScheduleSettings& settings_;
+  std::uint64_t number_;  // of the next environment
+  PlanTrialSettings trial_;
+};
+
+}  // namespace
+
+std::vector<EpisodeSchedule> plan_schedule(const ArmDescription& arm, const MotionModel& model,
+                                           const PlanScheduleSettings& settings) {
+  require_usable(settings);
+  std::vector<EpisodeSchedule> episodes(static_cast<std::size_t>(settings.episodes));
+  Progress progress("planning", "plans",
+                    std::uint64_t(settings.episodes) * std::uint64_t(settings.count),
+                    settings.progress);
+  JobArena arena(settings.jobs);
+  arena.execute([&] {
+    tbb::parallel_for(std::size_t{0}, episodes.size(), [&](std::size_t i) {
+      episodes[i] = EpisodePlanner(arm, model, settings, i).schedule(progress);
+    });
+  });
+  progress.finish();
+  return episodes;
+}
+
+std::string describe(const PlanScheduleSettings& settings, const std::string& model_hash) {
+  std::string text = fmt::format("plans, {} episodes of {}, {} queries each, model {}",
+                                 settings.episodes, settings.count, settings.queries, model_hash);
+  if (settings.limit_scale != 1.0) {
+    text += fmt::format(", limits times {}", settings.limit_scale);
+  }
+  return text;
+}
+
+}  // namespace limber

@@ -1,0 +1,67 @@
+#include "limber/run/track_run.hpp"
+
+#include <fmt/format.h>
+
+#include "limber/common/error.hpp"
+#include "limber/common/units.hpp"
+
+namespace limber {
+
+namespace {
+
+/// Empty if it was seen to its end, and struck nothing.
+std::string why_not_followed(const ExecutionResult& result) {
+  if (result.collided) {
+    return "the arm collided on the way";
+  }
+  return result.final_backbone ? "" : "the arm was not seen at the end: collisions are unknown";
+}
+
+}  // namespace
+
+TipTracker tracker_for(const ArmDescription& arm, const MotionModel& model, const TipPath& path,
+                       const std::string& source, const TipTrackerSettings& settings,
+                       std::uint64_t seed) {
+  constexpr double kStartWithinM = 0.02;
+  const TrackStart start = find_track_start(arm, model, path, seed);
+  if (start.distance_m > kStartWithinM) {
+    throw InputError(
+        path.source_of(source, 0) +
+        fmt::format(
+            ": the path starts at ({:.3f}, {:.3f}) m; the nearest that the model brings the "
+            "tip is {:.1f} cm from there, at most {:.0f} cm are allowed. Move the path, or "
+            "give the model it was made for",
+            path.point_m.front().x(), path.point_m.front().y(), kCmPerM * start.distance_m,
+            kCmPerM * kStartWithinM));
+  }
+  return {arm, model, path, start, settings, seed};
+}
+
+Plan stay_at_rest(const ArmDescription& arm, const Environment& environment) {
+  const ArmStart rest = start_state(Environment{}, arm);
+  Plan plan;
+  plan.arm_name = arm.name;
+  plan.arm_hash = arm.hash();
+  plan.command = arm.command;
+  plan.environment_name = environment.name;
+  plan.environment_hash = environment_hash(environment);
+  plan.frame_rate_hz = arm.frame_rate_hz;
+  plan.waypoints_kpa = {rest.pressures_kpa};
+  plan.frames = {{rest.pressures_kpa, rest.pressures_kpa, rest.backbone}};
+  return plan;
+}
+
+TrackRun track_run(const TipPath& path, const TipTracker& tracker, ExecutionResult result) {
+  TrackRun run;
+  run.path = path;
+  run.result = std::move(result);
+  run.start_frame = tracker.path_start_frame();
+  run.queries = tracker.queries();
+  run.errors = track_errors(path, run.result.episode, run.start_frame + run.result.lag_frames);
+  if (run.result.status == ExecutionStatus::done) {
+    run.result.message = why_not_followed(run.result);  // there is no goal to miss
+  }
+  return run;
+}
+
+}  // namespace limber

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "limber/world/plan.hpp"
+#include "project_folder.hpp"
+#include "studio_scene.hpp"
+
+namespace limber {
+
+/// What `limber experiment` left in the project folder (docs/experiments.md), by paths in it. Names
+/// come from requests: none leads out of the project. Threads: any.
+class ExperimentFolder {
+ public:
+  /// The one whose table is the newest; none: there is none.
+  static std::optional<ExperimentFolder> newest(const ProjectFolder& project);
+  /// @throws InputError unless there is one of that name.
+  ExperimentFolder(const ProjectFolder& project, std::string name);
+
+  const std::string& name() const { return name_; }
+
+  /// The rows of table.json, the first kMaxRows.
+  nlohmann::ordered_json rows() const;
+  /// The trials of a row, kMaxRuns of them: how each was planned and executed.
+  nlohmann::ordered_json runs(std::size_t row) const;
+
+  /// A run's plan, with the project's files that it was made for, found by their hashes.
+  struct Run {
+    SceneNames scene;
+    std::string environment;
+    Plan plan;
+  };
+  /// @throws InputError if there is no such plan, it has changed, or one of its files is gone.
+  Run run(const std::string& id) const;
+
+  static constexpr std::size_t kMaxRows = 500;
+  static constexpr std::size_t kMaxRuns = 500;
+
+ private:
+  nlohmann::json table() const;
+  nlohmann::json read(const std::string& file) const;
+
+  const ProjectFolder& project_;
+  std::string name_;
+};
+
+}  // namespace limber

@@ -1,0 +1,108 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "jobs.hpp"
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/content_hash.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/json_number.hpp"
+#include "limber/training/yardsticks.hpp"
+#include "pressure_coverage.hpp"
+
+namespace limber {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::uintmax_t kMaxBytes = 256U << 20U;  // of a file: it is read whole
+constexpr std::int64_t kMaxFrames = 36000;         // half an hour at 20 Hz: seconds of work
+constexpr int kThreads = 1;                        // the others are for other tabs, and VENT
+
+Episode first_frames(const Episode& episode, Eigen::Index count) {
+  Episode part = episode;
+  part.time_s = episode.time_s.head(count);
+  part.pressure_kpa = episode.pressure_kpa.topRows(count);
+  part.setpoint_kpa = episode.setpoint_kpa.topRows(count);
+  part.backbone = episode.backbone.topRows(count);
+  part.motion_index.resize(static_cast<std::size_t>(count));
+  if (!part.tracked.empty()) {
+    part.tracked.resize(static_cast<std::size_t>(count));
+  }
+  return part;
+}
+
+/// Up to kMaxFrames of them.
+std::vector<Episode> first_frames(const std::vector<Episode>& episodes) {
+  constexpr Eigen::Index kFewest = 3;  // that an error can be taken over
+  std::vector<Episode> part;
+  Eigen::Index left = kMaxFrames;
+  for (const Episode& episode : episodes) {
+    const Eigen::Index count = std::min<Eigen::Index>(left, episode.frame_count());
+    if (count < kFewest) {
+      break;
+    }
+    part.push_back(first_frames(episode, count));
+    left -= count;
+  }
+  return part;
+}
+
+Recording read_small(const std::filesystem::path& path, const std::string& name,
+                     const ArmDescription& arm) {
+  if (std::filesystem::file_size(path) > kMaxBytes) {
+    throw InputError(fmt::format("{}: larger than {} MB: ask 'limber evaluate' on the command line",
+                                 name, kMaxBytes >> 20U));
+  }
+  Recording recording = read_recording(path);
+  require_recording_of(recording, arm, name);
+  return recording;
+}
+
+Json curves_to_json(const YardstickReport& report) {
+  Json json = {{"frames", report.horizon_frames}};
+  for (const PredictorErrors& curve : report.predictors) {
+    for (const double error_cm : curve.tip_cm) {
+      json["tip_error_cm"][curve.key].push_back(json_number(error_cm));
+    }
+  }
+  return json;
+}
+
+}  // namespace
+
+void run_measure_job(const MeasureJob& job, const ProjectFolder& project, const StudioScene& scene,
+                     const std::atomic<bool>& stop, EventQueue& events) {
+  scene.require_one_arm();
+  const auto note = [&](double share) {
+    events.push("measuring", Json{{"request", job.request}, {"share", share}}.dump());
+  };
+  note(0.0);
+  const std::filesystem::path path = project.find(ProjectItem::recording, job.recording);
+  Recording recording = read_small(path, job.recording, scene.arm());
+  const std::int64_t frames = recording.frame_count();
+  std::vector<Episode> episodes = first_frames(recording.episodes);
+  const Json coverage = coverage_to_json(scene.arm(), episodes);
+  const ForwardModel* network = scene.has_network() ? &scene.motion().forward() : nullptr;
+  if (network != nullptr && network->compensation().learnt_from_setpoints) {
+    episodes = with_setpoints_only(std::move(episodes));
+  }
+  const YardstickReport report =
+      measure_horizons(scene.simple().forward(), network, episodes, kThreads, note);
+  if (stop) {
+    return;
+  }
+  Json json = {{"request", job.request},
+               {"recording", job.recording},
+               {"frame_rate_hz", recording.rate_hz},
+               {"frames", frames},
+               {"frames_used", std::min(frames, kMaxFrames)}};
+  json["learnt_from_it"] =
+      network != nullptr && learnt_from(network->compensation(), content_hash(read_file(path)));
+  json["horizons"] = curves_to_json(report);
+  json["coverage"] = coverage;
+  events.push("measured", json.dump());
+}
+
+}  // namespace limber
