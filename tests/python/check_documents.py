@@ -1,6 +1,6 @@
 """Checks the project's Markdown: every relative link leads to a file, every document in docs/ is
-listed in docs/README.md, every public header in docs/library.md and says who it is for, no sentence of
-the README is long, and no page, comment of a header or text of the Python module uses words that plain
+listed in docs/README.md, every public header in docs/library.md and says who it is for, no sentence is
+long and no line wide, and no page, comment of a header or text of the Python module uses words that plain
 English has others for. With a program given, every verb of it is named in the README, and its help is
 read too."""
 
@@ -12,6 +12,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
 MAX_SENTENCE_WORDS = 30
+MAX_COLUMNS = 120
 # What a page must not say, and what it says instead.
 BANNED_WORDS = {
     r"\banew\b": "again",
@@ -80,6 +81,15 @@ def long_sentences(path):
                 yield f"{path.relative_to(ROOT)}: {len(words)} words in \"{sentence[:70]} …\""
 
 
+def long_lines(path):
+    """Of text: code, tables, pictures and formulas are as wide as they are."""
+    text = re.sub(r"```.*?```|^\$\$.*?\$\$", lambda code: "\n" * code.group(0).count("\n"), path.read_text(encoding="utf-8"),
+                  flags=re.S | re.M)
+    for number, line in enumerate(text.splitlines(), 1):
+        if len(line) > MAX_COLUMNS and not line.startswith(("|", "<", "![")):
+            yield f"{path.relative_to(ROOT)}:{number}: {len(line)} columns, at most {MAX_COLUMNS}"
+
+
 def banned_words(name, blocks):
     for block in blocks:
         for pattern, instead in BANNED_WORDS.items():
@@ -128,8 +138,9 @@ def main():
     problems = [problem for path in documents() for problem in broken_links(path)]
     problems += unlisted_documents()
     problems += unlisted_headers()
-    problems += long_sentences(ROOT / "README.md")
     for path in [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]:
+        problems += long_sentences(path)
+        problems += long_lines(path)
         problems += banned_words(path.relative_to(ROOT), prose(path))
     for path in sources_that_speak():
         problems += banned_words(path.relative_to(ROOT), comments_and_texts(path))
