@@ -1,7 +1,7 @@
-"""Writes limber/_limber.pyi from the built module, as a step of its build: signatures and texts are those
-of its docstrings, so that neither can be forgotten.
+"""Writes limber/_limber.pyi and a page of all public names from the built module, as a step of its build:
+signatures and texts are those of its docstrings, so that neither can be forgotten.
 
-    PYTHONPATH=build/release/python tools/python_stubs.py build/release/python/limber/_limber.pyi
+    (cd build/release/python && PYTHONPATH=. ../../../tools/python_stubs.py limber/_limber.pyi names.md)
 """
 
 import argparse
@@ -192,12 +192,29 @@ def stub(module):
     return "\n".join(lines).rstrip() + "\n"
 
 
+def names(package):
+    """A table of the package's names with the first sentence of each."""
+    lines = ["# The names of limber's Python module", "",
+             "Made when the module is built; `help(limber.NAME)` says the rest.", "",
+             "| name | what it is |", "|---|---|"]
+    for name, value in sorted(vars(package).items(), key=lambda item: item[0].lower()):
+        if name.startswith("_") or not (isinstance(value, type) or callable(value)):
+            continue
+        said = [line for line in value.__doc__.splitlines()
+                if line.strip() and not SIGNATURE.match(line) and line != "Overloaded function."]
+        text = " ".join(" ".join(said).split()).split(". ")[0].rstrip(".").replace("|", "\\|")
+        lines.append(f"| `{name}` | {text} |")
+    return "\n".join(lines) + "\n"
+
+
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("stub", type=pathlib.Path)
+    parser.add_argument("names", type=pathlib.Path)
     arguments = parser.parse_args()
     import limber._limber
     arguments.stub.write_text(stub(limber._limber), encoding="utf-8")
+    arguments.names.write_text(names(limber), encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
-"""examples/python, from a recording to an executed plan, and the page that lists the names."""
+"""examples/python, from a recording to an executed plan, and the page of names that the build makes."""
 
+import pathlib
 import re
 import subprocess
 import sys
@@ -114,10 +115,11 @@ class Documents(InFolder):
 
 
 class Names(unittest.TestCase):
-    def test_the_page_lists_every_public_name(self):
-        page = (ROOT / "docs" / "library.md").read_text(encoding="utf-8")
-        listed = re.findall(r"^\| `(\w+)` \|", page, flags=re.M)
+    def test_the_build_lists_every_public_name_with_a_line(self):
+        page = pathlib.Path(limber.__file__).parents[1] / "names.md"
+        listed = dict(re.findall(r"^\| `(\w+)` \| (.+) \|$", page.read_text(encoding="utf-8"), flags=re.M))
         self.assertEqual(sorted(listed), PUBLIC)
+        self.assertEqual(listed["tip_pose"], "Pose of the end effector")
 
     def test_every_public_name_says_what_it_is(self):
         for name in PUBLIC:
