@@ -1,7 +1,7 @@
 """Writes limber/_limber.pyi and a page of all public names from the built module, as a step of its build:
 signatures and texts are those of its docstrings, so that neither can be forgotten.
 
-    (cd build/release/python && PYTHONPATH=. ../../../tools/python_stubs.py limber/_limber.pyi names.md)
+    (cd build/release/python && PYTHONPATH=. python3 ../../../tools/python_stubs.py limber/_limber.pyi names.md)
 """
 
 import argparse
