@@ -8,7 +8,8 @@ Parts, each kept in OUT and not measured twice:
           0, 20 and 60 s, and of a network trained on the same minute from nothing
   arms    the nominal arm, friction 30 % more and less, 50 g at the tip, a side 20 % weaker: the same, and
           plans in limber's own eight environments, executed open loop
-  unseen  plans on unseen arms, each in random environments that the arm itself has moved through
+  unseen  plans on unseen arms, each in random environments that the arm itself has moved through: executed open
+          loop, and in closed loop
   tube    coverage of the family's tube on unseen arms, ten plans each in random environments
   stranger  arms that no family holds, as another simulator has them: other tension curves, strengths, friction
           and valves; 60 s and five minutes
@@ -51,6 +52,7 @@ STRANGERS = [
 ]
 MINUTES_OF_A_STRANGER = 5
 PLANS_OF_A_TUBE = 10
+MOTION_QUERIES = 2500  # of a closed loop's search in mid-motion: 20 ms of a core
 
 
 def arm_text(text, physics):
@@ -228,13 +230,15 @@ class Family:
               f"{without} arms have no tube, since their weights were trained")
 
     def unseen(self):
-        total = {}
+        total = {"open": {}, "replan": {}}
         for number, (folder, arm_file, seed, model) in enumerate(
                 self.unseen_arms("unseen", self.options.seed + 1, self.options.unseen)):
             environments = self.parts.random_environments(seed, 5, f"{folder}/environments", arm=arm_file)
-            done = self.plans(f"{folder}/plans", arm_file, model, 1, "--environments", environments)
-            total = {key: total.get(key, 0) + value for key, value in done.items()}
-            print(number, done, flush=True)
+            for controller, so_far in total.items():
+                done = self.plans(f"{folder}/plans_{controller}", arm_file, model, 1, "--environments", environments,
+                                  "--controller", controller, "--motion-queries", MOTION_QUERIES)
+                total[controller] = {key: so_far.get(key, 0) + value for key, value in done.items()}
+                print(number, controller, done, flush=True)
         print("all", total, flush=True)
 
 

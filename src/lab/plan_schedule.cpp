@@ -52,7 +52,7 @@ class EpisodePlanner {
   }
 
   EpisodeSchedule schedule(Progress& progress) {
-    EpisodeSchedule episode{Pressures::Zero(arm_.channel_count()), {}};
+    EpisodeSchedule episode{Pressures::Zero(arm_.channel_count()), {}, Approach::straight};
     std::optional<ArmStart> start;
     for (int k = 0; k < settings_.count; ++k) {
       const Plan plan = next_plan(start);

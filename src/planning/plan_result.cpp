@@ -61,8 +61,6 @@ void finish_search(const PlanningProblem& problem, MotionSimulator& simulator,
   result.warnings = find_warnings(problem, seed);
 }
 
-namespace {
-
 std::vector<TreeEdge> tree_edges(const PressureTree& tree) {
   std::vector<TreeEdge> edges;
   const int count = std::min(tree.size(), static_cast<int>(PlanResult::kMaxTreeEdges) + 1);
@@ -73,8 +71,6 @@ std::vector<TreeEdge> tree_edges(const PressureTree& tree) {
   }
   return edges;
 }
-
-}  // namespace
 
 void close_search(const PlannerBudget& budget, const PressureTree& tree, PlannerProgress end,
                   PlanResult& result) {

@@ -29,6 +29,9 @@ void finish_search(const PlanningProblem& problem, MotionSimulator& simulator,
                    const PlannerBudget& budget, const SearchEnd& end, const char* planner,
                    std::uint64_t seed, PlanResult& result);
 
+/// Of the oldest nodes, at most PlanResult::kMaxTreeEdges.
+std::vector<TreeEdge> tree_edges(const PressureTree& tree);
+
 /// Completes a result: its tree for pictures (the oldest edges), its time and its log.
 /// @param end     how the search went; gives the result's time and queries
 /// @param result  its statistics of queries are filled in

@@ -70,6 +70,7 @@ void PlannerBudget::note(const PlannerProgress& progress) {
   if (progress.best_cost_kpa &&
       (events_.empty() || *progress.best_cost_kpa < kNotableCost * *events_.back().best_cost_kpa)) {
     events_.push_back(progress);
+    events_.back().tree = {};
   }
 }
 

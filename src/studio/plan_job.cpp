@@ -25,6 +25,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kMaxEdges = 5000;
 constexpr double kDoubtAfterS = 0.4;  // without a plan: then it is said what may be in the way
 constexpr double kBetweenPlansS = 0.25;
+constexpr double kBetweenTreesS = 0.4;  // 5000 edges are 130 kB of text
 constexpr double kDoubtForS = 0.3;
 
 /// One search's events; its callbacks come from the planner's thread, which is the worker's.
@@ -49,6 +50,12 @@ class PlanReporter {
     json["request"] = job_.request;
     json["doubt"] = doubt_;
     events_.push("progress", json.dump());
+    if (job_.with_tree && now_s() > tree_sent_s_ + kBetweenTreesS) {
+      tree_sent_s_ = now_s();
+      events_.push("tree", Json{{"request", job_.request},
+                                {"tree", tree_to_json(progress.tree(), kMaxEdges)}}
+                               .dump());
+    }
     if (better_ && now_s() > sent_s_ + kBetweenPlansS) {
       send(*std::exchange(better_, std::nullopt));
     }
@@ -110,6 +117,7 @@ class PlanReporter {
   const std::function<void(FoundPlan)>& found_;
   std::optional<Plan> better_;  // than what was sent
   double sent_s_ = 0.0;
+  double tree_sent_s_ = 0.0;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   int plans_ = 0;
   double first_s_ = 0.0;

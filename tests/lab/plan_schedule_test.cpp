@@ -67,10 +67,8 @@ TEST_F(PlanSchedule, IsTheSameForAnyNumberOfJobsAndAnotherForAnotherSeed) {
 
 TEST_F(PlanSchedule, RecordsEachPlanAsOneMotionThroughItsWaypoints) {
   const EpisodeSchedule episode = schedule().front();
-  CollectionSettings settings;
-  settings.schedule.approach = Approach::straight;
   VirtualArm driver(arm_);
-  const Episode run = record_episode(arm_, driver, episode, settings);
+  const Episode run = record_episode(arm_, driver, episode, {});
   EXPECT_EQ(run.motion_index.back(), 2);
   int frames = 0;
   Pressures from = episode.first_kpa;

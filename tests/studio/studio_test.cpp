@@ -111,6 +111,22 @@ class StudioServer : public ::testing::Test {
                    std::to_string(body.size()) + "\r\n",
                body);
   }
+  /// Opens the page's events, and asks for a plan round the pillar with the search's tree.
+  nlohmann::json question(RawClient& page) const {
+    page.send("GET /api/events HTTP/1.1\r\n" + own_headers() + "\r\n");
+    const std::string hello = page.read_until("\"}");
+    const std::string answer =
+        get("/api/environment?arm=limber:three_segment&name=limber:01_pillar");
+    return {{"tab", hello.substr(hello.find("{\"id\":\"") + 7, 32)},
+            {"request", 7},
+            {"arm", "limber:three_segment"},
+            {"model", ""},
+            {"environment", nlohmann::json::parse(answer.substr(answer.find("\r\n\r\n") + 4))},
+            {"time_limit_s", 20.0},
+            {"limit_scale", 1.0},
+            {"seed", 1},
+            {"tree", true}};
+  }
 
   fs::path folder_ =
       fs::canonical(fs::temp_directory_path()) / ("limber_studio_" + std::to_string(::getpid()));
@@ -266,21 +282,19 @@ TEST_F(StudioServer, StreamsAreFewAndEndWithTheirPage) {
   EXPECT_THAT(answer, HasSubstr("event: tab")) << "the closed page's place is free again";
 }
 
+TEST_F(StudioServer, ATreeIsShownWhileItGrows) {
+  RawClient page(studio_->port());
+  nlohmann::json request = question(page);
+  request["environment"]["goal"]["position_tolerance_m"] = 1e-6;  // nobody finds a plan
+  EXPECT_THAT(post("/api/plan", request.dump()), StartsWith("HTTP/1.1 200"));
+  const std::string events = page.read_until("{\"request\":7,\"tree\":[");
+  EXPECT_THAT(events, HasSubstr("event: tree"));
+  EXPECT_THAT(events, Not(HasSubstr("event: result")));
+}
+
 TEST_F(StudioServer, APageGetsACertifiedPlanAndSavesIt) {
   RawClient page(studio_->port());
-  page.send("GET /api/events HTTP/1.1\r\n" + own_headers() + "\r\n");
-  const std::string hello = page.read_until("\"}");
-  const std::size_t at = hello.find("{\"id\":\"") + 7;
-  nlohmann::json request = {{"tab", hello.substr(at, 32)},
-                            {"request", 7},
-                            {"arm", "limber:three_segment"},
-                            {"model", ""},
-                            {"time_limit_s", 20.0},
-                            {"limit_scale", 1.0},
-                            {"seed", 1},
-                            {"tree", true}};
-  const std::string answer = get("/api/environment?arm=limber:three_segment&name=limber:01_pillar");
-  request["environment"] = nlohmann::json::parse(answer.substr(answer.find("\r\n\r\n") + 4));
+  const nlohmann::json request = question(page);
   EXPECT_THAT(post("/api/plan", request.dump()), StartsWith("HTTP/1.1 200"));
   EXPECT_THAT(page.read_until("event: plan"), HasSubstr("event: plan"));
   EXPECT_THAT(page.read_until("event: result"), HasSubstr("\"status\":\"solved\""));

@@ -71,6 +71,8 @@ export type Progress = {
   best_cost_kpa: number | null;
   doubt: string;
 };
+/** From and to of each edge's tips: x, y, x, y. [m] */
+export type Tree = { request: number; tree: number[] };
 export type Result = {
   request: number;
   status: string;
@@ -158,6 +160,7 @@ export type Measured = {
 export type Events = {
   tab: { id: string };
   progress: Progress;
+  tree: Tree;
   plan: Plan;
   result: Result;
   run: Run;

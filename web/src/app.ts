@@ -116,6 +116,7 @@ export class App {
         },
         plan: (plan) => this.planner.onPlan(plan),
         progress: (progress) => this.planner.onProgress(progress),
+        tree: (tree) => this.planner.onTree(tree),
         result: (result) => this.planner.onResult(result),
         run: (run) => this.play.onRun(run),
         followed: (run) => this.follow.onFollowed(run),

@@ -54,7 +54,7 @@ export class PlanMode implements Mode {
     const toggle = (label: string, key: keyof App['view']) =>
       checkbox(label, app.view[key], (on) => {
         app.view[key] = on;
-        if (key === 'tree' && on && app.planner.result?.tree == null) app.ask();
+        if (key === 'tree' && on && app.planner.tree === null) app.ask();
         app.refresh();
       });
     const limits = h('select', { 'aria-label': 'Seconds to search for' },
@@ -136,13 +136,13 @@ export class PlanMode implements Mode {
 
   scene(): Partial<Scene> {
     const { app } = this;
-    const { plan, result, isCurrent } = app.planner;
+    const { plan, isCurrent } = app.planner;
     const start = app.environment.start as { backbone?: number[][] };
     return {
       selected: app.selected,
       plan,
       stale: !isCurrent,
-      showTree: app.view.tree ? (result?.tree ?? null) : null,
+      showTree: app.view.tree ? app.planner.tree : null,
       showTube: app.view.tube,
       figures: [
         { shape: start.backbone?.flat() ?? app.arm.rest, colour: 'plate' },

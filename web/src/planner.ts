@@ -1,4 +1,4 @@
-import { type Environment, type Plan, post, type Progress, Refusal, type Result } from './api';
+import { type Environment, type Plan, post, type Progress, Refusal, type Result, type Tree } from './api';
 
 export type PlanQuestion = {
   arm: string;
@@ -17,6 +17,7 @@ export class LivePlanner {
   plan: Plan | null = null;
   progress: Progress | null = null;
   result: Result | null = null;
+  tree: number[] | null = null; // of the search, while it grows and when it has ended
   fault = '';
   searching = false;
   private request = 0;
@@ -42,7 +43,7 @@ export class LivePlanner {
   ask(question: PlanQuestion, asked_ms: number): void {
     this.next = { question, asked_ms };
     this.searching = true;
-    this.progress = this.result = null;
+    this.progress = this.result = this.tree = null;
     this.fault = '';
     void this.send();
     this.changed();
@@ -51,7 +52,7 @@ export class LivePlanner {
   forget(): void {
     this.next = null;
     ++this.request;
-    this.plan = this.progress = this.result = null;
+    this.plan = this.progress = this.result = this.tree = null;
     this.searching = false;
     this.fault = '';
   }
@@ -82,9 +83,15 @@ export class LivePlanner {
     this.progress = progress;
     this.changed(false);
   }
+  onTree({ request, tree }: Tree): void {
+    if (request !== this.request) return;
+    this.tree = tree;
+    this.changed();
+  }
   onResult(result: Result): void {
     if (result.request !== this.request) return;
     this.result = result;
+    this.tree = result.tree;
     this.searching = false;
     if (result.status !== 'solved') this.plan = null;
     this.changed();

@@ -133,7 +133,7 @@ export class PlayMode implements Mode {
   scene(): Partial<Scene> {
     const { run, player: { time_s } } = this;
     const { armLink: { live }, environment, planner, view } = this.app;
-    const showTree = view.tree ? (planner.result?.tree ?? null) : null;
+    const showTree = view.tree ? planner.tree : null;
     if (!live) {
       return run ? { environment: environmentAt(environment, run, time_s), figures: figuresAt(run, this.shown, time_s), showReach: false, showTree } : {};
     }

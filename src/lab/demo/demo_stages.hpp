@@ -41,8 +41,10 @@ struct OtherArmFigures {
   double after_60_s_cm = 0.0;
   int plans = 0;  ///< after 60 s
   int solved = 0;
-  int arrived = 0;
+  int arrived = 0;  ///< executed open loop
   int collided = 0;
+  int arrived_closed_loop = 0;  ///< the same plans
+  int collided_closed_loop = 0;
 };
 nlohmann::ordered_json to_json(const OtherArmFigures& figures);
 

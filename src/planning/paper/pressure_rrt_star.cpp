@@ -48,7 +48,7 @@ class RrtStarRun {
     PlannerStatistics statistics;
     search_.fill(statistics);
     return {budget_.elapsed_s(), statistics.iterations, statistics.nodes, simulator_.queries(),
-            ladder_.best_cost_kpa()};
+            ladder_.best_cost_kpa(), [this] { return tree_edges(search_.tree()); }};
   }
 
   /// Where the search has a cheaper plan than `offered_kpa`, the cost of the last. One that is

@@ -36,9 +36,11 @@ void throw_if_stopped(const CollectionSettings& settings) {
 /// Drives one arm along one schedule.
 class EpisodeRun {
  public:
-  EpisodeRun(const ArmDescription& arm, ArmDriver& driver, const CollectionSettings& settings)
+  EpisodeRun(const ArmDescription& arm, ArmDriver& driver, const EpisodeSchedule& schedule,
+             const CollectionSettings& settings)
       : arm_(arm),
-        driver_(arm, driver, settings.schedule.approach == Approach::straight),
+        driver_(arm, driver, schedule.approach == Approach::straight),
+        schedule_(schedule),
         settings_(settings),
         recorder_(arm) {}
 
@@ -50,12 +52,12 @@ class EpisodeRun {
     return recorder_.finish();
   }
 
-  Episode run(const EpisodeSchedule& schedule, const std::function<void()>& motion_done) {
-    lead_to(schedule.first_kpa);
-    recorder_.add(driver_.state(), schedule.first_kpa, 0);
+  Episode run(const std::function<void()>& motion_done) {
+    lead_to(schedule_.first_kpa);
+    recorder_.add(driver_.state(), schedule_.first_kpa, 0);
     recording_ = true;
-    Pressures from = schedule.first_kpa;
-    for (const Motion& motion : schedule.motions) {
+    Pressures from = schedule_.first_kpa;
+    for (const Motion& motion : schedule_.motions) {
       move(from, motion);
       from = motion.setpoint_kpa;
       ++motion_index_;
@@ -74,7 +76,7 @@ class EpisodeRun {
   }
 
   void move(const Pressures& from, const Motion& motion) {
-    if (settings_.schedule.approach == Approach::straight) {
+    if (schedule_.approach == Approach::straight) {
       const Pressures* here = &from;
       for (const Pressures& via : motion.via_kpa) {
         go_straight(*here, via);
@@ -153,6 +155,7 @@ class EpisodeRun {
 
   const ArmDescription& arm_;
   GatedDriver driver_;
+  const EpisodeSchedule& schedule_;
   const CollectionSettings& settings_;
   EpisodeRecorder recorder_;
   int motion_index_ = 0;
@@ -257,10 +260,10 @@ Episode record_or_keep_a_part(const ArmDescription& arm, ArmDriver& driver,
                               const Recording& identity,
                               const std::vector<std::optional<Episode>>& done,
                               const std::function<void()>& motion_done) {
-  EpisodeRun run(arm, driver, settings);
+  EpisodeRun run(arm, driver, schedule, settings);
   try {
     const VentGuard vent_at_the_end(driver);
-    return run.run(schedule, motion_done);
+    return run.run(motion_done);
   } catch (const std::runtime_error&) {
     if (!settings.partial.empty()) {
       write_partial(settings, identity, done, run.unfinished());
@@ -337,7 +340,7 @@ Episode record_episode(const ArmDescription& arm, ArmDriver& driver,
                        const EpisodeSchedule& schedule, const CollectionSettings& settings,
                        const std::function<void()>& motion_done) {
   const VentGuard vent_at_the_end(driver);
-  return EpisodeRun(arm, driver, settings).run(schedule, motion_done);
+  return EpisodeRun(arm, driver, schedule, settings).run(motion_done);
 }
 
 CollectionResult collect(const ArmDescription& arm, const CollectionSettings& settings,

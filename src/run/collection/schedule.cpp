@@ -162,8 +162,13 @@ std::vector<EpisodeSchedule> make_schedule(const ArmDescription& arm,
                                            const ScheduleSettings& settings, std::uint64_t seed) {
   check(settings);
   const ArmDescription scaled = with_scaled_limits(arm, settings.limit_scale);
-  return settings.kind == ScheduleKind::transitions ? transition_schedule(scaled, settings, seed)
-                                                    : random_schedule(scaled, settings, seed);
+  std::vector<EpisodeSchedule> episodes = settings.kind == ScheduleKind::transitions
+                                              ? transition_schedule(scaled, settings, seed)
+                                              : random_schedule(scaled, settings, seed);
+  for (EpisodeSchedule& episode : episodes) {
+    episode.approach = settings.approach;
+  }
+  return episodes;
 }
 
 ScheduleSettings identifying_schedule() {

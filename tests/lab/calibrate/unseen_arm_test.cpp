@@ -36,6 +36,17 @@ TEST_F(UnseenArmTest, IsPredictedBetterThanTheFamilysMiddle) {
   EXPECT_LT(adapted_m, 0.5 * middle_m);
 }
 
+TEST_F(UnseenArmTest, MovesAboutAMinuteStraightThroughPressureSpaceWhileItIsIdentified) {
+  constexpr double kLongerThanItIs_s = 1000.0;
+  constexpr float kRounding_kpa = 1e-3F;
+  const Episode run = identifying_run(arm_, kLongerThanItIs_s, 77, 0);
+  EXPECT_NEAR(run.time_s.back(), 60.0, 15.0);
+  const auto steps = run.setpoint_kpa.bottomRows(run.frame_count() - 1) -
+                     run.setpoint_kpa.topRows(run.frame_count() - 1);
+  EXPECT_LE(steps.cwiseAbs().maxCoeff(),
+            static_cast<float>(arm_.pressure_step_limit_kpa()) + kRounding_kpa);
+}
+
 TEST_F(UnseenArmTest, OfAFamilyEachRunOfAPhaseHasAnArmOfItsOwnWhateverTheThreads) {
   TubeRunSettings settings;
   settings.arm = settings.executed_arm = arm_;

@@ -53,8 +53,9 @@ class GatedDriverTest : public ::testing::Test {
   }
 
   /// A motion as a caller of the library may ask for it.
-  static EpisodeSchedule to(float kpa) {
+  static EpisodeSchedule to(float kpa, Approach approach) {
     EpisodeSchedule schedule;
+    schedule.approach = approach;
     schedule.first_kpa = Pressures::Zero(2);
     schedule.motions = {{Pressures::Constant(2, kpa), 0.2, false}};
     return schedule;
@@ -110,17 +111,17 @@ TEST_F(GatedDriverTest, AnExecutionKeepsLimitsAndRateWhateverDecides) {
 }
 
 TEST_F(GatedDriverTest, ARecordingKeepsTheLimitsAndWhereItSaysSoTheRate) {
-  CollectionSettings settings;
-  settings.schedule.approach = Approach::straight;
-  EXPECT_THAT([&] { (void)record_episode(arm_, arm_driver_, to(150.0F), settings); },
+  const auto record = [&](TrustingArm& driver, float kpa, Approach approach) {
+    (void)record_episode(arm_, driver, to(kpa, approach), {});
+  };
+  EXPECT_THAT([&] { record(arm_driver_, 150.0F, Approach::straight); },
               ThrowsMessage<SystemFault>(HasSubstr("its limit is 100.00 kPa")));
   expect_untouched();
   EXPECT_EQ(arm_driver_.vents, 1);
-  settings.schedule.approach = Approach::step;  // its set points jump, and the valves ramp
-  TrustingArm stepping(arm_);
-  EXPECT_NO_THROW((void)record_episode(arm_, stepping, to(50.0F), settings));
+  TrustingArm stepping(arm_);  // its set points jump, and the valves ramp
+  EXPECT_NO_THROW(record(stepping, 50.0F, Approach::step));
   EXPECT_EQ(stepping.largest_step_kpa, 50.0F);
-  EXPECT_THAT([&] { (void)record_episode(arm_, stepping, to(150.0F), settings); },
+  EXPECT_THAT([&] { record(stepping, 150.0F, Approach::step); },
               ThrowsMessage<SystemFault>(HasSubstr("its limit is 100.00 kPa")));
 }
 

@@ -100,12 +100,20 @@ enum class PlanLimit { time, iterations, queries, memory };
 const char* to_string(PlanStatus status);
 const char* to_string(PlanLimit limit);
 
+/// Tip of a node and of its parent, for pictures.
+struct TreeEdge {
+  Eigen::Vector2f from_m;
+  Eigen::Vector2f to_m;
+};
+
 struct PlannerProgress {
   double time_s = 0.0;
   std::uint64_t iterations = 0;
   std::uint64_t nodes = 0;
   std::uint64_t queries = 0;
   std::optional<double> best_cost_kpa;  ///< none before the first solution
+  /// The search tree so far, as in PlanResult::tree. Only a callback has it, and only while it runs.
+  std::function<std::vector<TreeEdge>()> tree = {};
 };
 
 /// Called about ten times per second, on the planner's own thread. False asks the planner to stop.
@@ -128,12 +136,6 @@ struct PlannerStatistics {
   std::uint64_t goal_nodes = 0;
   std::uint64_t rewires_tried = 0;     ///< cheaper parents whose edge was simulated
   std::uint64_t rewires_accepted = 0;  ///< of these, same backbone and everything downstream free
-};
-
-/// Tip of a node and of its parent, for pictures.
-struct TreeEdge {
-  Eigen::Vector2f from_m;
-  Eigen::Vector2f to_m;
 };
 
 struct PlanResult {

@@ -53,6 +53,7 @@ struct Motion {
 struct EpisodeSchedule {
   Pressures first_kpa;  ///< zero: from rest, nothing to lead to
   std::vector<Motion> motions;
+  Approach approach = Approach::step;  ///< of every motion
 };
 
 /// Transitions: all (3^n)² ordered ones, each exactly once, as an Eulerian walk of the complete
