@@ -55,7 +55,6 @@ ELSEWHERE = {
     ("docs/tube.md", "limber calibrate"): "hours; test_calibrate.py runs small ones",
     ("docs/tube.md", "limber plan --model model.safetensors"):
         "59 runs; test_calibrate.py has them",
-    ("docs/valves.md", "limber characterize --valves short_1.4h.h5"): "recordings of hours",
 }
 SHORTER = (
     (r"--trials 20 --time-limit-s 10", "--trials 1 --time-limit-s 0.1"),
