@@ -40,7 +40,7 @@ TEST_F(UnseenArmTest, MovesAboutAMinuteStraightThroughPressureSpaceWhileItIsIden
   constexpr double kLongerThanItIs_s = 1000.0;
   constexpr float kRounding_kpa = 1e-3F;
   const Episode run = identifying_run(arm_, kLongerThanItIs_s, 77, 0);
-  EXPECT_NEAR(run.time_s.back(), 60.0, 15.0);
+  EXPECT_NEAR(run.time_s[run.time_s.size() - 1], 60.0, 15.0);
   const auto steps = run.setpoint_kpa.bottomRows(run.frame_count() - 1) -
                      run.setpoint_kpa.topRows(run.frame_count() - 1);
   EXPECT_LE(steps.cwiseAbs().maxCoeff(),
