@@ -105,9 +105,9 @@ void require_family(const CompensationModel& model, const std::string& where) {
 void require_one_arm(const CompensationModel& model, const std::string& where) {
   if (is_family(model)) {
     throw InputError(fmt::format(
-        "{}: a family of {} arms, and of none of them alone. Record a minute of the arm (limber "
-        "collect --schedule identify --out MINUTE.h5), then: limber adapt --model {} --recording "
-        "MINUTE.h5 --out MINE.safetensors",
+        "{}: a family of {} arms, and of none of them alone. Record a minute of the arm, virtual "
+        "or real (limber collect --schedule identify --out MINUTE.h5), then: limber adapt --model "
+        "{} --recording MINUTE.h5 --out MINE.safetensors",
         where, model.family->arms.cols(), where));
   }
 }

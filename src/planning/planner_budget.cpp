@@ -104,7 +104,7 @@ std::string PlannerBudget::reason() const {
   }
   switch (*limit_) {
     case PlanLimit::time:
-      return fmt::format("{} s spent", *limits_.time_s);
+      return fmt::format("{:.4g} s spent", *limits_.time_s);
     case PlanLimit::iterations:
       return fmt::format("{} iterations spent", *limits_.iterations);
     case PlanLimit::queries:

@@ -15,6 +15,9 @@
 
 namespace limber {
 
+/// Of the jobs that compute for seconds: the other cores are for other tabs, and VENT.
+inline constexpr int kJobThreads = 1;
+
 /// What a tab asks its worker for (docs/studio_api.md). `request` comes back with every event.
 struct PlanJob {
   std::uint64_t request = 0;
@@ -55,7 +58,12 @@ struct MeasureJob {
   SceneNames scene;
   std::string recording;
 };
-using Job = std::variant<PlanJob, RunJob, FollowJob, DriveJob, OpenJob, MeasureJob>;
+/// The scene's family, fitted to a minute of the virtual arm; saved among the project's models.
+struct FitJob {
+  std::uint64_t request = 0;
+  SceneNames scene;
+};
+using Job = std::variant<PlanJob, RunJob, FollowJob, DriveJob, OpenJob, MeasureJob, FitJob>;
 
 /// A plan that was found, with what it was made for.
 struct FoundPlan {
@@ -106,5 +114,7 @@ void run_open_job(const OpenJob& job, const ProjectFolder& project, EventQueue& 
                   const std::function<void(FoundPlan)>& found);
 void run_measure_job(const MeasureJob& job, const ProjectFolder& project, const StudioScene& scene,
                      const std::atomic<bool>& stop, EventQueue& events);
+void run_fit_job(const FitJob& job, const ProjectFolder& project, const StudioScene& scene,
+                 const std::atomic<bool>& stop, EventQueue& events);
 
 }  // namespace limber

@@ -18,7 +18,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::uintmax_t kMaxBytes = 256U << 20U;  // of a file: it is read whole
 constexpr std::int64_t kMaxFrames = 36000;         // half an hour at 20 Hz: seconds of work
-constexpr int kThreads = 1;                        // the others are for other tabs, and VENT
 
 Episode first_frames(const Episode& episode, Eigen::Index count) {
   Episode part = episode;
@@ -89,7 +88,7 @@ void run_measure_job(const MeasureJob& job, const ProjectFolder& project, const 
     episodes = with_setpoints_only(std::move(episodes));
   }
   const YardstickReport report =
-      measure_horizons(scene.simple().forward(), network, episodes, kThreads, note);
+      measure_horizons(scene.simple().forward(), network, episodes, kJobThreads, note);
   if (stop) {
     return;
   }

@@ -139,6 +139,16 @@ std::vector<std::string> ProjectFolder::names(ProjectItem kind) const {
   return result;
 }
 
+std::vector<std::string> ProjectFolder::families() const {
+  std::vector<std::string> result = names(ProjectItem::model);
+  std::erase_if(result, [&](const std::string& name) {
+    const std::string head = head_of(find(ProjectItem::model, name));
+    return head.find("\"family.arms\"") == std::string::npos ||
+           head.find("\"family.e\"") != std::string::npos;
+  });
+  return result;
+}
+
 std::vector<std::string> ProjectFolder::experiments() const {
   std::vector<std::string> result;
   look_through([&](const fs::directory_entry& entry) {

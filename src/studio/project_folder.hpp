@@ -25,6 +25,9 @@ class ProjectFolder {
   /// deep, at kMaxEntries files and folders, and never into an experiment's.
   std::vector<std::string> names(ProjectItem kind) const;
 
+  /// Those of the models that are of no arm alone.
+  std::vector<std::string> families() const;
+
   /// Folders that `limber experiment` has written.
   std::vector<std::string> experiments() const;
 

@@ -166,6 +166,7 @@ class Studio::Server {
                         {"folder", project_.folder().filename().string()},
                         {"arms", project_.names(ProjectItem::arm)},
                         {"models", project_.names(ProjectItem::model)},
+                        {"families", project_.families()},
                         {"environments", project_.names(ProjectItem::environment)},
                         {"recordings", project_.names(ProjectItem::recording)},
                         {"first_arm", first_arm_},
@@ -270,6 +271,10 @@ class Studio::Server {
     });
     post("/api/plan/open", [this](const JsonReader& body, Response& response) {
       const OpenJob job{request_of(body), body.at("folder").text(), body.at("run").text()};
+      with_tab(body, response, [&](Tab& tab) { tab.post(job); });
+    });
+    post("/api/fit", [this](const JsonReader& body, Response& response) {
+      const FitJob job{request_of(body), scene_of(body)};
       with_tab(body, response, [&](Tab& tab) { tab.post(job); });
     });
     post("/api/measure", [this](const JsonReader& body, Response& response) {

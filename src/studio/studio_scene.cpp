@@ -67,7 +67,7 @@ StudioScene::StudioScene(const ProjectFolder& project, SceneNames names)
 
 void StudioScene::require_one_arm() const {
   if (network_) {
-    limber::require_one_arm(*network_, model_file_.filename().string());
+    limber::require_one_arm(*network_, model_file_.string());
   }
 }
 

@@ -35,6 +35,8 @@ class StudioScene {
   const MotionModel& motion() const { return motion_; }
   const MotionModel& simple() const { return simple_motion_; }
   bool has_network() const { return motion_.has_network(); }
+  /// As its file has it; null: the simple model.
+  const CompensationModel* network() const { return network_ ? &*network_ : nullptr; }
   bool has_virtual_arm() const { return arm_.command.is_pressure_kpa(); }
   /// @throws InputError, with the command that makes it one arm's, if the model is a family's.
   void require_one_arm() const;

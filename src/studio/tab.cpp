@@ -102,6 +102,8 @@ void Tab::run(const Job& job) {
     run_follow_job(*follow, scene(follow->scene), stop_job_, events_);
   } else if (const auto* measure = std::get_if<MeasureJob>(&job)) {
     run_measure_job(*measure, project_, scene(measure->scene), stop_job_, events_);
+  } else if (const auto* fit = std::get_if<FitJob>(&job)) {
+    run_fit_job(*fit, project_, scene(fit->scene), stop_job_, events_);
   } else if (const std::optional<FoundPlan> plan_found = found()) {
     run_run_job(std::get<RunJob>(job), scene(plan_found->scene), *plan_found, stop_job_, events_);
   }

@@ -36,6 +36,7 @@ export type Project = {
   folder: string;
   arms: string[];
   models: string[];
+  families: string[]; // those of the models that are of no arm alone
   environments: string[];
   recordings: string[];
   first_arm: string;
@@ -157,10 +158,16 @@ export type Measured = {
   coverage: Coverage;
 };
 
+/** A family becomes the virtual arm's own model. */
+export type Fitting = { request: number; step: string };
+export type Fitted = { request: number; model: string; error_cm: number | null };
+
 export type Events = {
   tab: { id: string };
   progress: Progress;
   tree: Tree;
+  fitting: Fitting;
+  fitted: Fitted;
   plan: Plan;
   result: Result;
   run: Run;

@@ -38,6 +38,7 @@ const kLost = 'The studio does not answer. Is limber studio still running, in fe
 /** Everything that modes share: the project, the document and its history, the search, the stage. */
 export class App {
   project!: Project;
+  saved: Environment | null = null; // as it was opened or saved last
   arm!: Arm;
   armName = '';
   model = '';
@@ -84,8 +85,21 @@ export class App {
     return this.arm.command.unit;
   }
 
-  async start(): Promise<void> {
+  /** Whether the environment is another than the file, or the link, that it came from. */
+  get isChanged(): boolean {
+    return this.environment !== this.saved;
+  }
+  /** Whether the model plans for no arm alone. */
+  get isFamily(): boolean {
+    return this.project.families.includes(this.model);
+  }
+
+  async readProject(): Promise<void> {
     this.project = await get<Project>('project');
+  }
+
+  async start(): Promise<void> {
+    await this.readProject();
     byId('folder').textContent = `${this.project.folder} · limber ${this.project.version}`;
     await this.attempt(() => this.openLink(location.hash));
     if (!this.environmentName) await this.openLink('');
@@ -101,6 +115,9 @@ export class App {
     if (this.project.driver !== '') this.armLink.prepare();
     byId('vent').addEventListener('click', () => this.vent());
     document.addEventListener('keydown', (event) => this.ventKey(event), { capture: true });
+    addEventListener('beforeunload', (event) => {
+      if (this.isChanged) event.preventDefault();
+    });
     this.enter('plan');
     this.listen();
   }
@@ -117,6 +134,8 @@ export class App {
         plan: (plan) => this.planner.onPlan(plan),
         progress: (progress) => this.planner.onProgress(progress),
         tree: (tree) => this.planner.onTree(tree),
+        fitting: (fitting) => this.plan.onFitting(fitting),
+        fitted: (fitted) => void this.attempt(() => this.plan.onFitted(fitted)),
         result: (result) => this.planner.onResult(result),
         run: (run) => this.play.onRun(run),
         followed: (run) => this.follow.onFollowed(run),
@@ -128,7 +147,10 @@ export class App {
         measuring: ({ request, share }) => this.results.onMeasuring(request, share),
         measured: (measured) => this.results.onMeasured(measured),
         fault: ({ request, message }) => {
-          if (this.mode === 'plan') this.planner.onFault(request, message);
+          if (this.mode === 'plan' && this.isFamily) {
+            this.plan.onFitting({ request, step: '' });
+            this.say(message);
+          } else if (this.mode === 'plan') this.planner.onFault(request, message);
           else if (this.mode === 'follow') this.follow.onFault(request, message);
           else if (this.mode === 'results') this.results.onFault(request, message);
           else this.say(message);
@@ -163,6 +185,7 @@ export class App {
 
   async openEnvironment(name: string): Promise<void> {
     this.history.reset(await get<Environment>('environment', { name, arm: this.armName }));
+    this.saved = this.environment;
     this.environmentName = name;
     this.selected = null;
   }
@@ -178,6 +201,7 @@ export class App {
     this.selected = null;
     if (isOpen) this.history.set(environment);
     else this.history.reset(environment);
+    this.saved = this.environment;
   }
   /** The page's address, so that a bookmark opens what is chosen. @param environment  with it */
   link(environment: Environment | null = null): string {
@@ -232,6 +256,7 @@ export class App {
 
   /** Asks for a plan of what is shown. @param at_ms  when the hand asked */
   ask(at_ms = performance.now()): void {
+    if (this.isFamily) return this.planner.forget();
     this.planner.ask(
       {
         arm: this.armName, model: this.model, environment: this.environment,

@@ -55,9 +55,10 @@ export function choice(
   chosen: string,
   change: (name: string) => void,
   none?: string,
+  remark: (name: string) => string = () => '',
 ): HTMLSelectElement {
   const option = (name: string) =>
-    h('option', { value: name, selected: name === chosen }, name.replace(/^(limber|given):/, ''));
+    h('option', { value: name, selected: name === chosen }, name.replace(/^(limber|given):/, '') + remark(name));
   const own = names.filter((name) => name.startsWith('limber:'));
   const theirs = names.filter((name) => !name.startsWith('limber:'));
   const select = h('select', {}, none !== undefined && h('option', { value: '' }, none));

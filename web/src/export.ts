@@ -38,8 +38,10 @@ export function exportRow(app: App, motion?: () => Motion | null): HTMLElement {
   return h('div', { class: 'row' },
     button('PNG', () => void app.attempt(async () => save(`${name()}.png`, await pngOf(drawing(app)))), { title: 'Save the picture as PNG' }),
     button('SVG', () => save(`${name()}.svg`, new Blob([drawing(app)], { type: 'image/svg+xml' })), { title: 'Save the picture as SVG' }),
-    motion !== undefined && button('Animation', () => void app.attempt(async () => {
+    motion !== undefined && button('One HTML file', () => void app.attempt(async () => {
       const now = motion();
-      if (now) save(`${name()}.html`, await animate(app, now));
-    }), { title: 'Save the motion as one HTML file, with slider and plots' }));
+      if (!now) return;
+      save(`${name()}.html`, await animate(app, now));
+      app.say('Saved to your downloads: one file that anybody’s browser plays, with slider and plots');
+    }), { title: 'Save the motion as one HTML file for anybody, with slider and plots' }));
 }

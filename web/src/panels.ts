@@ -60,15 +60,26 @@ export function thingsList(environment: Environment, selected: Selection, select
     ...environment.obstacles.map((obstacle, i) => entry(`${i} · ${kindOf(obstacle)}`, i)));
 }
 
-/** What the search says. */
-export function planPanel(planner: LivePlanner, unit: string): HTMLElement {
+/** A model that can't plan before it is one arm's. @param step  of fitting it; empty: nobody does */
+export function familyPanel(step: string, fit: () => void): HTMLElement {
+  return h('div', { class: step ? 'status busy' : 'status' }, h('strong', {}, 'A family of arms'),
+    h('p', {}, step || 'It plans once it knows which arm is yours: from a minute of its motion.'),
+    button('Fit it to the virtual arm', fit, { class: 'main', disabled: step !== '' }),
+    h('p', { class: 'hint' }, 'For a real arm, limber collect --schedule identify records the minute, and limber adapt fits it.'));
+}
+
+const kOfTheSimpleModel = "the no-load model's error is not known"; // said above in the page's own words
+
+/** What the search says. @param simple  whether the simple model plans */
+export function planPanel(planner: LivePlanner, unit: string, simple: boolean): HTMLElement {
   const { plan, progress, result, fault, searching, isCurrent } = planner;
   if (fault) return h('div', { class: 'status bad' }, h('strong', {}, 'Not planned'), h('p', {}, fault));
   if (plan && isCurrent) {
     const queries = result?.queries ?? progress?.queries;
     const time_s = result?.time_s ?? progress?.time_s;
-    return h('div', { class: 'status good', 'data-cost': plan.cost_kpa.toFixed(3) },
-      h('strong', {}, 'Certified plan', searching && h('em', {}, ' improving …')),
+    return h('div', { class: simple ? 'status good unsure' : 'status good', 'data-cost': plan.cost_kpa.toFixed(3) },
+      h('strong', {}, simple ? 'Certified, for the simple model alone' : 'Certified plan', searching && h('em', {}, ' improving …')),
+      simple && h('p', { class: 'warning' }, 'The arm itself mostly misses such plans, and may collide. Choose a model that has learnt this arm.'),
       facts([
         ['Cost', `${plan.cost_kpa.toFixed(1)} ${unit}`],
         ['Duration', `${plan.duration_s.toFixed(1)} s`],
@@ -82,7 +93,7 @@ export function planPanel(planner: LivePlanner, unit: string): HTMLElement {
             ] as [string, string][])
           : []),
       ]),
-      ...(result?.warnings ?? []).map((text) => h('p', { class: 'warning' }, text)));
+      ...(result?.warnings ?? []).filter((text) => !text.startsWith(kOfTheSimpleModel)).map((text) => h('p', { class: 'warning' }, text)));
   }
   if (searching) {
     return h('div', { class: 'status busy' }, h('strong', {}, 'Searching …'),

@@ -1,9 +1,9 @@
-import { type Environment, post, Refusal } from './api';
+import { type Environment, type Fitted, type Fitting, post, Refusal } from './api';
 import type { App, Mode } from './app';
 import { button, byId, checkbox, choice, field, h } from './dom';
 import { dragged, type Handle, hit, type Point, type Selection } from './environment';
 import { exportRow } from './export';
-import { planPanel, scaleChoice, selectionPanel, thingsList } from './panels';
+import { familyPanel, planPanel, scaleChoice, selectionPanel, thingsList } from './panels';
 import type { Scene } from './picture';
 
 /** Replaces what is inside; whoever had the focus keeps it, by its place. */
@@ -20,6 +20,8 @@ export class PlanMode implements Mode {
   private selection = h('div');
   private status = h('div', { id: 'status' });
   private drawn: [Environment, Selection] | null = null; // what the lists show
+  private request = 0; // of fitting
+  private fitting = ''; // what is being done; empty: nothing
   private buttons: Record<'undo' | 'redo' | 'stop' | 'savePlan', HTMLButtonElement> | null = null;
   private grip: { handle: Handle; from: Point; begin: Environment } | null = null;
   private name = h('input', { type: 'text', id: 'name', 'aria-label': 'Name to save as' });
@@ -81,9 +83,12 @@ export class PlanMode implements Mode {
             await app.openEnvironment(app.environmentName);
           }))),
         field('Model', choice(project.models, app.model, (name) =>
-          reopen(async () => void (app.model = name)), 'Simple model (no load)')),
-        field('Environment', choice(project.environments, app.environmentName, (name) =>
-          reopen(() => app.openEnvironment(name)))),
+          reopen(async () => void (app.model = name)), 'Simple model (no load)',
+          (name) => (project.families.includes(name) ? ' (family)' : ''))),
+        field('Environment', choice(project.environments, app.environmentName, (name) => {
+          if (app.isChanged && !confirm('What you changed is not saved. Open another environment?')) app.reopened();
+          else reopen(() => app.openEnvironment(name));
+        })),
         field('Name', this.name),
         h('div', { class: 'row' }, button('Save environment', () =>
           this.save('environment', { arm: app.armName, environment: this.named() })),
@@ -96,6 +101,8 @@ export class PlanMode implements Mode {
 
   leave(): void {
     byId('tools').replaceChildren();
+    this.fitting = '';
+    ++this.request;
     this.app.planner.searching = false; // what comes next ends it
   }
 
@@ -126,7 +133,9 @@ export class PlanMode implements Mode {
     buttons.redo.disabled = !app.history.canRedo;
     buttons.stop.disabled = !app.planner.searching;
     buttons.savePlan.disabled = !app.planner.plan || !app.planner.isCurrent;
-    this.status.replaceChildren(planPanel(app.planner, app.unit));
+    this.status.replaceChildren(app.isFamily
+      ? familyPanel(this.fitting, () => void this.fit())
+      : planPanel(app.planner, app.unit, app.model === ''));
     if (this.drawn?.[0] === app.environment && this.drawn[1] === app.selected) return; // somebody may be typing
     this.drawn = [app.environment, app.selected];
     refill(this.things, thingsList(app.environment, app.selected, (what) => app.select(what)));
@@ -168,6 +177,34 @@ export class PlanMode implements Mode {
       : 'The page’s address now restores the scene: copy it from there');
   }
 
+  /** Has the studio make the family the virtual arm's own. */
+  private async fit(): Promise<void> {
+    const { app } = this;
+    this.onFitting({ request: ++this.request, step: 'Asked for …' });
+    await app.attempt(async () => {
+      try {
+        await post('fit', { tab: app.tab, request: this.request, arm: app.armName, model: app.model });
+      } catch (error) {
+        this.onFitting({ request: this.request, step: '' });
+        throw error;
+      }
+    });
+  }
+  onFitting({ request, step }: Fitting): void {
+    if (request !== this.request) return;
+    this.fitting = step;
+    this.app.refresh();
+  }
+  async onFitted({ request, model, error_cm }: Fitted): Promise<void> {
+    if (request !== this.request) return;
+    const { app } = this;
+    this.fitting = '';
+    await app.readProject();
+    app.model = model;
+    app.reopened();
+    app.say(`Fitted: ${model}` + (error_cm === null ? '' : `, ${error_cm.toFixed(1)} cm off on seconds that it had not seen`));
+  }
+
   /** Asks before it replaces a file. */
   private save(path: string, body: object): void {
     const { app } = this;
@@ -176,7 +213,8 @@ export class PlanMode implements Mode {
       const saved = await post<{ name: string }>(path, { ...body, tab: app.tab, name, overwrite });
       app.project = { ...app.project, environments: [...new Set([...app.project.environments, ...(path === 'environment' ? [saved.name] : [])])] };
       if (path === 'environment') {
-        app.history.reset(this.named());
+        app.history.set(this.named());
+        app.saved = app.environment;
         app.environmentName = saved.name;
         app.enter('plan');
       }

@@ -94,7 +94,7 @@ async function results(page) {
 
 async function family(page) {
   await page.getByLabel('Model').selectOption('limber:three_segment_small');
-  await page.waitForSelector('.status.bad');
+  await page.locator('.status', { hasText: 'A family of arms' }).waitFor();
   await page.getByRole('tab', { name: 'Drive' }).click();
   await page.getByRole('button', { name: /More/ }).click();
   await page.waitForSelector('#readout dt');

@@ -100,7 +100,7 @@ pageTest('the SVG is a drawing of the picture’s size that asks for nothing', a
 
 pageTest('the animation plays from a file, and ends as the studio shows it', async (page) => {
   await openPlay(page);
-  const path = await saved(page, 'Animation');
+  const path = await saved(page, 'One HTML file');
   assert.ok(statSync(path).size < kMost_bytes, `${statSync(path).size} bytes`);
   const token = new URL(shared.studio.address).searchParams.get('token');
   assert.ok(token && !readFileSync(path, 'utf8').includes(token), 'no token');
@@ -132,7 +132,7 @@ pageTest('the animation plays from a file, and ends as the studio shows it', asy
 
 pageTest('where scripts are off, the animation shows its picture and how it ends', async (page) => {
   await openPlay(page);
-  const path = await saved(page, 'Animation');
+  const path = await saved(page, 'One HTML file');
   const viewer = await opened(path, { javaScriptEnabled: false });
   assert.ok(await viewer.locator('#stage > svg').isVisible());
   const words = await viewer.locator('#panel').innerText();

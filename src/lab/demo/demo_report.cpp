@@ -239,15 +239,9 @@ void other_arms(ReportPage& page, const DemoResults& results) {
           "environments with the adapted model, executed on that arm: open loop, as it stands; and "
           "in closed loop, planned again from where the arm is measured (docs/experiments.md).");
   ReportTable table;
-  table.header = {"arm",
-                  "network above [cm]",
-                  "family, after 20 s [cm]",
-                  "after 60 s [cm]",
-                  "solved",
-                  "arrived",
-                  "collided",
-                  "arrived, closed loop",
-                  "collided, closed loop"};
+  table.header = {
+      "arm",     "network above [cm]", "family, after 20 s [cm]", "after 60 s [cm]",      "solved",
+      "arrived", "collided",           "arrived, closed loop",    "collided, closed loop"};
   int number = 0;
   for (const OtherArmFigures& arm : results.other_arms) {
     table.rows.push_back(

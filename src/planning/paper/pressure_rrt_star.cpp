@@ -47,7 +47,8 @@ class RrtStarRun {
   PlannerProgress progress() const {
     PlannerStatistics statistics;
     search_.fill(statistics);
-    return {budget_.elapsed_s(), statistics.iterations, statistics.nodes, simulator_.queries(),
+    return {budget_.elapsed_s(),     statistics.iterations,
+            statistics.nodes,        simulator_.queries(),
             ladder_.best_cost_kpa(), [this] { return tree_edges(search_.tree()); }};
   }
 

@@ -65,9 +65,12 @@ class DefaultRun {
   bool has_plan() const { return ladder_.best_cost_kpa().has_value(); }
 
   PlannerProgress progress() const {
-    return {budget_.elapsed_s(), search_->proposals(),
-            static_cast<std::uint64_t>(search_->tree().size()), paths_.queries(),
-            ladder_.best_cost_kpa(), [this] { return tree_edges(search_->tree()); }};
+    return {budget_.elapsed_s(),
+            search_->proposals(),
+            static_cast<std::uint64_t>(search_->tree().size()),
+            paths_.queries(),
+            ladder_.best_cost_kpa(),
+            [this] { return tree_edges(search_->tree()); }};
   }
 
   /// Whether no plan can be cheaper, nobody has anything to try, or improving has had its queries.

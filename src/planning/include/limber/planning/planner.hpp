@@ -112,7 +112,7 @@ struct PlannerProgress {
   std::uint64_t nodes = 0;
   std::uint64_t queries = 0;
   std::optional<double> best_cost_kpa;  ///< none before the first solution
-  /// The search tree so far, as in PlanResult::tree. Only a callback has it, and only while it runs.
+  /// The search tree so far, as in PlanResult::tree. Only a callback has it, while it runs.
   std::function<std::vector<TreeEdge>()> tree = {};
 };
 
