@@ -83,7 +83,7 @@ export class PlanMode implements Mode {
             await app.openEnvironment(app.environmentName);
           }))),
         field('Model', choice(project.models, app.model, (name) =>
-          reopen(async () => void (app.model = name)), 'Simple model (no load)',
+          reopen(async () => void (app.model = name)), 'Simple model',
           (name) => (project.families.includes(name) ? ' (family)' : ''))),
         field('Environment', choice(project.environments, app.environmentName, (name) => {
           if (app.isChanged && !confirm('What you changed is not saved. Open another environment?')) app.reopened();

@@ -70,6 +70,7 @@ export class PlayMode implements Mode {
   onRun(run: Run): void {
     if (run.request !== this.request) return;
     this.show(run);
+    if (this.options.obstacle && !run.appeared) this.app.say('No obstacle fits into the way: the motion is too short');
     if (!this.armPanel.isChosen) this.toggle();
   }
 
