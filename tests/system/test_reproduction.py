@@ -11,7 +11,8 @@ from program import PROGRAM, ROOT, InFolder
 
 RECORDS = ROOT / "docs/log/reproduction"
 MODULE = pathlib.Path(PROGRAM).parents[1] / "python"
-PAGES = (ROOT / "docs/reproduction.md", ROOT / "docs/log/2026-11-26-reproduction-random.md")
+PAGES = tuple(ROOT / "docs" / page for page in (
+    "reproduction.md", "log/2026-11-26-reproduction-random.md", "log/2026-11-27-reproduction-tables.md"))
 
 
 def script(name, *arguments):
