@@ -30,6 +30,9 @@ class Project : public ::testing::Test {
     write_file_atomically(root_ / "project/runs/first.h5", "\x89HDF\r\n\x1a\n");
     write_file_atomically(root_ / "project/runs/text.h5", "no recording");
     write_file_atomically(root_ / "project/table/experiment.json", "{}");
+    write_file_atomically(root_ / "project/models/family.safetensors", R"({"family.arms":{}})");
+    write_file_atomically(root_ / "project/models/member.safetensors",
+                          R"({"family.arms":{},"family.e":{}})");
     write_file_atomically(root_ / "project/table/trials/mine.yaml", kEnvironment);
     fs::create_directory_symlink(root_ / "outside", root_ / "project/out");
     fs::create_symlink(root_ / "outside/secret.yaml", root_ / "project/link.yaml");
@@ -57,6 +60,9 @@ TEST_F(Project, OffersRecordingsFamiliesAndExperiments) {
   EXPECT_THAT(project.names(ProjectItem::recording), ElementsAre("runs/first.h5"));
   EXPECT_THROW((void)project.find(ProjectItem::recording, "limber:first"), InputError);
   EXPECT_THAT(project.names(ProjectItem::model), Contains("limber:three_segment"));
+  EXPECT_THAT(project.families(), Contains("limber:three_segment"));
+  EXPECT_THAT(project.families(), Contains("models/family.safetensors"));
+  EXPECT_THAT(project.families(), Not(Contains("models/member.safetensors")));
   EXPECT_THAT(project.experiments(), ElementsAre("table"));
   EXPECT_THAT(project.names(ProjectItem::environment), Not(Contains(HasSubstr("trials"))));
 }
