@@ -13,6 +13,7 @@ import argparse
 import io
 import pathlib
 import re
+import shutil
 import subprocess
 import tarfile
 import tempfile
@@ -56,6 +57,10 @@ def counts(root):
     pages = [root / "README.md", *(root / "docs").glob("*.md")]
     found["words of docs"] = sum(len(page.read_text(encoding="utf-8").split()) for page in pages)
     return found
+
+
+def has_repository():
+    return shutil.which("git") is not None and (ROOT / ".git").exists()
 
 
 def counts_at(commit):

@@ -2,7 +2,6 @@
 
 import importlib.util
 import pathlib
-import shutil
 import tempfile
 import unittest
 
@@ -63,7 +62,7 @@ class CodeSize(unittest.TestCase):
                 "lines of code": 2 * CPP_LINES + PYTHON_LINES, "public headers": 1, "types": 4, "constants": 4,
                 "flags": 2, "words of docs": 4})
 
-    @unittest.skipUnless(shutil.which("git") and (ROOT / ".git").exists(), "no git, or no repository")
+    @unittest.skipUnless(tool().has_repository(), "no git, or no repository")
     def test_a_commit_is_counted_like_the_files_that_lie_here(self):
         self.assertEqual(tool().counts_at("HEAD").keys(), tool().counts(ROOT).keys())
 
