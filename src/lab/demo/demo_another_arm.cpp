@@ -20,7 +20,8 @@ namespace {
 constexpr std::uint64_t kOtherArmSeed = 320;
 constexpr double kMinuteS = 60.0;
 constexpr double kShortS = 20.0;
-// Of a search in mid-motion: what 20 ms take on one core of 2021; the same on every machine.
+// Of a search in mid-motion: what 20 ms were measured to allow on a busy core; fixed, so that runs
+// are the same on every machine.
 constexpr std::uint64_t kMotionQueries = 2500;
 
 /// An arm with physics of its own, and what was recorded of it.
