@@ -2,7 +2,7 @@
 
 namespace limber {
 
-void ReplanFlags::add_motion_queries_to(CLI::App& app) {
+void ReplanFlags::add_settings_to(CLI::App& app) {
   app.add_option(
          "--motion-queries", motion_queries_,
          fmt::format("With --replan: model queries of a search while the arm moves; 0: none "
@@ -10,13 +10,17 @@ void ReplanFlags::add_motion_queries_to(CLI::App& app) {
                      "say how many that were: pass it on to repeat a run",
                      1e3 * kMotionSearchS))
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1'000'000}));
+  app.add_flag(
+      "--adapt,!--no-adapt", settings_.adapts,
+      "With --replan and a model that limber adapt made: which arm this is, is fitted again "
+      "while it moves (by default) or left as it is");
 }
 
 void ReplanFlags::add_to(CLI::App& app) {
   app.add_flag("--replan", replan_,
                "Closed loop: plan again, with --model, from where the arm is measured, while it "
                "moves and after, until it is near the goal's centre or comes no nearer");
-  add_motion_queries_to(app);
+  add_settings_to(app);
   app.add_option("--max-replans", settings_.corrections.max_replans,
                  "With --replan: plans from rest, after the first")
       ->check(CLI::Range(1, 1000))

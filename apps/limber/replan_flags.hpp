@@ -13,8 +13,9 @@ namespace limber {
 class ReplanFlags {
  public:
   void add_to(CLI::App& app);
-  /// Of these flags --motion-queries alone, for verbs that are told in other ways to replan.
-  void add_motion_queries_to(CLI::App& app);
+  /// Of these flags --motion-queries and --no-adapt alone, for verbs that are told in other ways to
+  /// replan.
+  void add_settings_to(CLI::App& app);
 
   bool is_asked_for() const { return replan_; }
   ClosedLoopSettings& settings() { return settings_; }

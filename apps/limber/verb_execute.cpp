@@ -53,6 +53,10 @@ class ExecuteVerb final : public Verb {
     model_.add_to(app, " that the plan was made with; for --replan");
     room_.add_to(app);
     app.add_option("--out", out_, "Recording of the run to write");
+    app.add_option(
+        "--adapted-out", adapted_out_,
+        "With --replan and a model that limber adapt made: the model to write, with what "
+        "the run told about the arm; it has no tube");
     app.add_option("--svg", svg_, "Picture to write: the run and its prediction");
     app.add_option("--pressures-svg", pressures_svg_,
                    "Picture to write: set points, predicted and measured pressures over time");
@@ -134,7 +138,8 @@ class ExecuteVerb final : public Verb {
   }
 
   void refuse_to_overwrite_any(const CommonFlags& flags) const {
-    for (const std::string& file : {out_, svg_, pressures_svg_, times_svg_, animation_}) {
+    for (const std::string& file :
+         {out_, adapted_out_, svg_, pressures_svg_, times_svg_, animation_}) {
       if (!file.empty()) {
         refuse_to_overwrite(file, flags.force);
       }
@@ -146,7 +151,8 @@ class ExecuteVerb final : public Verb {
             const std::vector<Disturbance>& disturbances, const CommonFlags& flags) {
     using Given = std::pair<const char*, bool>;
     for (const auto& [flag, value] :
-         {Given{"--plan", !plan_.empty()}, Given{"--replan", replan_.is_asked_for()},
+         {Given{"--plan", !plan_.empty()}, Given{"--adapted-out", !adapted_out_.empty()},
+          Given{"--replan", replan_.is_asked_for()},
           Given{"--pressures-svg", !pressures_svg_.empty()},
           Given{"--times-svg", !times_svg_.empty()}, Given{"--animation", !animation_.empty()}}) {
       if (value) {
@@ -244,6 +250,7 @@ class ExecuteVerb final : public Verb {
              const ExecutionResult& result, const ProcessDriver* driver,
              const CommonFlags& flags) const {
     write_run(arm, plan, result, driver);
+    write_adapted(result);
     if (!svg_.empty()) {
       write_file_atomically(svg_, execution_picture(arm, environment, plan, result));
     }
@@ -297,12 +304,29 @@ class ExecuteVerb final : public Verb {
     write_recording(out_, recording_of(arm, source_of(driver), plan, result, motion_queries));
   }
 
+  /// For the next day.
+  void write_adapted(const ExecutionResult& result) const {
+    if (adapted_out_.empty()) {
+      return;
+    }
+    if (!result.arm) {
+      throw InputError(
+          "--adapted-out: nothing was adapted; expected --replan, a model that limber adapt made, "
+          "and no --no-adapt");
+    }
+    const CompensationModel before = read_model(model_.model_file());
+    CompensationModel now = model_of_arm(before, *result.arm);
+    now.prediction_error = before.prediction_error;
+    write_model(adapted_out_, now);
+  }
+
   std::string plan_;
   std::string arm_ = "three_segment";
   std::string environment_;
   DriverFlags driver_;
   std::string disturbance_;
   std::string out_;
+  std::string adapted_out_;
   std::string svg_;
   std::string pressures_svg_;
   std::string times_svg_;

@@ -67,7 +67,7 @@ class ExperimentVerb final : public Verb {
     app.add_option("--max-memory-mb", settings_.limits.memory_mb, "For each plan");
     add_cost_threshold(app, settings_.limits.cost_threshold_kpa);
     runs_.add_to(app);
-    replan_.add_motion_queries_to(app);
+    replan_.add_settings_to(app);
     room_.add_to(app);
     valves_.add_valves_to(app);
     forest_.add_to(app);
@@ -104,6 +104,7 @@ class ExperimentVerb final : public Verb {
     if (runs_.replans()) {
       replan_.choose_motion_queries(settings_.arm, model, known_motion_queries(settings_), flags);
       settings_.motion_queries = replan_.settings().motion_queries;
+      settings_.adapts = replan_.settings().adapts;
     }
     settings_.room = room_.asked();
     (void)room_.room(network, flags);

@@ -38,6 +38,9 @@ nlohmann::ordered_json experiment_identity(const ExperimentSettings& settings,
     json["tube"] = *settings.room.tube_level;
   }
   json["seed"] = settings.seed;
+  if (!settings.adapts) {
+    json["adapts"] = false;
+  }
   json["time_limit_s"] = optional_json(settings.limits.time_s);
   json["max_iterations"] = optional_json(settings.limits.iterations);
   json["max_queries"] = optional_json(settings.limits.queries);

@@ -214,6 +214,7 @@ class Experiment {
     trial.planner_jobs = settings_.planner_jobs;
     trial.model_hash = model_bytes_hash_;
     trial.motion_queries = settings_.motion_queries;
+    trial.adapts = settings_.adapts;
     Progress progress("experiment", "trials", open.size(), settings_.progress);
     JobArena arena(settings_.jobs);
     arena.execute([&] {

@@ -91,6 +91,7 @@ void run_trial(const ArmDescription& arm, const MotionModel& model, const Enviro
   if (settings.controller == "replan") {
     ClosedLoopSettings loop_settings;
     loop_settings.motion_queries = settings.motion_queries;
+    loop_settings.adapts = settings.adapts;
     run.controller = &loop.emplace(arm, model, environment, room, loop_settings, trial.seed);
   }
   std::optional<JacobianController> controller;

@@ -64,6 +64,14 @@ Json to_json(const ExecutionResult& result, const Environment& before) {
   json["open_loop_distance_to_goal_cm"] =
       result.open_loop_goal_error ? Json(kCmPerM * result.open_loop_goal_error->position_m)
                                   : Json(nullptr);
+  if (result.arm) {
+    const Eigen::VectorXf deviation = result.arm->deviation();
+    json["arm"] = {{"e", std::vector<float>(result.arm->e.begin(), result.arm->e.end())},
+                   {"sd", std::vector<float>(deviation.begin(), deviation.end())},
+                   {"distance_from_family", result.arm->distance()},
+                   {"largest_window_error_cm", kCmPerM * result.largest_window_error_m},
+                   {"last_window_error_cm", kCmPerM * result.last_window_error_m}};
+  }
   json["frames"] = result.frames;
   json["frames_not_seen"] = result.frames_not_seen;
   json["goal_reached"] = is_seen ? Json(result.goal_reached) : Json(nullptr);
@@ -124,6 +132,14 @@ std::string to_text(const ExecutionResult& result, const Environment& before) {
         "\n  in {} frames nothing was certified from where the arm was: it kept to what was "
         "certified last",
         result.frames_not_certified);
+  }
+  if (result.arm && result.largest_window_error_m > 0.0) {
+    text += fmt::format(
+        "\n  which arm it is was fitted while it moved: predictions over a second were {:.1f} cm "
+        "off at most, {:.1f} in the end{}",
+        kCmPerM * result.largest_window_error_m, kCmPerM * result.last_window_error_m,
+        result.arm->distance() >= FamilyMember::kFar ? "; no arm of the family is like this one"
+                                                     : "");
   }
   if (result.frames_not_seen > 0 && result.final_backbone) {
     text += fmt::format("\n  not tracked in {} frames", result.frames_not_seen);

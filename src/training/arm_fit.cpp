@@ -263,7 +263,7 @@ ArmFit fit_arm(const ArmDescription& arm, const CompensationModel& family,
   result.expected_error_m = fit.expected_error_m(covariance);
   result.model = model_of_arm(family, {"", fit.e(), covariance});
   const float root = std::sqrt(static_cast<float>(windows.size()));
-  result.distance = static_cast<double>(fit.e().norm() / root);
+  result.distance = result.model.member_of_family->distance();
   result.distance_to_nearest = static_cast<double>(
       (windows.family().family->arms.colwise() - fit.e()).colwise().norm().minCoeff() / root);
   return result;

@@ -83,6 +83,24 @@ class Family(InFolder):
                                 "--out", "x.safetensors", code=2).stderr
         self.assertIn("--model six_segment: no such file, and none of limber's own families", error)
 
+    def test_in_closed_loop_which_arm_it_is_is_fitted_again_while_it_moves(self):
+        self.run_json("adapt", *ARM, "--model", "two_segment", "--recording", "minute.h5", "--out", "mine.safetensors")
+        environment = self.write("e.yaml", json.dumps({**PILLAR, "obstacles": []}))
+        self.run_json("plan", *ARM, "--model", "mine.safetensors", "--environment", environment,
+                      "--max-queries", 20000, "--margin-m", 0, "--out", "p.json")
+        run = ("execute", *ARM, "--plan", "p.json", "--environment", environment, "--model", "mine.safetensors",
+               "--margin-m", 0, "--disturbance", "friction=1", "--motion-queries", 500)
+        found = self.run_json(*run, "--replan", "--adapted-out", "now.safetensors")
+        self.assertLess(found["arm"]["last_window_error_cm"], 0.5 * found["arm"]["largest_window_error_cm"])
+        before = self.run_json("inspect", "mine.safetensors")["family"]
+        now = self.run_json("inspect", "now.safetensors")["family"]
+        self.assertEqual(now["e"], found["arm"]["e"])
+        self.assertNotEqual(now["e"], before["e"])
+        self.assertEqual(now["hash"], before["hash"])
+        self.assertNotIn("arm", self.run_json(*run, "--replan", "--no-adapt"))
+        error = self.run_limber(*run, "--adapted-out", "x.safetensors", code=2).stderr
+        self.assertIn("--adapted-out: nothing was adapted", error)
+
     def test_the_small_one_is_found_by_its_name_too(self):
         self.run_limber("collect", "--vary-physics", 1.5, "--schedule", "identify", "--seed", 6, "--out", "like.h5")
         found = self.run_json("adapt", "--model", "three_segment_small", "--recording", "like.h5",

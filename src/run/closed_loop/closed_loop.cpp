@@ -1,12 +1,15 @@
 #include "limber/run/closed_loop.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "certified_frame.hpp"
+#include "estimate/live_arm_fit.hpp"
 #include "goal_lengths.hpp"
 #include "limber/common/error.hpp"
+#include "limber/network/arm_family.hpp"
 #include "limber/planning/planner_factory.hpp"
 #include "limber/run/controller.hpp"
 #include "motion_guide.hpp"
@@ -22,6 +25,7 @@ constexpr double kRoomOfLeading = 1.0;  // of the room for the model's error: ke
 constexpr double kRoomOfFrames = 0.25;  // of the room for the model's error: kept in every frame
 constexpr double kLongestWaitS = 0.5;   // in mid-motion; then the plan is left …
 constexpr double kStandsAfterS = 2.0;   // … at last also where the model has a held arm strike
+constexpr float kOtherArm = 0.1F;       // e moved by so much of the family's spread
 constexpr int kLedOn = 3;               // times that an arm short of its goal is led on
 
 /// The hold of a plan, once more.
@@ -42,14 +46,27 @@ struct ClosedLoop::Motion {
          const Environment& environment, const ErrorRoom& the_room,
          const ClosedLoopSettings& the_settings, std::uint64_t the_seed)
       : arm(the_arm),
-        model(the_model),
+        own(own_of(the_arm, the_model, the_settings)),
+        model(own ? MotionModel(*own, the_model.valves()) : the_model),
         room(the_room),
         settings(the_settings),
         seed(the_seed),
         planner(make_planner("default", settings.corrections.planner_jobs)),
         start(start_of(PlanningProblem{arm, model, environment, 0.0}).backbone),
         follower(the_arm, model) {
+    if (own) {
+      fit.emplace(arm, own->compensation());
+      missed_by = fit->member().e;
+    }
     move_in(environment);
+  }
+
+  /// What the arm's e is changed in; none: it is left alone.
+  static std::unique_ptr<ForwardModel> own_of(const ArmDescription& arm, const MotionModel& model,
+                                              const ClosedLoopSettings& settings) {
+    return settings.adapts && model.compensation().member_of_family
+               ? std::make_unique<ForwardModel>(arm, model.compensation())
+               : nullptr;
   }
 
   void move_in(const Environment& now) {
@@ -107,7 +124,12 @@ struct ClosedLoop::Motion {
   }
 
   const ArmDescription& arm;
+  std::unique_ptr<ForwardModel> own;
   MotionModel model;
+  std::optional<LiveArmFit> fit;
+  int seen = -1;              // ArmEstimate::frames: a frame may be asked about twice
+  Eigen::VectorXf missed_by;  // e of the model whose misses the estimate holds
+  bool is_refitted = false;   // since `own` was changed last
   ErrorRoom room;
   ClosedLoopSettings settings;
   std::uint64_t seed;
@@ -147,6 +169,29 @@ ClosedLoop::~ClosedLoop() = default;
 
 EstimateModel ClosedLoop::estimate_with() const {
   return {&motion_->model, motion_->start};
+}
+
+/// All that predict hold the one model that is changed here, while none of them is at work.
+void ClosedLoop::observe(const Moment& now) {
+  Motion& motion = *motion_;
+  if (!motion.fit) {
+    return;
+  }
+  if (std::exchange(motion.seen, now.arm.frames()) != now.arm.frames()) {
+    const ArmState& measured = now.arm.measured();
+    motion.is_refitted |= motion.fit->observe(measured.pressure_kpa, measured.backbone);
+  }
+  if (motion.is_refitted && !now.is_thinking) {
+    motion.is_refitted = false;
+    *motion.own =
+        ForwardModel(motion.arm, model_of_arm(motion.own->compensation(), motion.fit->member()));
+    const Eigen::VectorXf& e = motion.fit->member().e;
+    if ((e - motion.missed_by).norm() > kOtherArm * std::sqrt(static_cast<float>(e.size()))) {
+      motion.missed_by = e;  // what another arm's model missed says nothing of this one
+      now.arm.forget_miss();
+      now.arm.take(RestMiss{});
+    }
+  }
 }
 
 /// What leads the arm, the plan's own, or what the arm has: the first of these that is certified.
@@ -278,6 +323,15 @@ void ClosedLoop::take_next(const Plan* /*found*/, ArmEstimate& arm) {
   motion_->followed = nullptr;
   arm.take(motion_->next_missed);
   arm.forget_miss();
+}
+
+void ClosedLoop::report(ExecutionResult& result) const {
+  PlanController::report(result);
+  if (const auto& fit = motion_->fit) {
+    result.arm = fit->member();
+    result.largest_window_error_m = fit->largest_error_m();
+    result.last_window_error_m = fit->last_error_m();
+  }
 }
 
 void ClosedLoop::obstacle_appeared(const Environment& now) {

@@ -155,7 +155,8 @@ std::optional<Plan> Replanner::search(const Plan& before, const Environment& fro
   problem.limits = limits_after(before, settings_.limits);
   problem.margin_yields_to_start = true;
   PlannerLimits limits;
-  limits.queries = (has_halted_in_vain_ ? kQueriesOfLastResort : 1) * settings_.queries;
+  limits.queries =
+      (has_halted_in_vain_ || stands_outside_ ? kQueriesOfLastResort : 1) * settings_.queries;
   limits.iterations = std::max<std::uint64_t>(1, *limits.queries / kQueriesPerIteration);
   return planner_
       ->plan(problem, limits, seed_of_next(),
@@ -207,6 +208,13 @@ std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const P
   }
   if (!found) {
     found = if_taken(search_less_and_less(plan, from_here, halted));
+  }
+  if (!found && !halted && !has_arrived) {
+    stands_outside_ = true;
+    from_here.goal.position_tolerance_m = aim_.position_tolerance_m;
+    from_here.goal.orientation_tolerance_rad = aim_.orientation_tolerance_rad;
+    found = if_taken(search(plan, from_here, kLeastMargin * room_.margin_m));
+    stands_outside_ = false;
   }
   if (!found && !halted) {
     found = if_taken(nearer(plan, from_here, as_length_m(aim_, pose_error(aim_, measured))));

@@ -56,7 +56,7 @@ void PlanController::begin(const RunStart& start) {
 }
 
 Decision PlanController::step(const Moment& now) {
-  observe(now.arm);
+  observe(now);
   if (is_in_frame_) {
     end_frame(now);
   }

@@ -29,7 +29,8 @@ class Adviser final : public PlanController {
   using Answer = std::function<MotionAdvice(const Plan& plan, std::size_t next)>;
   explicit Adviser(Answer answer) : answer_(std::move(answer)) {}
 
-  void observe(const ArmEstimate& arm) override {
+  void observe(const Moment& now) override {
+    const ArmEstimate& arm = now.arm;
     if (arm.frames() == int(commanded_kpa.size())) {  // asked twice between frames
       commanded_kpa.push_back(arm.setpoint_kpa());
       times_s.push_back(arm.measured().time_s);

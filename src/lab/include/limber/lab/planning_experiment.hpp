@@ -41,8 +41,9 @@ struct ExperimentSettings {
   std::vector<std::string> controllers = {"open"};
   std::vector<std::string> disturbances = {""};
   std::uint64_t motion_queries =
-      0;           ///< of controller "replan": of a search in mid-motion, 0: none then
-  AskedRoom room;  ///< if nothing is asked for, each model's own error
+      0;               ///< of controller "replan": of a search in mid-motion, 0: none then
+  bool adapts = true;  ///< … follows which arm of its family this is
+  AskedRoom room;      ///< if nothing is asked for, each model's own error
   std::uint64_t seed = 1;
   int planner_jobs = 1;  ///< threads of each planner
   int jobs = 0;          ///< trials at once, 0: one per core
@@ -91,6 +92,7 @@ struct PlanTrialSettings {
   AskedRoom room;                      ///< if nothing is asked for, the model's own error
   const Forest* forest = nullptr;      ///< for the default planner; borrowed
   std::uint64_t motion_queries = 0;    ///< in closed loop: of a search in mid-motion, 0: none then
+  bool adapts = true;                  ///< … follows which arm of its family this is
   std::string model_hash;              ///< goes into the plan of a network; docs/formats.md
   /// How plans are executed, and what the arm then meets (docs/experiments.md).
   std::string controller = "open";

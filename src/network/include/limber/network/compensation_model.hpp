@@ -1,6 +1,7 @@
 #pragma once
 // For those who ask a model where the arm goes.
 
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -73,9 +74,16 @@ struct ArmFamily {
 
 /// Which arm of a family a model is of, as far as its recordings told.
 struct FamilyMember {
+  static constexpr double kFar = 2.0;  ///< from the family's middle: no arm of it
+
   std::string family_hash;     ///< of the family's file; empty: not from a file
   Eigen::VectorXf e;           ///< k; its share is part of the first layer's bias
   Eigen::MatrixXf covariance;  ///< k × k, of e: several arms fit what was recorded
+
+  /// Of each number of e.
+  Eigen::VectorXf deviation() const { return covariance.diagonal().cwiseMax(0.0F).cwiseSqrt(); }
+  /// |e| / √k, about 1 for an arm of the family.
+  double distance() const { return double(e.norm()) / std::sqrt(double(e.size())); }
 };
 
 /// The network Φ of (5), (16) or (22) with everything needed to use it. Its inputs (q_{t−1}, q_t,

@@ -10,6 +10,7 @@
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/backbone.hpp"
 #include "limber/data/recording.hpp"
+#include "limber/network/compensation_model.hpp"
 #include "limber/run/arm_driver.hpp"
 #include "limber/run/collision_watch.hpp"
 #include "limber/world/environment.hpp"
@@ -119,6 +120,12 @@ struct ExecutionResult {
   /// certified last, then held.
   int frames_not_certified = 0;
   AdviceTimes advice;
+  /// Which arm of the model's family this is, as a closed loop that adapts has it at the end.
+  std::optional<FamilyMember> arm;
+  /// … and what that was worth: over the windows of frames that it was fitted to, the largest error
+  /// of the plates' places before, and the last one. [m]
+  double largest_window_error_m = 0.0;
+  double last_window_error_m = 0.0;
   std::optional<AppearedObstacle> appeared;
   /// A plan was left before its end, and none was found that leads on: the arm held and stayed.
   bool stopped_ahead = false;

@@ -18,6 +18,9 @@ struct ClosedLoopSettings {
   std::uint64_t motion_queries = 2000;
   /// A moving arm that is not tracked for longer than that is stopped. [s], ≥ 0.
   double blind_s = 0.5;
+  /// Of a model that `adapt` made from a family: which arm of it this is, is followed while it
+  /// moves.
+  bool adapts = true;
 };
 
 /// The whole closed loop (docs/planning.md, Closed loop): in each frame of a motion the state is
@@ -35,8 +38,10 @@ class ClosedLoop final : public PlanController {
 
   EstimateModel estimate_with() const override;
   void obstacle_appeared(const Environment& now) override;
+  void report(ExecutionResult& result) const override;
 
  private:
+  void observe(const Moment& now) override;
   bool may_go_on(const Plan& plan, std::size_t seen, const ArmEstimate& arm) override;
   FrameSetpoint setpoint(const PlanProgress& at, std::size_t next, const ArmEstimate& arm) override;
   std::function<MotionAdvice()> advise(const PlanProgress& at, const ArmEstimate& arm) override;

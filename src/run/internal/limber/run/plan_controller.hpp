@@ -66,8 +66,8 @@ class PlanController : public Controller {
   void report(ExecutionResult& result) const override;
 
  protected:
-  /// Told of every frame, first of the start.
-  virtual void observe(const ArmEstimate& arm) { (void)arm; }
+  /// Told of every frame, first of the start; and whether a question is being worked out.
+  virtual void observe(const Moment& now) { (void)now; }
   /// Whether the rest of the plan may be followed; asked after each of its frames but the last.
   /// Where not, the arm holds where it is and `next` is asked.
   /// @param seen  frame of the plan that the arm's state shows

@@ -94,6 +94,7 @@ class Replanner {
   PoseGoal aim_;
   int replans_ = 0;
   bool has_halted_in_vain_ = false;  // the arm, halted, asked and found no plan
+  bool stands_outside_ = false;      // … an arm beside the goal did
   bool is_correction_ = false;       // what the arm follows
   int stuck_ = 0;                    // corrections in a row that hardly moved the arm
   RestMiss missed_;

@@ -51,7 +51,7 @@ struct Adaptation {
     return moving_s < kLeastMovingS || largest_uncertainty > kHardlyKnown;
   }
 
-  static constexpr double kFarFromFamily = 2.0;
+  static constexpr double kFarFromFamily = FamilyMember::kFar;
   static constexpr double kLeastMovingS = 4.0;
   static constexpr double kHardlyKnown = 0.7;
 };

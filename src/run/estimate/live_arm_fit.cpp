@@ -1,0 +1,178 @@
+#include "live_arm_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Cholesky>
+
+#include "limber/arm/plate_distance.hpp"
+#include "limber/network/arm_family.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr int kWindowFrames = 24;  // that are predicted without correction
+constexpr std::size_t kWindows = 4;
+constexpr int kRolloutsPerFrame = 4;
+constexpr float kStep = 0.05F;               // of e, for derivatives
+constexpr float kSquareUpToM = 0.003F;       // errors beyond count by their length
+constexpr double kIndependentFrames = 20.0;  // frames that tell as much as one that stands alone
+/// Of the arm's length: what a model of a minute leaves over a window.
+constexpr double kUsualErrorShare = 0.003;
+/// Of the arm's length: a window in which no plate came farther tells nothing.
+constexpr double kMovedShare = 0.015;
+constexpr float kLostM = 1.0F;        // of a prediction that is no number
+constexpr float kLongestStep = 1.0F;  // of e, of a family in which it has unit variance
+
+Eigen::ArrayXf lengths(const Eigen::VectorXf& offsets_m) {
+  return offsets_m.reshaped(2, offsets_m.size() / 2).colwise().norm();
+}
+
+}  // namespace
+
+LiveArmFit::LiveArmFit(const ArmDescription& arm, const CompensationModel& adapted)
+    : arm_(arm), family_(family_of(adapted)), member_(*adapted.member_of_family) {
+  family_.family->arms = Eigen::MatrixXf::Zero(family_.family->size(), 1);
+  family_.learnt.reset();
+  const auto size = member_.e.size();
+  before_.precision =
+      member_.covariance.cast<double>().ldlt().solve(Eigen::MatrixXd::Identity(size, size));
+  before_.pull = before_.precision * member_.e.cast<double>();
+}
+
+bool LiveArmFit::has_moved() const {
+  const double moved_m = kMovedShare * arm_.length_m();
+  const Backbone& start = *recent_[1].shape;
+  return std::ranges::any_of(recent_, [&](const Frame& frame) {
+    return frame.shape && largest_plate_distance_m(*frame.shape, start) > moved_m;
+  });
+}
+
+bool LiveArmFit::observe(const Pressures& pressure_kpa, const std::optional<Backbone>& shape) {
+  recent_.push_back({pressure_kpa, shape});
+  while (recent_.size() > kWindowFrames + 2 ||
+         (recent_.size() >= 2 && !(recent_[0].shape && recent_[1].shape))) {
+    recent_.pop_front();
+  }
+  if (recent_.size() == kWindowFrames + 2 && has_moved()) {
+    take_window();
+  }
+  bool has_changed = false;
+  for (int k = 0; k < kRolloutsPerFrame && !windows_.empty(); ++k) {
+    has_changed |= roll_out();
+  }
+  return has_changed;
+}
+
+/// The oldest window becomes part of what was known before.
+void LiveArmFit::take_window() {
+  if (windows_.size() == kWindows) {
+    add(windows_.front(), before_);
+    windows_.pop_front();
+  }
+  windows_.emplace_back();
+  windows_.back().frames.assign(recent_.begin(), recent_.end());
+  recent_.erase(recent_.begin(), recent_.end() - 2);  // windows do not overlap
+  turn_ = windows_.size() - 1;
+  rolled_out_ = 0;
+}
+
+/// One of the rollouts that a window asks for. @return whether that was the last, and e is new
+bool LiveArmFit::roll_out() {
+  const Eigen::Index size = member_.e.size();
+  Window& window = windows_[turn_];
+  if (rolled_out_ == 0) {
+    next_.at = member_.e;
+    next_.left_m = offsets(window, member_.e);
+    next_.slope.resize(next_.left_m.size(), size);
+  } else {
+    const Eigen::VectorXf shifted = next_.at + kStep * Eigen::VectorXf::Unit(size, rolled_out_ - 1);
+    next_.slope.col(rolled_out_ - 1) = (offsets(window, shifted) - next_.left_m) / kStep;
+  }
+  if (++rolled_out_ <= size) {
+    return false;
+  }
+  if (!window.is_fitted) {
+    last_error_m_ = static_cast<double>(lengths(next_.left_m).mean());
+    largest_error_m_ = std::max(largest_error_m_, last_error_m_);
+    forget(last_error_m_ / (kUsualErrorShare * arm_.length_m()));
+  }
+  window.at = next_.at;
+  window.left_m.swap(next_.left_m);
+  window.slope.swap(next_.slope);
+  window.is_fitted = true;
+  solve();
+  rolled_out_ = 0;
+  turn_ = (turn_ + 1) % windows_.size();
+  return true;
+}
+
+/// In x and y, of all plates but the base in the window's tracked frames, of the arm e.
+Eigen::VectorXf LiveArmFit::offsets(const Window& window, const Eigen::VectorXf& e) {
+  const ForwardModel model(arm_, model_of_arm(family_, {"", e, member_.covariance}));
+  const Eigen::Index plates = arm_.point_count() - 1;
+  Eigen::VectorXf result(2 * plates * kWindowFrames);
+  Eigen::Index rows = 0;
+  const std::vector<Frame>& frames = window.frames;
+  Backbone before = *frames[0].shape;
+  Backbone now = *frames[1].shape;
+  Backbone next = now;
+  for (std::size_t t = 2; t < frames.size(); ++t) {
+    model.step(frames[t - 1].pressure_kpa, frames[t].pressure_kpa, before, now, next, workspace_);
+    before = std::exchange(now, next);
+    if (frames[t].shape) {
+      result.segment(rows, 2 * plates) =
+          (now - *frames[t].shape).bottomRows(plates).leftCols<2>().reshaped<Eigen::RowMajor>();
+      rows += 2 * plates;
+    }
+  }
+  result.conservativeResize(rows);
+  return result.array().isFinite().select(result, kLostM);
+}
+
+/// What a window says of e, about where it was rolled out.
+void LiveArmFit::add(const Window& window, Knowledge& known) const {
+  const Eigen::ArrayXf length =
+      lengths(window.left_m + window.slope * (member_.e - window.at)).max(kSquareUpToM);
+  const double share = 1.0 / (kIndependentFrames * kUsualErrorShare * arm_.length_m() *
+                              static_cast<double>(arm_.point_count() - 1));
+  Eigen::VectorXf weights(window.left_m.size());
+  weights.reshaped(2, length.size()).rowwise() =
+      (static_cast<float>(share) / length).matrix().transpose();
+  const Eigen::MatrixXf weighted = weights.asDiagonal() * window.slope;
+  known.precision += (weighted.transpose() * window.slope).cast<double>();
+  known.pull += (weighted.transpose() * (window.slope * window.at - window.left_m)).cast<double>();
+}
+
+/// What was known before, where predictions are off by so many times the usual error.
+void LiveArmFit::forget(double wrong) {
+  if (wrong <= 1.0) {
+    return;
+  }
+  const Eigen::VectorXd mean = before_.precision.ldlt().solve(before_.pull);
+  const auto unknown = Eigen::MatrixXd::Identity(mean.size(), mean.size());
+  before_.precision = unknown + (before_.precision - unknown) / (wrong * wrong);
+  before_.pull = before_.precision * mean;
+}
+
+void LiveArmFit::solve() {
+  Knowledge known = before_;
+  for (const Window& window : windows_) {
+    if (window.is_fitted) {
+      add(window, known);
+    }
+  }
+  const Eigen::LDLT<Eigen::MatrixXd> solver(known.precision);
+  Eigen::VectorXf step = solver.solve(known.pull).cast<float>() - member_.e;
+  step *= std::min(1.0F, kLongestStep / std::max(step.norm(), 1e-6F));
+  member_.e += step;
+  if (const double far = member_.distance(); far > FamilyMember::kFar) {
+    member_.e *= static_cast<float>(FamilyMember::kFar / far);
+  }
+  const auto size = member_.e.size();
+  member_.covariance = solver.solve(Eigen::MatrixXd::Identity(size, size)).cast<float>();
+}
+
+}  // namespace limber

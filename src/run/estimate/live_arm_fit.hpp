@@ -1,0 +1,79 @@
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/forward/forward_model.hpp"
+#include "limber/network/compensation_model.hpp"
+
+namespace limber {
+
+/// Which arm of its family this is, while it moves: e of the model that the arm was adapted to,
+/// fitted again and again to the last windows of frames in which the arm moved, one rollout after
+/// another. What older windows said is kept as what was known before them. It counts less, the
+/// more predictions are off by than is usual: a load that is picked up makes the fit forget.
+///
+/// Work per frame is bounded: four rollouts of a window, some 100 queries.
+/// Threads: one fit, one thread. Borrows the arm.
+class LiveArmFit {
+ public:
+  /// @pre `adapted` is an arm's of a family (CompensationModel::member_of_family)
+  LiveArmFit(const ArmDescription& arm, const CompensationModel& adapted);
+
+  /// Takes in a frame: pressures, and the shape if the arm was tracked.
+  /// @return whether e is another one now
+  bool observe(const Pressures& pressure_kpa, const std::optional<Backbone>& shape);
+
+  /// As far as it is known now.
+  const FamilyMember& member() const { return member_; }
+  /// Of the plates' places, by the e of its time, over the window that was fitted last, and the
+  /// largest of all; 0 before the first. [m]
+  double last_error_m() const { return last_error_m_; }
+  double largest_error_m() const { return largest_error_m_; }
+
+ private:
+  struct Frame {
+    Pressures pressure_kpa;
+    std::optional<Backbone> shape;
+  };
+  /// Frames that are predicted without correction, and how the plates' offsets depend on e.
+  struct Window {
+    std::vector<Frame> frames;
+    Eigen::VectorXf at;      ///< the e about which
+    Eigen::VectorXf left_m;  ///< offsets there
+    Eigen::MatrixXf slope;
+    bool is_fitted = false;
+  };
+  /// Of e: |e − mean|² in the metric of `precision` / 2, up to a constant.
+  struct Knowledge {
+    Eigen::MatrixXd precision;
+    Eigen::VectorXd pull;  ///< precision · mean
+  };
+
+  bool has_moved() const;
+  void take_window();
+  bool roll_out();
+  Eigen::VectorXf offsets(const Window& window, const Eigen::VectorXf& e);
+  void add(const Window& window, Knowledge& known) const;
+  void forget(double wrong);
+  void solve();
+
+  const ArmDescription& arm_;
+  CompensationModel family_;  // its network alone
+  FamilyMember member_;
+  Knowledge before_;  // the windows
+  std::deque<Frame> recent_;
+  std::deque<Window> windows_;
+  std::size_t turn_ = 0;  // the window that is rolled out
+  int rolled_out_ = 0;    // of its rollouts: that of e, then one for each number of e
+  Window next_;           // it, about today's e
+  double last_error_m_ = 0.0;
+  double largest_error_m_ = 0.0;
+  ForwardModel::Workspace workspace_;
+};
+
+}  // namespace limber
