@@ -34,6 +34,7 @@ constexpr std::array kKindFacts = {
     KindFacts{DisturbanceKind::lost_tracking, "lost_tracking", 0.5, 60.0, "s"},
     KindFacts{DisturbanceKind::obstacle, "obstacle", 0.02, 0.5, "m, radius"},
     KindFacts{DisturbanceKind::sensor_noise, "sensor_noise", 0.0005, 0.1, "m"},
+    KindFacts{DisturbanceKind::picked_up, "picked_up", 0.05, 1.0, "kg"},
 };
 
 const KindFacts& facts_of(DisturbanceKind kind) {
@@ -123,6 +124,7 @@ DisturbedArm disturbed(const ArmDescription& arm, const Plan& plan,
                        const VirtualArmOptions& options) {
   DisturbedArm result{arm, options, std::nullopt};
   result.options.seed = seed;
+  double picked_up_kg = 0.0;
   for (const Disturbance& one : disturbances) {
     const std::uint64_t stream = kDisturbanceStreams + static_cast<std::uint64_t>(one.kind);
     RandomStream random(seed, stream);
@@ -154,10 +156,18 @@ DisturbedArm disturbed(const ArmDescription& arm, const Plan& plan,
         result.options.lost_for_s = one.amount;
         result.options.lost_from_s = drawn_start_s(arm, plan, one.amount, random);
         break;
+      case DisturbanceKind::picked_up:
+        picked_up_kg = one.amount;
+        result.options.later_from_s = drawn_start_s(arm, plan, 0.0, random);
+        break;
       case DisturbanceKind::obstacle:
         result.obstacle = appearing_obstacle(arm, plan, one.amount, seed, stream);
         break;
     }
+  }
+  if (picked_up_kg > 0.0) {  // by the arm as all other kinds have it
+    result.options.later = result.arm;
+    change_virtual_arm(*result.options.later, [&](auto& p) { p.tip_load_kg += picked_up_kg; });
   }
   return result;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include <fmt/format.h>
@@ -37,6 +38,7 @@ void check_options(const VirtualArmOptions& options) {
   check_option("latency_s", options.latency_s, kLongestLatencyS);
   check_option("lost_from_s", options.lost_from_s, kLongestLossS);
   check_option("lost_for_s", options.lost_for_s, kLongestLossS);
+  check_option("later_from_s", options.later_from_s, kLongestLossS);
 }
 
 /// Simulator steps per frame: the fewest that keep the step within the arm's `time_step_s`.
@@ -56,7 +58,7 @@ class VirtualArm::Simulation {
         parameters_(virtual_arm_parameters(arm)),
         steps_per_frame_(steps_per_frame(arm, parameters_)),
         time_step_s_(arm.frame_period_s() / steps_per_frame_),
-        physics_(arm, parameters_, time_step_s_),
+        physics_(std::make_unique<ArmPhysics>(arm, parameters_, time_step_s_)),
         noise_(options.seed, options.stream),
         setpoint_kpa_(arm.segments.size()) {
     check_options(options);
@@ -98,7 +100,7 @@ class VirtualArm::Simulation {
 
   VirtualArmState save() const {
     VirtualArmState state;
-    physics_.save(state);
+    physics_->save(state);
     state.step = step_;
     state.setpoint_kpa = setpoint_kpa_;
     state.pending_setpoints = pending_;
@@ -120,8 +122,9 @@ class VirtualArm::Simulation {
                       state.position.size(), state.pressure_kpa.size(), state.delayed.size(),
                       arm_.name, own.position.size(), own.pressure_kpa.size(), own.delayed.size()));
     }
-    physics_.restore(state);
     step_ = state.step;
+    become_later();
+    physics_->restore(state);
     setpoint_kpa_ = state.setpoint_kpa;
     pending_ = state.pending_setpoints;
     vented_ = state.vented;
@@ -132,7 +135,7 @@ class VirtualArm::Simulation {
   }
 
   void write_backbone(BackboneD& backbone) const {
-    const auto& plates = physics_.kinematics().plates();
+    const auto& plates = physics_->kinematics().plates();
     backbone.resize(static_cast<Eigen::Index>(plates.size()), kPoseSize);
     for (std::size_t i = 0; i < plates.size(); ++i) {
       backbone.row(static_cast<Eigen::Index>(i)) << plates[i].position.x(), plates[i].position.y(),
@@ -143,7 +146,7 @@ class VirtualArm::Simulation {
   double time_s() const { return static_cast<double>(step_) * time_step_s_; }
   double time_step_s() const { return time_step_s_; }
   double frame_period_s() const { return arm_.frame_period_s(); }
-  const ArmPhysics& physics() const { return physics_; }
+  const ArmPhysics& physics() const { return *physics_; }
   const ArmState& delivered() const { return delivered_; }
   void set_observer(StepObserver observer) { observer_ = std::move(observer); }
 
@@ -186,9 +189,23 @@ class VirtualArm::Simulation {
     }
   }
 
+  /// The arm that it is at this moment, in the state that it is in.
+  void become_later() {
+    const bool is_later = options_.later && time_s() >= options_.later_from_s;
+    if (std::exchange(is_later_, is_later) == is_later) {
+      return;
+    }
+    VirtualArmState state;
+    physics_->save(state);
+    const ArmDescription& arm = is_later ? *options_.later : arm_;
+    physics_ = std::make_unique<ArmPhysics>(arm, virtual_arm_parameters(arm), time_step_s_);
+    physics_->restore(state);
+  }
+
   void advance() {
+    become_later();
     take_arrived_setpoints();
-    const std::string complaint = physics_.step(setpoint_kpa_, vented_);
+    const std::string complaint = physics_->step(setpoint_kpa_, vented_);
     ++step_;
     if (!complaint.empty()) {
       fail(complaint);
@@ -201,7 +218,7 @@ class VirtualArm::Simulation {
 
   [[noreturn]] void fail(const std::string& complaint) {
     std::vector<double> pressures;
-    for (const SegmentAir& air : physics_.air()) {
+    for (const SegmentAir& air : physics_->air()) {
       pressures.push_back(air.pressure_kpa);
     }
     fault_ = fmt::format(
@@ -224,7 +241,7 @@ class VirtualArm::Simulation {
     state.pressure_kpa.resize(arm_.channel_count());
     for (int s = 0; s < arm_.channel_count(); ++s) {
       state.pressure_kpa[s] = static_cast<float>(
-          physics_.air()[static_cast<std::size_t>(s)].pressure_kpa + noise(options_.noise_kpa));
+          physics_->air()[static_cast<std::size_t>(s)].pressure_kpa + noise(options_.noise_kpa));
     }
     for (Eigen::Index row = 0; row < backbone.rows(); ++row) {
       backbone(row, 0) += noise(options_.noise_m);
@@ -250,7 +267,8 @@ class VirtualArm::Simulation {
   VirtualArmParameters parameters_;
   int steps_per_frame_;
   double time_step_s_;
-  ArmPhysics physics_;
+  std::unique_ptr<ArmPhysics> physics_;
+  bool is_later_ = false;  // of `options_.later`
   RandomStream noise_;
   int frames_late_ = 0;
   int steps_late_ = 0;

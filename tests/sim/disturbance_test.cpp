@@ -146,6 +146,17 @@ TEST_F(DisturbanceTest, NoiseHasItsDeviation) {
   }
 }
 
+TEST_F(DisturbanceTest, ALoadIsPickedUpByTheArmAsTheOtherKindsHaveIt) {
+  const DisturbedArm met = with("picked_up=0.02,friction");
+  ASSERT_TRUE(met.options.later);
+  const VirtualArmParameters before = virtual_arm_parameters(met.arm);
+  const VirtualArmParameters after = virtual_arm_parameters(*met.options.later);
+  EXPECT_EQ(before.tip_load_kg, virtual_arm_parameters(arm_).tip_load_kg);
+  EXPECT_NEAR(after.tip_load_kg - before.tip_load_kg, 0.02, 1e-12);
+  EXPECT_EQ(after.friction_coefficient, before.friction_coefficient);
+  EXPECT_GT(met.options.later_from_s, 0.0);
+}
+
 TEST_F(DisturbanceTest, TrackingIsLostOnceForAsLongAsSaid) {
   const DisturbedArm met = with("lost_tracking");
   const double moves_s = (plan_.frame_count() - 1) * arm_.frame_period_s();

@@ -116,6 +116,39 @@ TEST(VirtualArm, RepeatsTheSameMotionToTheBitFromASavedState) {
   }
 }
 
+TEST(VirtualArm, BecomesTheLaterArmInTheStateThatItIsIn) {
+  const ArmDescription arm = sample_arm(2);
+  ArmDescription loaded = arm;
+  change_virtual_arm(loaded, [](auto& p) { p.tip_load_kg += 0.1; });
+  VirtualArmOptions options;
+  options.later = loaded;
+  options.later_from_s = 9.5 * arm.frame_period_s();
+  VirtualArm changing(arm, options);
+  VirtualArm unchanged(arm);
+  RandomStream random(3, 0);
+  for (int k = 0; k < 9; ++k) {
+    const Pressures kpa = random_pressures(random, 2);
+    expect_equal(changing.command(kpa), unchanged.command(kpa));
+  }
+  // In the middle of the tenth frame; what comes then is that of a loaded arm in the same state.
+  changing.restore(unchanged.save());
+  options.later_from_s = 9.0 * arm.frame_period_s();
+  VirtualArm after(arm, options);
+  after.restore(unchanged.save());
+  VirtualArm heavy(loaded);
+  heavy.restore(unchanged.save());
+  double apart_m = 0.0;
+  for (int k = 0; k < 20; ++k) {
+    const Pressures kpa = random_pressures(random, 2);
+    expect_equal(after.command(kpa), heavy.command(kpa));
+    changing.command(kpa);
+    unchanged.command(kpa);
+    apart_m = std::max(
+        apart_m, (changing.true_backbone() - unchanged.true_backbone()).cwiseAbs().maxCoeff());
+  }
+  EXPECT_GT(apart_m, 1e-3);
+}
+
 TEST(VirtualArm, SetpointsArriveAfterTheDeadTime) {
   ArmDescription arm = sample_arm(2);
   VirtualArm prompt(arm);

@@ -5,6 +5,7 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -24,8 +25,12 @@ struct VirtualArmOptions {
   double latency_s = 0.0;    ///< what is measured was true this long ago, ≥ 0
   double lost_from_s = 0.0;  ///< what is true from then on has no backbone, ≥ 0
   double lost_for_s = 0.0;   ///< for so long, ≥ 0
-  std::uint64_t seed = 0;    ///< of noise and drops
-  std::uint64_t stream = 0;  ///< unit of work (episode, trial), so that each has its own faults
+  /// What it becomes in the middle of a run, as a load is picked up. Of it, `virtual_arm` counts,
+  /// but for time step and dead time. None: it stays what it is.
+  std::optional<ArmDescription> later = std::nullopt;
+  double later_from_s = 0.0;  ///< ≥ 0
+  std::uint64_t seed = 0;     ///< of noise and drops
+  std::uint64_t stream = 0;   ///< unit of work (episode, trial), so that each has its own faults
 };
 
 /// A set point that has not reached the pressure controller yet.

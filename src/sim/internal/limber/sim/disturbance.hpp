@@ -21,6 +21,7 @@ enum class DisturbanceKind {
   lost_tracking,  ///< no backbone for so long [s], once, at a time sampled by seed
   obstacle,       ///< a circle of this radius [m] appears on the rest of the path
   sensor_noise,   ///< as `noise`, in time
+  picked_up,      ///< as `tip_load`, but in mid-plan, at a time sampled by seed
 };
 
 /// One of them. The model and the plan know nothing of it.
@@ -35,7 +36,7 @@ const char* to_string(DisturbanceKind kind);
 std::string disturbance_kinds();
 
 /// "friction", "tip_load=0.1,noise": what acts together; without an amount the usual one: 0.05 kg,
-/// 0.3, 0.2, 0.5 mm, 0.5 s, 2 cm, 0.5 mm. Empty: none.
+/// 0.3, 0.2, 0.5 mm, 0.5 s, 2 cm, 0.5 mm, 0.05 kg. Empty: none.
 /// @throws InputError naming what was found and what there is.
 std::vector<Disturbance> parse_disturbances(const std::string& text);
 /// As `parse_disturbances` reads it, amounts where they are not the usual ones.
