@@ -13,8 +13,8 @@ namespace limber {
 
 namespace {
 
-constexpr int kWindowFrames = 24;  // that are predicted without correction
-constexpr std::size_t kWindows = 4;
+constexpr int kWindowFrames = 16;  // that are predicted without correction
+constexpr std::size_t kWindows = 6;
 constexpr int kRolloutsPerFrame = 4;
 constexpr float kStep = 0.05F;               // of e, for derivatives
 constexpr float kSquareUpToM = 0.003F;       // errors beyond count by their length
