@@ -149,18 +149,21 @@ void bind_controllers(py::module_& module) {
   py::class_<ClosedLoopOf>(module, "ClosedLoop",
                            "Leads the arm along its plan, and plans again from where it is "
                            "measured, while it moves and after. One run.")
-      .def(py::init([](const ArmDescription& arm, const MotionModel& model,
-                       const Environment& environment, const std::optional<ErrorRoom>& room,
-                       std::uint64_t seed) {
-             return ClosedLoopOf{make_closed_loop(arm, model, environment,
-                                                  room ? *room : error_room(model.forward()), seed),
-                                 arm.name, environment.name};
-           }),
-           py::arg("arm"), py::arg("model"), py::arg("environment"), py::arg("room") = py::none(),
-           py::arg("seed") = 1, py::keep_alive<1, 2>(), py::keep_alive<1, 3>(),
-           py::keep_alive<1, 4>(),
-           "room: ErrorRoom that plans keep, None: error_room(model.forward); seed: of the "
-           "searches. Raises InputError for a model without a network.")
+      .def(
+          py::init([](const ArmDescription& arm, const MotionModel& model,
+                      const Environment& environment, const std::optional<ErrorRoom>& room,
+                      std::uint64_t seed, bool adapts) {
+            return ClosedLoopOf{
+                make_closed_loop(arm, model, environment,
+                                 room ? *room : error_room(model.forward()), seed, adapts),
+                arm.name, environment.name};
+          }),
+          py::arg("arm"), py::arg("model"), py::arg("environment"), py::arg("room") = py::none(),
+          py::arg("seed") = 1, py::arg("adapts") = true, py::keep_alive<1, 2>(),
+          py::keep_alive<1, 3>(), py::keep_alive<1, 4>(),
+          "room: ErrorRoom that plans keep, None: error_room(model.forward); seed: of the "
+          "searches; adapts: of a model that adapt made from a family, which arm of it this is, is "
+          "followed while it moves. Raises InputError for a model without a network.")
       .def("__repr__", [](const ClosedLoopOf& loop) {
         return "ClosedLoop(arm='" + loop.arm + "', environment='" + loop.environment + "')";
       });
@@ -205,6 +208,18 @@ void bind_execution(py::module_& module) {
       .def_readonly("replans", &ExecutionResult::replans, "Number of plans after the first.")
       .def_readonly("halts", &ExecutionResult::halts,
                     "Number of plans that were left before their end.")
+      .def_property_readonly(
+          "arm",
+          [](const ExecutionResult& run) {
+            return run.arm ? std::optional<Eigen::VectorXf>(run.arm->e) : std::nullopt;
+          },
+          "Which arm of the model's family it is, as a closed loop that adapts has it at the end: e, "
+          "float32 (k,), or None.")
+      .def_readonly("largest_window_error_m", &ExecutionResult::largest_window_error_m,
+                    "Largest error of the plates' places over the windows that arm was fitted to, "
+                    "each before its fit.")
+      .def_readonly("last_window_error_m", &ExecutionResult::last_window_error_m,
+                    "The same of the last one.")
       .def_readonly("frames_not_certified", &ExecutionResult::frames_not_certified,
                     "Frames in which nothing was certified from where the arm was.")
       .def_readonly("open_loop_goal_error", &ExecutionResult::open_loop_goal_error,

@@ -340,8 +340,10 @@ void ClosedLoop::obstacle_appeared(const Environment& now) {
 
 std::unique_ptr<Controller> make_closed_loop(const ArmDescription& arm, const MotionModel& model,
                                              const Environment& environment, const ErrorRoom& room,
-                                             std::uint64_t seed) {
-  return std::make_unique<ClosedLoop>(arm, model, environment, room, ClosedLoopSettings{}, seed);
+                                             std::uint64_t seed, bool adapts) {
+  ClosedLoopSettings settings;
+  settings.adapts = adapts;
+  return std::make_unique<ClosedLoop>(arm, model, environment, room, settings, seed);
 }
 
 }  // namespace limber

@@ -90,9 +90,11 @@ class Controller {
 /// while it moves and after (docs/planning.md, Closed loop). A search takes 2000 queries while the
 /// arm moves, 20 000 when it stands. Without tracking the run is open loop. Borrows arm,
 /// environment and what the model borrows. One run. Threads: as Controller.
+/// @param adapts  a model that `adapt` made from a family: which arm of it this is, is followed
+///                while it moves (ExecutionResult::arm)
 /// @throws InputError if the model has no network
 std::unique_ptr<Controller> make_closed_loop(const ArmDescription& arm, const MotionModel& model,
                                              const Environment& environment, const ErrorRoom& room,
-                                             std::uint64_t seed);
+                                             std::uint64_t seed, bool adapts = true);
 
 }  // namespace limber
