@@ -213,8 +213,8 @@ void bind_execution(py::module_& module) {
           [](const ExecutionResult& run) {
             return run.arm ? std::optional<Eigen::VectorXf>(run.arm->e) : std::nullopt;
           },
-          "Which arm of the model's family it is, as a closed loop that adapts has it at the end: e, "
-          "float32 (k,), or None.")
+          "Which arm of the model's family it is, as a closed loop that adapts has it at the end: "
+          "e, float32 (k,), or None.")
       .def_readonly("largest_window_error_m", &ExecutionResult::largest_window_error_m,
                     "Largest error of the plates' places over the windows that arm was fitted to, "
                     "each before its fit.")
