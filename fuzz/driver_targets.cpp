@@ -2,6 +2,8 @@
 
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/printable.hpp"
+#include "limber/common/utf8.hpp"
 #include "limber/driver/driver_protocol.hpp"
 #include "limber/driver/process_driver.hpp"
 #include "support/sample_arm.hpp"
@@ -58,7 +60,7 @@ void talk_to_driver(const Input& input) {
     }
     driver.vent();
   } catch (const SystemFault& fault) {
-    require(fault.what()[0] != '\0', "a fault without a word");
+    require(is_utf8(fault.what()), "a fault that is not UTF-8: " + printable(fault.what()));
   }
 }
 

@@ -129,11 +129,7 @@ std::vector<std::string> take_seeds() {
 
 void fit_bench(const Input& input) {
   const BenchData bench = read_bench_csv(input.file, one_segment());
-  try {
-    const NoLoadModel model(characterise(one_segment(), bench).arm);
-  } catch (const InputError& refusal) {
-    throw InputError(input.file.string() + ": " + refusal.what());  // as the verb does
-  }
+  naming(input.file, [&] { const NoLoadModel model(characterise(one_segment(), bench).arm); });
 }
 
 std::vector<std::string> bench_seeds() {

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <memory>
 #include <thread>
 
@@ -68,6 +69,7 @@ class Connection {
 class RunningStudio {
  public:
   RunningStudio() {
+    setenv("LIMBER_DATA_DIR", LIMBER_SOURCE_DIR, 1);
     const auto project = scratch_folder() / "project";
     std::filesystem::create_directories(project);
     StudioSettings settings;

@@ -104,6 +104,14 @@ std::string source_file(const std::string& path) {
   return read_file(std::filesystem::path(LIMBER_SOURCE_DIR) / path);
 }
 
+void naming(const std::filesystem::path& file, const std::function<void()>& ask) {
+  try {
+    ask();
+  } catch (const InputError& refusal) {
+    throw InputError(fmt::format("{}: {}", file.string(), refusal.what()));
+  }
+}
+
 void require(bool holds, const std::string& what) {
   if (!holds) {
     throw std::logic_error(what);

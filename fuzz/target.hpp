@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,6 +51,9 @@ const std::filesystem::path& scratch_folder();
 const ArmDescription& three_segments();
 /// Of a file in limber's source.
 std::string source_file(const std::string& path);
+
+/// Puts the file's name before the refusals of `ask`, as the verbs do for what knows no file.
+void naming(const std::filesystem::path& file, const std::function<void()>& ask);
 
 /// @throws std::logic_error with `what` unless `holds`.
 void require(bool holds, const std::string& what);

@@ -75,7 +75,8 @@ void read_forest_file(const Input& input) {
   write_forest(again, forest);
   require(read_forest(again).size() == forest.size(), "a forest that is another one once written");
   (void)is_grown_for(forest, small_arm(), small_key());
-  require_forest_of(forest, small_arm(), {}, start_state({}, small_arm()));
+  naming(input.file,
+         [&] { require_forest_of(forest, small_arm(), {}, start_state({}, small_arm())); });
 }
 
 std::vector<std::string> forest_seeds() {

@@ -42,11 +42,8 @@ void read_environment_file(const Input& input) {
 }
 
 void read_mapping_file(const Input& input) {
-  try {
-    (void)read_import_mapping(input.file, three_segments());
-  } catch (const InputError&) {
-    (void)read_import_mapping(input.file, driven_by_motors());
-  }
+  const bool has_motors = input.bytes.find("commands:") != std::string_view::npos;
+  (void)read_import_mapping(input.file, has_motors ? driven_by_motors() : three_segments());
 }
 
 void read_valve_file(const Input& input) {
