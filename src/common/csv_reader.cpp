@@ -9,6 +9,7 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/printable.hpp"
+#include "limber/common/utf8.hpp"
 
 namespace limber {
 
@@ -26,6 +27,7 @@ CsvReader::CsvReader(std::string text, std::string name, char separator)
     position_ = 3;
     line_begin_ = 3;
   }
+  text_ = with_other_bytes_escaped(std::move(text_));  // names and cells are quoted
 }
 
 void CsvReader::refuse(std::size_t column, const std::string& message) const {

@@ -27,7 +27,7 @@ bool is_short(const Json& list) {
 /// What the library says, without its own numbering: "[json.exception.parse_error.101] ".
 std::string reason_of(const Json::exception& error) {
   constexpr std::size_t kMaxReason = 160;
-  const std::string text = error.what();
+  const std::string text = with_other_bytes_escaped(error.what());  // it quotes what it read
   const std::size_t end = text.find("] ");
   return shortened(end == std::string::npos ? text : text.substr(end + 2), kMaxReason);
 }

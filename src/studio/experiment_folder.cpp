@@ -59,7 +59,7 @@ template <class Fits>
 std::string find_by_hash(const ProjectFolder& project, ProjectItem kind, const std::string& first,
                          const char* what, const Fits& fits) {
   std::vector<std::string> names = project.names(kind);
-  std::ranges::stable_partition(names, [&](const std::string& name) {
+  std::stable_partition(names.begin(), names.end(), [&](const std::string& name) {
     return fs::path(name).stem() == first || name.ends_with(":" + first);
   });
   names.resize(std::min(names.size(), kMaxLooks));

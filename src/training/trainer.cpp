@@ -127,7 +127,7 @@ TrainingData hold_back_arms(std::vector<Episode> episodes, const std::vector<int
   }
   std::vector<int> order = arms;
   std::ranges::sort(order);
-  order.erase(std::ranges::unique(order).begin(), order.end());
+  order.erase(std::unique(order.begin(), order.end()), order.end());
   RandomStream random(seed, kValidationStream);
   shuffle(random, order);
   const std::size_t held =

@@ -100,5 +100,16 @@ TEST(CsvReader, NamesTheDecimalComma) {
               ThrowsMessage<InputError>(HasSubstr("with a decimal point")));
 }
 
+// Python takes no message, and JSON no text, that is not UTF-8.
+TEST(CsvReader, QuotesLatin1InUtf8) {
+  CsvReader reader("angle [\xB0]\n\x82.5\n", "a.csv");
+  std::vector<CsvCell> row;
+  reader.next(row);
+  EXPECT_EQ(row[0].text, "angle [\\xb0]");
+  reader.next(row);
+  EXPECT_THAT([&] { reader.number(row[0], "an angle"); },
+              ThrowsMessage<InputError>(HasSubstr("\\x82.5")));
+}
+
 }  // namespace
 }  // namespace limber

@@ -135,5 +135,9 @@ TEST(JsonReader, ReadsListsOfNumbersOfAGivenLength) {
             "f: a[1]: 2.5 found; expected a number from 0 to 2");
 }
 
+TEST(JsonReader, QuotesBytesThatAreNotUtf8InUtf8) {
+  EXPECT_THAT(refusal([&] { (void)parse_json_object("\xFF", "f"); }), HasSubstr("'\\xff'"));
+}
+
 }  // namespace
 }  // namespace limber

@@ -26,5 +26,11 @@ TEST(Utf8, FindsTheFirstByteThatIsNone) {
   }
 }
 
+TEST(Utf8, EscapesEveryByteThatIsNone) {
+  EXPECT_EQ(with_other_bytes_escaped("caf\xE9 \xC3\xA9\xFF\xFE"), "caf\\xe9 \xC3\xA9\\xff\\xfe");
+  EXPECT_EQ(with_other_bytes_escaped("\xC3"), "\\xc3");
+  EXPECT_EQ(with_other_bytes_escaped("arm\r\n"), "arm\r\n");
+}
+
 }  // namespace
 }  // namespace limber

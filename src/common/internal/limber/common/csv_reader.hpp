@@ -17,8 +17,9 @@ struct CsvCell {
 };
 
 /// Reads delimited text row by row: RFC 4180's quotes (a doubled quote is one, a quoted cell may
-/// hold separators and line ends), a byte order mark, \n, \r\n and \r line ends. What a row means
-/// is up to the caller; every refusal names file, line and column.
+/// hold separators and line ends), a byte order mark, \n, \r\n and \r line ends. Bytes that are not
+/// UTF-8, as of an old program's '°', become \xb0. What a row means is up to the caller; every
+/// refusal names file, line and column.
 /// Threads: one.
 class CsvReader {
  public:

@@ -1,0 +1,164 @@
+#include <algorithm>
+#include <cmath>
+
+#include "limber/arm/characterisation.hpp"
+#include "limber/arm/no_load_model.hpp"
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
+#include "limber/logs/log_import.hpp"
+#include "limber/run/tip_path.hpp"
+#include "support/log_truth.hpp"
+#include "support/sample_arm.hpp"
+#include "target.hpp"
+
+namespace limber::fuzz {
+
+namespace {
+
+/// Stands between a mapping and the log, in one input.
+constexpr std::string_view kBreak = "\n=====\n";
+
+const ArmDescription& one_segment() {
+  static const ArmDescription arm = sample_arm(1);
+  return arm;
+}
+
+/// Two plates, as the takes of the reader's tests have.
+const ArmDescription& two_plates() {
+  static const ArmDescription arm = [] {
+    ArmDescription made = sample_arm(1);
+    made.segments[0].gaps = 1;
+    return made;
+  }();
+  return arm;
+}
+
+/// Pressures of two seconds, on the clock of the takes.
+const std::filesystem::path& commands_of_takes() {
+  static const std::filesystem::path file = [] {
+    const LogTruth truth(two_plates());
+    auto path = scratch_folder() / "commands.log.csv";
+    write_file_atomically(path, LogTruth::table("time_s,pressure_0_kpa", 40, 20.0,
+                                                [&](double t) { return truth.pressure_cells(t); }));
+    return path;
+  }();
+  return file;
+}
+
+/// An input is a log, or a mapping, kBreak and a log.
+template <class Import>
+void import(const Input& input, const ArmDescription& arm, ImportOptions options,
+            Import&& import_logs) {
+  options.mapping = default_import_mapping(arm);
+  const std::size_t end = input.bytes.find(kBreak);
+  if (end != std::string_view::npos) {
+    const auto mapping = scratch_folder() / "map.log.csv";  // a refusal of it names log.csv, too
+    write_file_atomically(mapping, input.bytes.substr(0, end));
+    write_file_atomically(input.file, input.bytes.substr(end + kBreak.size()));
+    options.mapping = read_import_mapping(mapping, arm);
+  }
+  const ImportResult result = import_logs({input.file}, options, arm);
+  validate(result.recording, "the import");
+  (void)to_text(result.report);
+  (void)to_json(result.report).dump();
+}
+
+void import_generic(const Input& input) {
+  import(input, one_segment(), {}, import_csv);
+}
+
+void import_takes(const Input& input) {
+  ImportOptions options;
+  options.command_logs = {commands_of_takes()};
+  options.time_offset_s = 0.0;
+  import(input, two_plates(), options, import_motive);
+}
+
+std::vector<std::string> generic_seeds() {
+  const LogTruth truth(one_segment());
+  std::string header = "time_s" + truth.pressure_names();
+  std::string mapping =
+      "schema: limber/import/1\ntime: {column: time_s}\npressures:\n  columns: [pressure_1_kpa]\n"
+      "backbone:\n  points:\n";
+  for (int p = 0; p < one_segment().point_count(); ++p) {
+    header += fmt::format(",x{0},y{0},theta{0}", p);
+    mapping += fmt::format("    - {{plate: {0}, x: x{0}, y: y{0}, theta: theta{0}}}\n", p);
+  }
+  constexpr int kRows = 25;
+  const std::string log = LogTruth::table(header, kRows, 20.0, [&](double t) {
+    std::string cells = truth.pressure_cells(t);
+    const BackboneD backbone = truth.backbone(t);
+    for (Eigen::Index p = 0; p < backbone.rows(); ++p) {
+      cells += fmt::format(",{:.5f},{:.5f},{:.5f}", backbone(p, 0), backbone(p, 1), backbone(p, 2));
+    }
+    return cells;
+  });
+  return {mapping + std::string(kBreak) + log};
+}
+
+/// Two rigid bodies for a second, of which one moves.
+std::string long_take() {
+  const std::string take = source_file("tests/data/motive/rigid_bodies_1_23.csv");
+  std::string text = take.substr(0, take.find("0,0.000000,"));
+  for (std::size_t at = text.find("120.0"); at != std::string::npos; at = text.find("120.0")) {
+    text.replace(at, 5, "20.0");
+  }
+  const LogTruth truth(two_plates());
+  constexpr int kFrames = 20;
+  for (int k = 0; k < kFrames; ++k) {
+    const double time_s = 0.05 * k;
+    const BackboneD b = truth.backbone(time_s);
+    const double half_rad = b(1, 2) / 2.0;
+    text += fmt::format("{},{:.6f},0,0,0,1,0,0.1,0,0.0002,0,{:.6f},0,{:.6f},{:.6f},0.1,{:.6f},0\n",
+                        k, time_s, std::sin(half_rad), std::cos(half_rad), b(1, 0), -b(1, 1));
+  }
+  return text;
+}
+
+/// Every variant that the tests of the reader have.
+std::vector<std::string> take_seeds() {
+  std::vector<std::string> seeds;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(LIMBER_SOURCE_DIR "/tests/data/motive")) {
+    seeds.push_back(read_file(entry.path()));
+  }
+  std::sort(seeds.begin(), seeds.end());
+  seeds.push_back(long_take());
+  return seeds;
+}
+
+void fit_bench(const Input& input) {
+  const BenchData bench = read_bench_csv(input.file, one_segment());
+  naming(input.file, [&] { const NoLoadModel model(characterise(one_segment(), bench).arm); });
+}
+
+std::vector<std::string> bench_seeds() {
+  std::string text = "pressure_kpa,strain\n# bent\n";
+  for (int p = 0; p <= 100; p += 10) {
+    text += fmt::format("{},{:.5f}\n", p, -0.0015 * p);
+  }
+  return {text};
+}
+
+void read_track(const Input& input) {
+  const TipPath path = read_tip_path(input.file);
+  (void)path.length_m();
+  (void)path.closes();
+  require(path.at(path.duration_s() / 2.0).allFinite(), "a path that leads nowhere");
+  path.require_within(three_segments().length_m(), input.file);
+}
+
+std::vector<std::string> track_seeds() {
+  return {"time_s,x_m,y_m\n0,0.6,0\n1,0.55,0.1\n2.5,0.5,-0.1\n4,0.6,0\n"};
+}
+
+}  // namespace
+
+std::vector<Target> log_targets() {
+  return {{"csv_log", "log.csv", import_generic, generic_seeds},
+          {"motive", "log.csv", import_takes, take_seeds},
+          {"bench", "bench.csv", fit_bench, bench_seeds},
+          {"track", "track.csv", read_track, track_seeds}};
+}
+
+}  // namespace limber::fuzz
