@@ -136,7 +136,7 @@ void say_training(const CommonFlags& flags, const TrainingData& data,
                   const TrainingSettings& settings) {
   say(flags, "training {} on {} episodes, validating on {}; preset {}, {} epochs, seed {}",
       settings.ensemble > 1 ? fmt::format("{} networks", settings.ensemble) : "a network",
-      data.training.size(), data.validation.size(), settings.preset, settings.epoch_count(),
+      data.training.size() + data.slices.frame_counts.size(), data.validation.size(), settings.preset, settings.epoch_count(),
       settings.seed);
 }
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,16 @@
 #include "limber/training/training_settings.hpp"
 
 namespace limber {
+
+inline constexpr int kSliceFrames = 400'000;  // 1.6 GB while one is learnt from, the next read
+
+/// Episodes that do not fit in memory: a slice of them at a time is there.
+struct SlicedEpisodes {
+  std::vector<int> frame_counts = {};  ///< of each; empty: there are none
+  /// Those that have these numbers, which rise. Called by one thread at a time, not always the same.
+  std::function<std::vector<Episode>(std::span<const int>)> read = {};
+  int slice_frames = kSliceFrames;  ///< about as many; an episode is never cut
+};
 
 /// The data for training, and those for choosing the best epoch; never the test data.
 struct TrainingData {
@@ -29,6 +40,9 @@ struct TrainingData {
   /// Which of the episodes given to `hold_back_validation` validate, rising; empty where none were
   /// held back.
   std::vector<int> held_back = {};
+  /// For a family, in place of `training`: every epoch learns from one slice after the other, each a
+  /// random share of the episodes. Inputs are scaled by what the first slice spans.
+  SlicedEpisodes slices = {};
 };
 
 /// Holds back whole episodes for validation, chosen by `seed`: about `fraction` of the frames, at
