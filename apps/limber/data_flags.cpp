@@ -8,6 +8,7 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/data/episode_slice.hpp"
 #include "limber/training/cross_validation.hpp"
 #include "limber/training/episode_slices.hpp"
 #include "sliced_recordings.hpp"

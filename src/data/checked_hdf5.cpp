@@ -100,7 +100,7 @@ bool CheckedHdf5::exists(const std::string& path) const {
 }
 
 H5::DataSet CheckedHdf5::data_set(const std::string& path, const Shape& wanted, const char* meaning,
-                     const char* unit) const {
+                                  const char* unit) const {
   if (!exists(path) || file_.childObjType(path) != H5O_TYPE_DATASET) {
     refuse(path, fmt::format("data set missing; expected {}", meaning));
   }
@@ -142,7 +142,8 @@ void CheckedHdf5::require_stored(const std::string& path, const H5::DataSet& fou
   }
 }
 
-void CheckedHdf5::require_unit(const std::string& path, const H5::DataSet& found, const char* unit) const {
+void CheckedHdf5::require_unit(const std::string& path, const H5::DataSet& found,
+                               const char* unit) const {
   if (!found.attrExists("unit")) {
     return;
   }
@@ -153,7 +154,7 @@ void CheckedHdf5::require_unit(const std::string& path, const H5::DataSet& found
 }
 
 void CheckedHdf5::read_into(const std::string& path, const H5::DataSet& found, void* data,
-               const H5::PredType& type) const {
+                            const H5::PredType& type) const {
   try {
     found.read(data, type);
   } catch (const H5::Exception&) {
@@ -161,8 +162,8 @@ void CheckedHdf5::read_into(const std::string& path, const H5::DataSet& found, v
   }
 }
 
-FrameMatrix CheckedHdf5::matrix(const std::string& path, const Shape& wanted, const std::string& meaning,
-                   const char* unit) const {
+FrameMatrix CheckedHdf5::matrix(const std::string& path, const Shape& wanted,
+                                const std::string& meaning, const char* unit) const {
   const H5::DataSet found = data_set(path, wanted, meaning.c_str(), unit);
   hsize_t extents[3] = {};
   const int rank = found.getSpace().getSimpleExtentDims(extents);

@@ -26,9 +26,9 @@ std::string hash_of(const std::vector<Episode>& episodes) {
   std::string hashes;
   for (const Episode& episode : episodes) {
     for (const FrameMatrix* numbers : {&episode.pressure_kpa, &episode.backbone}) {
-      hashes += content_hash(
-          std::string_view(reinterpret_cast<const char*>(numbers->data()),
-                           static_cast<std::size_t>(numbers->size()) * sizeof(float)));
+      hashes +=
+          content_hash(std::string_view(reinterpret_cast<const char*>(numbers->data()),
+                                        static_cast<std::size_t>(numbers->size()) * sizeof(float)));
     }
     hashes += content_hash(std::string(episode.tracked.begin(), episode.tracked.end()));
   }
@@ -37,9 +37,10 @@ std::string hash_of(const std::vector<Episode>& episodes) {
 
 }  // namespace
 
-DataSurvey survey_of(const ArmDescription& arm, const TrainingData& data, std::uint64_t seed,
-                     const CompensationModel* start) {
-  require_data_of(data, arm);
+DataSurvey survey_of(
+    const ArmDescription& arm, const TrainingData& data, std::uint64_t seed,
+    const CompensationModel* start,
+    const std::function<void(const std::vector<int>&, const std::vector<Episode>&)>& on_slice) {
   if (data.slices.frame_counts.empty()) {
     return {bounds_for(data, start), learns_from_setpoints(data), ""};
   }
@@ -60,6 +61,7 @@ DataSurvey survey_of(const ArmDescription& arm, const TrainingData& data, std::u
     const GapBounds recorded = gap_bounds_of(part.training);
     survey.bounds = survey.content.empty() ? recorded : joined(survey.bounds, recorded);
     survey.content += hash_of(part.training);
+    on_slice(slice, part.training);
   }
   if (start != nullptr && start->bounds) {
     survey.bounds = joined(*start->bounds, survey.bounds);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/network/compensation_model.hpp"
@@ -15,8 +17,11 @@ struct DataSurvey {
   std::string content;  ///< hash of the slices; empty where there are none
 };
 
+/// @param on_slice  is given every slice of the first epoch, and its episodes
 /// @throws InputError if they don't fit the arm or each other.
-DataSurvey survey_of(const ArmDescription& arm, const TrainingData& data, std::uint64_t seed,
-                     const CompensationModel* start);
+DataSurvey survey_of(
+    const ArmDescription& arm, const TrainingData& data, std::uint64_t seed,
+    const CompensationModel* start,
+    const std::function<void(const std::vector<int>&, const std::vector<Episode>&)>& on_slice);
 
 }  // namespace limber

@@ -8,6 +8,7 @@
 
 #include "flushed_subnormals.hpp"
 #include "learnt_family.hpp"
+#include "learnt_kind.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/training/episode_slices.hpp"
@@ -67,6 +68,9 @@ TrainingTables tables_for(const ArmDescription& arm, const TrainingData& data,
                           const std::vector<int>& slice, const TrainingSettings& settings,
                           const CompensationModel* start) {
   std::vector<Episode> episodes = slice.empty() ? data.training : data.slices.read(slice);
+  if (!slice.empty()) {
+    require_episodes_of(episodes, arm, "training data");
+  }
   episodes.insert(episodes.end(), data.replay.begin(), data.replay.end());
   if (start == nullptr) {
     return make_training_tables(arm, episodes, settings);
@@ -81,10 +85,9 @@ TrainingTables tables_for(const ArmDescription& arm, const TrainingData& data,
 
 EpochTrainer::EpochTrainer(const ArmDescription& arm, const TrainingData& data,
                            const TrainingSettings& settings, const CompensationModel* start)
-    : arm_(arm),
+    : arm_((require_data_of(data, arm), arm)),
       settings_(settings),
       members_(start != nullptr ? start->member_count() : settings.ensemble),
-      survey_(survey_of(arm, data, settings.seed, start)),
       sliced_(data.slices),
       episode_arms_(arms_of_episodes(data, settings)),
       loaded_(slices_of(sliced_, settings.seed, 0).front()),
@@ -92,7 +95,20 @@ EpochTrainer::EpochTrainer(const ArmDescription& arm, const TrainingData& data,
       layout_(layout_for(tables_, settings, episode_arms_)),
       optimiser_(make_optimiser(settings.optimiser, layout_, members_, settings.jobs)),
       replayed_(data.replay.size()) {
+  TrainingTables like;
+  like.input = tables_.input;
+  like.output = tables_.output;
+  like.map = tables_.map;
   slice_count_ = static_cast<int>(slices_of(sliced_, settings.seed, 0).size());
+  if (!loaded_.empty() && frame_count() > sliced_.slice_frames) {
+    spilled_.emplace(settings.checkpoint);
+  }
+  survey_ = survey_of(arm, data, settings.seed, start,
+                      [&](const std::vector<int>& slice, const std::vector<Episode>& episodes) {
+                        if (spilled_) {
+                          spilled_->add(make_training_tables(arm, episodes, settings, like), slice);
+                        }
+                      });
   note_arms(loaded_, tables_);
   set_bounds(tables_, settings_, survey_.bounds);
   for (const TrainingStage& stage : settings_.stages) {
@@ -154,34 +170,29 @@ void EpochTrainer::load(int slice) {
   const auto at = static_cast<std::size_t>(slice);
   slice_ = slice;
   slice_count_ = static_cast<int>(all.size());
-  const auto read = [this](std::vector<int> episodes, const TrainingTables& like) {
-    TrainingTables tables = make_training_tables(arm_, sliced_.read(episodes), settings_, like);
-    note_arms(episodes, tables);
-    return tables;
-  };
-  TrainingTables like;
-  like.input = tables_.input;
-  like.output = tables_.output;
-  like.map = tables_.map;
   if (all[at] != loaded_) {
     const bool is_next = next_.valid() && coming_ == all[at];
     if (!is_next) {
       next_ = {};
       tables_.frames = {};  // the old one's memory first
     }
-    tables_ = is_next ? next_.get() : read(all[at], like);
+    TrainingTables read = is_next ? next_.get() : spilled_->read(all[at]);
+    tables_.frames = std::move(read.frames);
+    tables_.episodes = std::move(read.episodes);
+    note_arms(all[at], tables_);
     loaded_ = all[at];
   }
   if (at + 1 < all.size() && !(next_.valid() && coming_ == all[at + 1])) {
     coming_ = all[at + 1];
-    next_ = std::async(std::launch::async, read, coming_, std::move(like));
+    next_ =
+        std::async(std::launch::async, [this, slice = coming_] { return spilled_->read(slice); });
   }
 }
 
 std::vector<int> EpochTrainer::shuffled_starts(const TrainingStage& stage) const {
-  RandomStream random(settings_.seed,
-                      kShuffleStreams + static_cast<std::uint64_t>(state_.epochs_done) +
-                          kSliceStep * static_cast<std::uint64_t>(slice_));
+  RandomStream random(settings_.seed, kShuffleStreams +
+                                          static_cast<std::uint64_t>(state_.epochs_done) +
+                                          kSliceStep * static_cast<std::uint64_t>(slice_));
   const auto frames = static_cast<std::uint32_t>(stage.window_frames);
   const int shift = settings_.shift_windows ? static_cast<int>(random.index(frames)) : 0;
   const std::span all(tables_.episodes);

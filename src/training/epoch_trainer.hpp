@@ -3,6 +3,7 @@
 #include <functional>
 #include <future>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "data_survey.hpp"
 #include "limber/training/trainer.hpp"
 #include "optimiser.hpp"
+#include "spilled_tables.hpp"
 #include "training_tables.hpp"
 
 namespace limber {
@@ -101,13 +103,14 @@ class EpochTrainer {
   const ArmDescription& arm_;
   const TrainingSettings& settings_;
   int members_;
-  DataSurvey survey_;
   SlicedEpisodes sliced_;
   std::vector<int> episode_arms_;  ///< in a family
   std::vector<int> loaded_;        ///< episodes of the slice in the tables; empty: all
   int slice_ = 0;
   int slice_count_ = 1;
   TrainingTables tables_;
+  std::optional<SpilledTables> spilled_;  ///< of all slices
+  DataSurvey survey_;
   ParameterLayout layout_;
   std::unique_ptr<OptimiserSteps> optimiser_;
   std::size_t replayed_;  ///< the tables' last episodes

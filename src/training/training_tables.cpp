@@ -289,9 +289,8 @@ void normalise(RawFrames raw, const NetworkLayout& layout, const TrainingSetting
     frames.target = raw.poses.bottomRows(layout.backbone_size());
   }
   if (settings.reads_velocity) {
-    frames.change =
-        changes_of(raw, tables.episodes).array().colwise() *
-        tables.input.scale.segment(layout.change_row(), layout.backbone_size()).array();
+    frames.change = changes_of(raw, tables.episodes).array().colwise() *
+                    tables.input.scale.segment(layout.change_row(), layout.backbone_size()).array();
   }
   frames.tracked = std::move(raw.tracked);
   frames.pressure = normalised(std::move(raw.pressure_kpa), tables.input, layout.pressure_row());

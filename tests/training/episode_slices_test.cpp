@@ -159,15 +159,16 @@ TEST(EpisodeSlices, ShowARegionAndBoundsThatHoldAllOfThem) {
   const CompensationModel model = train(arm(), data, settings()).model;
   for (const Episode& episode : episodes()) {
     for (int t = 1; t < episode.frame_count(); t += 10) {
-      EXPECT_LE(region.novelty(episode.pressure_kpa.row(t).transpose(),
-                               backbone_at(episode.backbone, t),
-                               episode.pressure_kpa.row(t - 1).transpose(),
-                               backbone_at(episode.backbone, t - 1)),
-                1.2);
+      EXPECT_LE(
+          region.novelty(episode.pressure_kpa.row(t).transpose(), backbone_at(episode.backbone, t),
+                         episode.pressure_kpa.row(t - 1).transpose(),
+                         backbone_at(episode.backbone, t - 1)),
+          1.2);
     }
   }
   const CompensationModel whole = train(arm(), in_memory(), settings()).model;
-  EXPECT_TRUE((model.bounds->max_turn_rad.array() > 0.95F * whole.bounds->max_turn_rad.array()).all());
+  EXPECT_TRUE(
+      (model.bounds->max_turn_rad.array() > 0.95F * whole.bounds->max_turn_rad.array()).all());
 }
 
 TEST(EpisodeSlices, AreNotMixedWithEpisodesInMemory) {
