@@ -47,6 +47,9 @@ class Reader : private CheckedHdf5 {
     const std::size_t episodes = wanted.episodes ? recording.numbers.size() : episode_count();
     for (std::size_t i = 0; i < episodes; ++i) {
       const std::string group = episode_path(recording.number(i));
+      if (wanted.episodes) {
+        require_group(group, "no such episode");
+      }
       Episode& episode = recording.episodes.emplace_back();
       episode.setpoints_only = setpoints_only;
       read_outline(group, episode);
@@ -83,6 +86,15 @@ class Reader : private CheckedHdf5 {
     return found == commands_are(true);
   }
 
+  void require_group(const std::string& path, const std::string& missing) const {
+    if (!exists(path)) {
+      refuse(path, missing);
+    }
+    if (file_.childObjType(path) != H5O_TYPE_GROUP) {
+      refuse(path, "not a group; expected an episode");
+    }
+  }
+
   hsize_t episode_count() const {
     if (!exists("episodes") || file_.childObjType("episodes") != H5O_TYPE_GROUP) {
       refuse("episodes", "group missing");
@@ -90,14 +102,10 @@ class Reader : private CheckedHdf5 {
     const H5::Group group = file_.openGroup("episodes");
     const hsize_t count = group.getNumObjs();
     for (hsize_t i = 0; i < count; ++i) {
-      if (!exists(episode_path(i))) {
-        refuse(episode_path(i), fmt::format("missing; 'episodes' holds {} entries, expected to be "
-                                            "named 000000, 000001, …",
-                                            count));
-      }
-      if (file_.childObjType(episode_path(i)) != H5O_TYPE_GROUP) {
-        refuse(episode_path(i), "not a group; expected an episode");
-      }
+      require_group(episode_path(i),
+                    fmt::format("missing; 'episodes' holds {} entries, expected to "
+                                "be named 000000, 000001, …",
+                                count));
     }
     return count;
   }

@@ -75,7 +75,8 @@ class EpochTrainer {
   /// To be called where a stage ends: its first loss is forgotten.
   void end_stage() { state_.stage_first_loss.clear(); }
 
-  /// First frames of the windows of the next epoch's slice that is loaded, in their order; `count` of them are from the replay.
+  /// First frames of the windows of the slice that is loaded, for the next epoch, in their order;
+  /// `count` of them are from the replay.
   std::vector<int> shuffled_starts(const TrainingStage& stage) const;
   /// Gradient and optimiser step over one batch of starts, for timing; changes nothing.
   void rehearse(const TrainingStage& stage, std::span<const int> starts);

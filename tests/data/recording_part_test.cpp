@@ -21,7 +21,7 @@ TEST_F(RecordingFile, GivesSomeOfItsEpisodesUnderTheirNumbers) {
   EXPECT_EQ(part.number(0), 1U);
   const std::vector<int> none = {7};
   EXPECT_THAT([&] { (void)read_recording_part(path_, none); },
-              ThrowsMessage<InputError>(HasSubstr("episodes/000007/time_s: data set missing")));
+              ThrowsMessage<InputError>(HasSubstr("episodes/000007: no such episode")));
   {
     H5::H5File file(path_.string(), H5F_ACC_RDWR);
     overwrite(file, "episodes/000001/backbone", H5::PredType::NATIVE_FLOAT, 0, NAN);
