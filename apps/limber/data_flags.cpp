@@ -1,5 +1,6 @@
 #include "data_flags.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 #include <fmt/ranges.h>
@@ -7,7 +8,10 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/data/episode_slice.hpp"
 #include "limber/training/cross_validation.hpp"
+#include "limber/training/episode_slices.hpp"
+#include "sliced_recordings.hpp"
 
 namespace limber {
 
@@ -17,6 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr double kValidationShare = 0.1;
 constexpr double kUnseenShare = 0.1;
+constexpr double kMostHeldBack = 100'000.0;  // frames of arms that validate: 200 of half a minute
 
 }  // namespace
 
@@ -60,12 +65,24 @@ IdentifiedValves DataFlags::valves_of(const std::vector<Episode>& episodes,
 }
 
 EpisodeChoice DataFlags::load_arms(const CommonFlags& flags, const ArmDescription& arm,
-                                   EpisodeReader& reader, IdentifiedValves& valves) const {
-  std::vector<int> arms;
-  NamedEpisodes all = reader.read_all(data_, &arms);
+                                   EpisodeReader& reader, int slice_frames,
+                                   IdentifiedValves& valves) const {
+  OutlinedRecordings outlines = outline_recordings(arm, data_);
+  const std::int64_t frames = frame_count(outlines.all.episodes);
+  if (frames > slice_frames) {
+    say(flags, "{} frames: each epoch reads them in slices of about {}, and none stays in memory",
+        frames, slice_frames);
+    const double share = std::min(kValidationShare, kMostHeldBack / static_cast<double>(frames));
+    EpisodeChoice choice = choose_sliced(std::move(outlines), share, flags.seed, reader);
+    choice.data.slices.slice_frames = slice_frames;
+    valves = valves_of(training_sample(choice.data), arm);
+    return choice;
+  }
+  NamedEpisodes all = reader.read_all(data_);
   valves = valves_of(all.episodes, arm);
   EpisodeChoice choice;
-  choice.data = hold_back_arms(std::move(all.episodes), arms, kValidationShare, flags.seed);
+  choice.data =
+      hold_back_arms(std::move(all.episodes), outlines.arms, kValidationShare, flags.seed);
   for (const int held : choice.data.held_back) {
     choice.validation.push_back(all.names[static_cast<std::size_t>(held)]);
   }

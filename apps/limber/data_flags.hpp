@@ -31,8 +31,10 @@ class DataFlags {
   EpisodeChoice load(const CommonFlags& flags, const ArmDescription& arm, EpisodeReader& reader,
                      bool may_be_little, IdentifiedValves& valves) const;
   /// --family: arms are held back, and nothing is left out.
+  /// @param reader  must outlive what is returned: of more frames than `slice_frames`, slices of
+  /// about as many are read when they are needed.
   EpisodeChoice load_arms(const CommonFlags& flags, const ArmDescription& arm,
-                          EpisodeReader& reader, IdentifiedValves& valves) const;
+                          EpisodeReader& reader, int slice_frames, IdentifiedValves& valves) const;
   /// --old-data: what is replayed, and what the old errors are measured on.
   TrainingData load_old(const CommonFlags& flags, EpisodeReader& reader) const;
 

@@ -27,18 +27,27 @@ Recording EpisodeReader::read(const std::string& path) {
   return recording;
 }
 
-NamedEpisodes EpisodeReader::read_all(const std::vector<std::string>& paths,
-                                      std::vector<int>* arms) {
+NamedEpisodes EpisodeReader::read_all(const std::vector<std::string>& paths) {
   NamedEpisodes all;
   for (const std::string& path : paths) {
-    Recording recording = read(path);
-    if (arms != nullptr) {
-      add_arms_of(recording, *arms);
-    }
-    all.add(path, std::move(recording.episodes));
-    add_source(sources_, path);
+    all.add(path, read(path).episodes);
+    note_source(path);
   }
   return all;
+}
+
+void EpisodeReader::note_source(const std::string& path) {
+  add_source(sources_, path);
+}
+
+std::vector<Episode> EpisodeReader::read_part(const std::string& path,
+                                              std::span<const int> episodes) {
+  Recording recording = kinds_.read(path, arm_, setpoints_, episodes);
+  if (const std::string warning = base_warning(recording);
+      begun_.insert(path).second && !warning.empty()) {
+    say(flags_, "warning: {}: {}", path, warning);
+  }
+  return std::move(recording.episodes);
 }
 
 std::vector<std::string> leave_out_broken(const ArmDescription& arm, NamedEpisodes& all,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,9 +29,11 @@ class EpisodeReader {
 
   /// @throws InputError as RecordingKinds::read; says where the base is not where it should be.
   Recording read(const std::string& path);
+  /// Those of its episodes that have these numbers; says once per file where its base is.
+  std::vector<Episode> read_part(const std::string& path, std::span<const int> episodes);
   /// All of them, which are noted as `sources`.
-  /// @param arms  the arm of each episode is added (add_arms_of); null: not asked
-  NamedEpisodes read_all(const std::vector<std::string>& paths, std::vector<int>* arms = nullptr);
+  NamedEpisodes read_all(const std::vector<std::string>& paths);
+  void note_source(const std::string& path);
 
   RecordingKinds& kinds() { return kinds_; }
   /// "a.h5 HASH, b.h5 HASH".
@@ -41,6 +45,7 @@ class EpisodeReader {
   bool setpoints_;
   RecordingKinds kinds_;
   std::string sources_;
+  std::set<std::string> begun_;  ///< files of which a part was read
 };
 
 /// Of the frames: what chooses the epoch, and what the finished model is measured on.

@@ -53,7 +53,7 @@ std::string find_environment_file(const std::string& name_or_path) {
 
 void add_source(std::string& sources, const std::filesystem::path& path) {
   sources += fmt::format("{}{} {}", sources.empty() ? "" : ", ", path.filename().string(),
-                         content_hash(read_file(path)));
+                         file_hash(path));
 }
 
 std::string find_family_file(const std::string& name_or_path) {

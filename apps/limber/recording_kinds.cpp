@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "limber/common/error.hpp"
+#include "limber/data/recording_part.hpp"
 
 namespace limber {
 
@@ -29,8 +30,9 @@ void RecordingKinds::add(const std::string& file, bool setpoints_only) {
 }
 
 Recording RecordingKinds::read(const std::string& file, const ArmDescription& arm,
-                               bool leave_out_measured) {
-  Recording recording = read_recording(file);
+                               bool leave_out_measured, std::span<const int> episodes) {
+  Recording recording =
+      episodes.empty() ? read_recording(file) : read_recording_part(file, episodes);
   require_recording_of(recording, arm, file);
   if (leave_out_measured) {
     recording.episodes = with_setpoints_only(std::move(recording.episodes));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "limber/data/recording.hpp"
@@ -15,8 +16,9 @@ class RecordingKinds {
   void add(const std::string& file, bool setpoints_only);
   /// Reads a recording of `arm` (require_recording_of) and adds it.
   /// @param leave_out_measured  takes its set points alone
+  /// @param episodes  reads these alone (read_recording_part); none: all
   Recording read(const std::string& file, const ArmDescription& arm,
-                 bool leave_out_measured = false);
+                 bool leave_out_measured = false, std::span<const int> episodes = {});
 
   bool setpoints_only() const { return setpoints_only_; }
 

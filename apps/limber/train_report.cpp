@@ -136,8 +136,8 @@ void say_training(const CommonFlags& flags, const TrainingData& data,
                   const TrainingSettings& settings) {
   say(flags, "training {} on {} episodes, validating on {}; preset {}, {} epochs, seed {}",
       settings.ensemble > 1 ? fmt::format("{} networks", settings.ensemble) : "a network",
-      data.training.size(), data.validation.size(), settings.preset, settings.epoch_count(),
-      settings.seed);
+      data.training.size() + data.slices.frame_counts.size(), data.validation.size(),
+      settings.preset, settings.epoch_count(), settings.seed);
 }
 
 void print_no_model(const CommonFlags& flags, const TrainingResult& result) {

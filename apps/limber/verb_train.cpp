@@ -86,6 +86,12 @@ class TrainVerb final : public Verb {
         ->check(CLI::Range(0, ArmFamily::kMaxSize))
         ->needs("--family")
         ->capture_default_str();
+    app.add_option("--slice-frames", slice_frames_,
+                   "Frames of a family in memory at a time, 4 kB each; of more, every epoch reads "
+                   "one slice after the other")
+        ->check(CLI::Range(1, 100'000'000))
+        ->needs("--family")
+        ->capture_default_str();
     app.add_option("--checkpoint-interval-s", checkpoint_interval_s_,
                    "Seconds between checkpoints: the most that a killed run loses, but for folds")
         ->check(CLI::NonNegativeNumber)
@@ -108,7 +114,7 @@ class TrainVerb final : public Verb {
     IdentifiedValves valves;
     EpisodeChoice choice =
         family_
-            ? files_.load_arms(flags, arm, reader, valves)
+            ? files_.load_arms(flags, arm, reader, slice_frames_, valves)
             : files_.load(flags, arm, reader, takes_usual() && ensemble_.value_or(1) == 1, valves);
     if (choice.is_little) {
       return train_on_little(flags, arm, choice, reader.sources(), valves);
@@ -369,6 +375,7 @@ class TrainVerb final : public Verb {
   std::optional<int> ensemble_;
   bool family_ = false;
   int family_size_ = kFamilySize;
+  int slice_frames_ = kSliceFrames;
   double checkpoint_interval_s_ = 20.0;
   bool resume_ = false;
   std::string out_ = "model.safetensors";

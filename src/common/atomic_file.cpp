@@ -303,6 +303,21 @@ std::string read_file(const fs::path& path) {
   }
 }
 
+void read_blocks(const fs::path& path, const std::function<void(std::string_view)>& take) {
+  const Descriptor file = open_to_read(path);
+  std::string block(std::size_t{1} << 20U, '\0');
+  while (true) {
+    const ssize_t count = ::read(file.get(), block.data(), block.size());
+    if (count == 0) {
+      return;
+    }
+    if (count < 0 && errno != EINTR) {
+      throw_fault(path, "can't be read", errno);
+    }
+    take(std::string_view(block).substr(0, static_cast<std::size_t>(std::max<ssize_t>(count, 0))));
+  }
+}
+
 void refuse_to_overwrite(const fs::path& path, bool force) {
   if (!path.has_filename()) {
     throw InputError(fmt::format("'{}': names no file; expected a file to write", path.string()));

@@ -199,7 +199,7 @@ void validate(const Recording& recording, const std::string& file) {
   }
   for (std::size_t i = 0; i < recording.episodes.size(); ++i) {
     const Episode& episode = recording.episodes[i];
-    const EpisodeCheck check(file, i);
+    const EpisodeCheck check(file, recording.number(i));
     validate_episode(episode, check, recording.segment_count, recording.point_count);
     if (episode.setpoints_only != recording.setpoints_only()) {
       check.refuse("pressure_kpa",
@@ -319,21 +319,22 @@ void require_recording_of(const Recording& recording, const ArmDescription& arm,
   }
   require_same_sums(recording, arm, file);
   for (std::size_t e = 0; e < recording.episodes.size(); ++e) {
-    const std::string where = episode_path(e);
+    const std::string where = episode_path(recording.number(e));
     const Episode& episode = recording.episodes[e];
     if (!episode.setpoints_only) {
       require_commands_within(episode.pressure_kpa, arm, file, where + ", measured");
     }
     require_commands_within(episode.setpoint_kpa, arm, file, where + ", set points");
   }
-  if (recording.frame_count() > 0 && recording.untracked_count() == recording.frame_count()) {
+  const std::int64_t frames = recording.numbers.empty() ? recording.frame_count() : 0;
+  if (frames > 0 && recording.untracked_count() == frames) {
     throw InputError(fmt::format(
         "{}: the arm was tracked in none of its {} frames: there is nothing to learn from or to "
         "compare with. Record it again with the arm in the tracker's view",
         file, recording.frame_count()));
   }
   for (std::size_t e = 0; e < recording.episodes.size(); ++e) {
-    const std::string where = fmt::format("{}: {}", file, episode_path(e));
+    const std::string where = fmt::format("{}: {}", file, episode_path(recording.number(e)));
     require_backbones_of(recording.episodes[e], arm, 1.0, where);
     require_motion(recording.episodes[e], arm, where);
   }

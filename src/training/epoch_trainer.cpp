@@ -5,14 +5,13 @@
 #include <numeric>
 
 #include <fmt/format.h>
-#include <Eigen/Cholesky>
 
 #include "flushed_subnormals.hpp"
+#include "learnt_family.hpp"
 #include "learnt_kind.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
-#include "limber/network/gap_bounds.hpp"
-#include "limber/training/gap_bounds_fit.hpp"
+#include "limber/training/episode_slices.hpp"
 #include "shuffle.hpp"
 
 namespace limber {
@@ -28,13 +27,13 @@ constexpr double kWorsening = 3.0;
 constexpr std::uint64_t kShuffleStreams = 1ULL << 32;
 constexpr std::uint64_t kNoiseStreams = 1ULL << 33;
 constexpr std::uint64_t kMemberStreams = 1ULL << 34;
-// Added to the variance of the arms' vectors: a direction that none of them uses stays one.
-constexpr double kLeastArmSpread = 1e-6;
+constexpr std::uint64_t kSliceStep = 1ULL << 36;  // from one slice's shuffle to the next one's
 
-ParameterLayout layout_for(const TrainingTables& tables, const TrainingSettings& settings) {
+ParameterLayout layout_for(const TrainingTables& tables, const TrainingSettings& settings,
+                           const std::vector<int>& episode_arms) {
   ArmVectorTable arms;
   if (settings.family_size > 0) {
-    arms = {settings.family_size, 1 + std::ranges::max(tables.frames.arm)};
+    arms = {settings.family_size, 1 + std::ranges::max(episode_arms)};
   }
   std::vector<int> widths = {static_cast<int>(tables.input.scale.size()) + arms.size};
   widths.insert(widths.end(), settings.hidden_units.begin(), settings.hidden_units.end());
@@ -42,65 +41,44 @@ ParameterLayout layout_for(const TrainingTables& tables, const TrainingSettings&
   return ParameterLayout(std::move(widths), arms);
 }
 
-/// The arm of every frame.
-std::vector<int> arms_of_frames(const TrainingData& data) {
-  const bool fit = data.arms.empty() || data.arms.size() == data.training.size();
+/// The arm of every episode of a family; empty where it is none.
+std::vector<int> arms_of_episodes(const TrainingData& data, const TrainingSettings& settings) {
+  if (settings.family_size == 0) {
+    return {};
+  }
+  const std::size_t episodes = data.training.size() + data.slices.frame_counts.size();
+  const bool fit = data.arms.empty() || data.arms.size() == episodes;
   if (!fit || !data.replay.empty() || std::ranges::any_of(data.arms, [&](int arm) {
-        return arm < 0 || arm >= static_cast<int>(data.training.size());
+        return arm < 0 || arm >= static_cast<int>(episodes);
       })) {
     throw InputError(fmt::format(
         "{} arms for {} episodes of a family, and {} to replay; expected an arm from 0 to below "
         "the number of episodes for each of them, and none to replay",
-        data.arms.size(), data.training.size(), data.replay.size()));
+        data.arms.size(), episodes, data.replay.size()));
   }
-  std::vector<int> arms;
-  for (std::size_t i = 0; i < data.training.size(); ++i) {
-    arms.insert(arms.end(), static_cast<std::size_t>(data.training[i].frame_count()),
-                data.arms.empty() ? static_cast<int>(i) : data.arms[i]);
+  std::vector<int> arms = data.arms;
+  if (arms.empty()) {
+    arms.resize(episodes);
+    std::iota(arms.begin(), arms.end(), 0);
   }
   return arms;
 }
 
-/// The family that such a network and its arms' vectors are, in a scale in which these have mean 0
-/// and unit covariance.
-void make_family(const ParameterLayout& layout, const Eigen::VectorXf& parameters,
-                 CompensationModel& model) {
-  const auto [size, count] = layout.arms();
-  const Eigen::MatrixXd arms =
-      kArmVectorScale *
-      Eigen::Map<const Eigen::MatrixXf>(parameters.data() + layout.arm_offset(0), size, count)
-          .cast<double>();
-  const Eigen::VectorXd mean = arms.rowwise().mean();
-  const Eigen::MatrixXd centred = arms.colwise() - mean;
-  const Eigen::MatrixXd covariance = centred * centred.transpose() / count +
-                                     kLeastArmSpread * Eigen::MatrixXd::Identity(size, size);
-  const Eigen::LLT<Eigen::MatrixXd> root(covariance);
-  Layer& first = model.layers.front();
-  const Eigen::MatrixXd columns = first.weight.rightCols(size).cast<double>();
-  first.bias += (columns * mean).cast<float>();
-  first.weight.conservativeResize(Eigen::NoChange, first.weight.cols() - size);
-  model.family = {(columns * Eigen::MatrixXd(root.matrixL())).cast<float>(),
-                  root.matrixL().solve(centred).cast<float>()};
-}
-
 TrainingTables tables_for(const ArmDescription& arm, const TrainingData& data,
-                          const TrainingSettings& settings, const CompensationModel* start) {
-  std::vector<Episode> episodes = data.training;
-  episodes.insert(episodes.end(), data.replay.begin(), data.replay.end());
-  TrainingTables tables =
-      start != nullptr ? make_training_tables(arm, episodes, settings, start->input, start->output)
-                       : make_training_tables(arm, episodes, settings);
-  if (settings.family_size > 0) {
-    tables.frames.arm = arms_of_frames(data);
+                          const std::vector<int>& slice, const TrainingSettings& settings,
+                          const CompensationModel* start) {
+  std::vector<Episode> episodes = slice.empty() ? data.training : data.slices.read(slice);
+  if (!slice.empty()) {
+    require_episodes_of(episodes, arm, "training data");
   }
-  return tables;
-}
-
-GapBounds bounds_for(const TrainingData& data, const CompensationModel* start) {
-  std::vector<Episode> episodes = data.training;
   episodes.insert(episodes.end(), data.replay.begin(), data.replay.end());
-  const GapBounds recorded = gap_bounds_of(episodes);
-  return start != nullptr && start->bounds ? joined(*start->bounds, recorded) : recorded;
+  if (start == nullptr) {
+    return make_training_tables(arm, episodes, settings);
+  }
+  TrainingTables like;
+  like.input = start->input;
+  like.output = start->output;
+  return make_training_tables(arm, episodes, settings, like);
 }
 
 }  // namespace
@@ -110,13 +88,29 @@ EpochTrainer::EpochTrainer(const ArmDescription& arm, const TrainingData& data,
     : arm_((require_data_of(data, arm), arm)),
       settings_(settings),
       members_(start != nullptr ? start->member_count() : settings.ensemble),
-      tables_(tables_for(arm, data, settings, start)),
-      bounds_(bounds_for(data, start)),
-      layout_(layout_for(tables_, settings)),
+      sliced_(data.slices),
+      episode_arms_(arms_of_episodes(data, settings)),
+      loaded_(slices_of(sliced_, settings.seed, 0).front()),
+      tables_(tables_for(arm, data, loaded_, settings, start)),
+      layout_(layout_for(tables_, settings, episode_arms_)),
       optimiser_(make_optimiser(settings.optimiser, layout_, members_, settings.jobs)),
-      own_episodes_(data.training.size()),
-      from_setpoints_(learns_from_setpoints(data)) {
-  set_bounds(tables_, settings_, bounds_);
+      replayed_(data.replay.size()) {
+  TrainingTables like;
+  like.input = tables_.input;
+  like.output = tables_.output;
+  like.map = tables_.map;
+  slice_count_ = static_cast<int>(slices_of(sliced_, settings.seed, 0).size());
+  if (!loaded_.empty() && frame_count() > sliced_.slice_frames) {
+    spilled_.emplace(settings.checkpoint);
+  }
+  survey_ = survey_of(arm, data, settings.seed, start,
+                      [&](const std::vector<int>& slice, const std::vector<Episode>& episodes) {
+                        if (spilled_) {
+                          spilled_->add(make_training_tables(arm, episodes, settings, like), slice);
+                        }
+                      });
+  note_arms(loaded_, tables_);
+  set_bounds(tables_, settings_, survey_.bounds);
   for (const TrainingStage& stage : settings_.stages) {
     if (shuffled_starts(stage).empty()) {
       throw InputError(fmt::format(
@@ -156,18 +150,58 @@ double EpochTrainer::learning_rate(double epochs) const {
              : settings_.learning_rate;
 }
 
+void EpochTrainer::note_arms(const std::vector<int>& slice, TrainingTables& tables) const {
+  for (std::size_t i = 0; i < tables.episodes.size() && !episode_arms_.empty(); ++i) {
+    const std::size_t episode = slice.empty() ? i : static_cast<std::size_t>(slice[i]);
+    tables.frames.arm.insert(tables.frames.arm.end(),
+                             static_cast<std::size_t>(tables.episodes[i].count),
+                             episode_arms_[episode]);
+  }
+}
+
+std::int64_t EpochTrainer::frame_count() const {
+  const std::vector<int>& counts = sliced_.frame_counts;
+  return counts.empty() ? tables_.frames.state.cols()
+                        : std::reduce(counts.begin(), counts.end(), std::int64_t{0});
+}
+
+void EpochTrainer::load(int slice) {
+  const std::vector<std::vector<int>> all = slices_of(sliced_, settings_.seed, state_.epochs_done);
+  const auto at = static_cast<std::size_t>(slice);
+  slice_ = slice;
+  slice_count_ = static_cast<int>(all.size());
+  if (all[at] != loaded_) {
+    const bool is_next = next_.valid() && coming_ == all[at];
+    if (!is_next) {
+      next_ = {};
+      tables_.frames = {};  // the old one's memory first
+    }
+    TrainingTables read = is_next ? next_.get() : spilled_->read(all[at]);
+    tables_.frames = std::move(read.frames);
+    tables_.episodes = std::move(read.episodes);
+    note_arms(all[at], tables_);
+    loaded_ = all[at];
+  }
+  if (at + 1 < all.size() && !(next_.valid() && coming_ == all[at + 1])) {
+    coming_ = all[at + 1];
+    next_ =
+        std::async(std::launch::async, [this, slice = coming_] { return spilled_->read(slice); });
+  }
+}
+
 std::vector<int> EpochTrainer::shuffled_starts(const TrainingStage& stage) const {
-  RandomStream random(settings_.seed,
-                      kShuffleStreams + static_cast<std::uint64_t>(state_.epochs_done));
+  RandomStream random(settings_.seed, kShuffleStreams +
+                                          static_cast<std::uint64_t>(state_.epochs_done) +
+                                          kSliceStep * static_cast<std::uint64_t>(slice_));
   const auto frames = static_cast<std::uint32_t>(stage.window_frames);
   const int shift = settings_.shift_windows ? static_cast<int>(random.index(frames)) : 0;
   const std::span all(tables_.episodes);
   const auto starts_in = [&](std::span<const EpisodeRange> episodes) {
     return window_starts(episodes, tables_.frames.tracked, stage.window_frames, shift);
   };
-  std::vector<int> starts = starts_in(all.first(own_episodes_));
-  if (own_episodes_ < all.size()) {
-    std::vector<int> replayed = starts_in(all.subspan(own_episodes_));
+  std::vector<int> starts = starts_in(all.first(all.size() - replayed_));
+  if (replayed_ > 0) {
+    std::vector<int> replayed = starts_in(all.last(replayed_));
     shuffle(random, replayed);
     const double share = settings_.replay_share / (1.0 - settings_.replay_share);
     const double wanted = share * static_cast<double>(starts.size());
@@ -214,13 +248,12 @@ void EpochTrainer::step(double loss_scale, double rate) {
   }
 }
 
-EpochLoss EpochTrainer::train_epoch(const TrainingStage& stage,
-                                    const std::function<bool()>& should_stop) {
+EpochLoss EpochTrainer::train_slice(const TrainingStage& stage,
+                                    const std::function<bool()>& should_stop, EpochSums& sums) {
   BatchGradient& gradient = gradient_for(stage);
   const std::vector<int> starts = shuffled_starts(stage);
   const auto batch = static_cast<std::size_t>(stage.windows_per_batch);
   const bool summed = settings_.reduction == LossReduction::sum_over_batch;
-  std::vector<double> sums(static_cast<std::size_t>(members_), 0.0);
   for (std::size_t first = 0; first < starts.size(); first += batch) {
     if (should_stop && should_stop()) {
       EpochLoss stopped;
@@ -243,16 +276,32 @@ EpochLoss EpochTrainer::train_epoch(const TrainingStage& stage,
       if (!std::isfinite(mean) || mean > kExplosion * state_.stage_first_loss[at]) {
         return {mean, member, mean};
       }
-      sums[at] += losses[at];
+      sums.losses[at] += losses[at];
     }
     const double progress = static_cast<double>(first) / static_cast<double>(starts.size());
     step(summed ? 1.0 : 1.0 / static_cast<double>(count),
-         learning_rate(state_.epochs_done + progress));
+         learning_rate(state_.epochs_done + (slice_ + progress) / slice_count_));
   }
+  sums.windows += starts.size();
+  return {};
+}
+
+EpochLoss EpochTrainer::train_epoch(const TrainingStage& stage,
+                                    const std::function<bool()>& should_stop) {
+  EpochSums sums;
+  sums.losses.assign(static_cast<std::size_t>(members_), 0.0);
+  int slice = 0;
+  do {
+    load(slice);
+    const EpochLoss loss = train_slice(stage, should_stop, sums);
+    if (loss.stopped || loss.diverged >= 0) {
+      return loss;
+    }
+  } while (++slice < slice_count_);
   EpochLoss result;
   for (int member = 0; member < members_; ++member) {
     const auto at = static_cast<std::size_t>(member);
-    const double mean = sums[at] / static_cast<double>(starts.size());
+    const double mean = sums.losses[at] / static_cast<double>(sums.windows);
     result.mean += mean / members_;
     if (mean > kWorsening * state_.stage_first_loss[at]) {
       result.diverged = member;
@@ -303,10 +352,10 @@ CompensationModel EpochTrainer::model_of(const Eigen::VectorXf& parameters,
   model.input = tables_.input;
   model.output = tables_.output;
   model.set_arm(arm_);
-  model.learnt_from_setpoints = from_setpoints_;
+  model.learnt_from_setpoints = survey_.from_setpoints;
   model.preset = settings_.preset;
   if (settings_.bounded) {
-    model.bounds = bounds_;
+    model.bounds = survey_.bounds;
   }
   return model;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include <Eigen/Eigenvalues>
@@ -11,6 +12,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/network/backbone_layout.hpp"
+#include "limber/training/episode_slices.hpp"
 
 namespace limber {
 
@@ -320,6 +322,14 @@ LearntRegion with_shapes_of(LearntRegion region, std::vector<Episode> episodes) 
 }
 
 LearntRegion learnt_region_of(const TrainingData& data, const LearntRegion* start) {
+  if (!data.slices.frame_counts.empty()) {
+    std::optional<LearntRegion> region = start != nullptr ? std::optional(*start) : std::nullopt;
+    for (const std::vector<int>& slice : slices_of(data.slices, 0, 0)) {
+      const std::vector<Episode> episodes = data.slices.read(slice);
+      region = region ? widened_by(std::move(*region), episodes) : learnt_region_of(episodes);
+    }
+    return *region;
+  }
   require_alike(data.training, start != nullptr ? start->segment_count() : 0,
                 start != nullptr ? start->point_count() : 0, "training data");
   LearntRegion region =

@@ -36,12 +36,13 @@ std::string run_identity(const ArmDescription& arm, const TrainingData& data,
   const FrameTable<float>& frames = trainer.tables().frames;
   text += content_hash(bytes(frames.pressure)) + content_hash(bytes(frames.state));
   text += content_hash(bytes(trainer.state().parameters));  // the weights that it began with
+  const GapBounds& bounds = trainer.survey().bounds;
   for (const Eigen::VectorXf* bound :
-       {&trainer.bounds().min_length_m, &trainer.bounds().max_length_m,
-        &trainer.bounds().min_turn_rad, &trainer.bounds().max_turn_rad}) {
+       {&bounds.min_length_m, &bounds.max_length_m, &bounds.min_turn_rad, &bounds.max_turn_rad}) {
     text += content_hash(bytes(*bound));
   }
   text += content_hash(std::string(frames.tracked.begin(), frames.tracked.end()));
+  text += trainer.survey().content;
   for (const Episode& episode : data.validation) {
     text += content_hash(bytes(episode.backbone));
   }

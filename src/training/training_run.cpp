@@ -14,6 +14,7 @@
 #include "limber/common/interrupt.hpp"
 #include "limber/common/units.hpp"
 #include "limber/training/arm_fit.hpp"
+#include "limber/training/episode_slices.hpp"
 #include "rollout.hpp"
 #include "run_identity.hpp"
 
@@ -113,6 +114,10 @@ void TrainingRun::validate(LearningCurvePoint& point) {
 
 double TrainingRun::seconds_per_epoch(const TrainingStage& stage) {
   constexpr double kTrial_s = 0.3;
+  const double load_begin = elapsed_s();
+  trainer_.load(trainer_.slice_count() - 1);
+  trainer_.load(0);
+  const double load_s = 0.5 * (elapsed_s() - load_begin);
   const std::vector<int> starts = trainer_.shuffled_starts(stage);
   const std::size_t batch =
       std::min(static_cast<std::size_t>(stage.windows_per_batch), starts.size());
@@ -132,7 +137,9 @@ double TrainingRun::seconds_per_epoch(const TrainingStage& stage) {
   const double validation_s =
       (elapsed_s() - validation_begin) / std::min(settings_.validation_interval, stage.epochs);
   trainer_.state() = before;
-  return seconds * static_cast<double>(starts.size()) / static_cast<double>(batch) + validation_s;
+  return trainer_.slice_count() *
+             (load_s + seconds * static_cast<double>(starts.size()) / static_cast<double>(batch)) +
+         validation_s;
 }
 
 void TrainingRun::fit_epochs_to_time_limit() {
@@ -160,8 +167,8 @@ std::string TrainingRun::divergence_message(int epoch, const EpochLoss& loss) co
 }
 
 LongRollout TrainingRun::roll_out_long_each(const Eigen::VectorXf& weights) const {
-  const std::vector<Episode>& episodes =
-      data_.validation.empty() ? data_.training : data_.validation;
+  const std::vector<Episode> episodes =
+      data_.validation.empty() ? training_sample(data_) : data_.validation;
   LongRollout worst;
   for (int member = 0; member < trainer_.member_count(); ++member) {
     const ForwardModel model(arm_, trainer_.model_of_member(weights, member));
@@ -240,7 +247,7 @@ TrainingResult TrainingRun::result(TrainingStatus status, std::string message) c
   record["seed"] = std::to_string(settings_.seed);
   record["learning_rate"] = fmt::format("{}", settings_.learning_rate);
   record["final_loss"] = fmt::format("{:.6g}", state.curve.back().loss);
-  record["training_frames"] = std::to_string(trainer_.tables().frames.state.cols());
+  record["training_frames"] = std::to_string(trainer_.frame_count());
   if (!data_.validation.empty()) {
     record["validation_position_error_cm"] =
         fmt::format("{:.4g}", result.best_validation_position_error_cm);

@@ -253,16 +253,19 @@ PoseScales measure_poses(const RawFrames& raw, const std::vector<EpisodeRange>& 
               : measure(tracked_only(raw.state - raw.no_load, raw), scaling, min_pose_spread)};
 }
 
-void normalise(RawFrames raw, const NetworkLayout& layout, const TrainingSettings& settings,
-               TrainingTables& tables) {
+bool counts_base_poses(const NetworkLayout& layout, const TrainingSettings& settings) {
+  return layout.backbone_layout() == BackboneLayout::gap_poses && settings.error_in_base_poses;
+}
+
+/// How network and state go together, by the normalisation and what the frames spread by.
+void set_map(const RawFrames& raw, const NetworkLayout& layout, const TrainingSettings& settings,
+             TrainingTables& tables) {
   const Eigen::Index size = layout.backbone_size();
   const auto state_scale = tables.input.scale.segment(layout.backbone_row(), size).array();
-  FrameTable<float>& frames = tables.frames;
   tables.map.output_scale = state_scale / tables.output.scale.array();
   tables.map.form = settings.form;
-  if (layout.backbone_layout() == BackboneLayout::gap_poses && settings.error_in_base_poses) {
+  if (counts_base_poses(layout, settings)) {
     tables.map.error = chained_error(raw, tables.input, layout, settings);
-    frames.target = raw.poses.bottomRows(size);
   } else {
     // In units of the spread that compensation has.
     const Normalisation spread =
@@ -274,9 +277,20 @@ void normalise(RawFrames raw, const NetworkLayout& layout, const TrainingSetting
   tables.map.growth_limit = static_cast<float>(settings.growth_limit);
   tables.map.first_frames_power = settings.first_frames_power;
   if (settings.reads_velocity) {
-    const auto scale = tables.input.scale.segment(layout.change_row(), size).array();
-    tables.map.change_scale = scale / state_scale;
-    frames.change = changes_of(raw, tables.episodes).array().colwise() * scale;
+    tables.map.change_scale =
+        tables.input.scale.segment(layout.change_row(), size).array() / state_scale;
+  }
+}
+
+void normalise(RawFrames raw, const NetworkLayout& layout, const TrainingSettings& settings,
+               TrainingTables& tables) {
+  FrameTable<float>& frames = tables.frames;
+  if (counts_base_poses(layout, settings)) {
+    frames.target = raw.poses.bottomRows(layout.backbone_size());
+  }
+  if (settings.reads_velocity) {
+    frames.change = changes_of(raw, tables.episodes).array().colwise() *
+                    tables.input.scale.segment(layout.change_row(), layout.backbone_size()).array();
   }
   frames.tracked = std::move(raw.tracked);
   frames.pressure = normalised(std::move(raw.pressure_kpa), tables.input, layout.pressure_row());
@@ -312,18 +326,23 @@ TrainingTables make_training_tables(const ArmDescription& arm, const std::vector
     tables.input = stack({tables.input, measure_changes(raw, tables.episodes, settings.scaling)});
   }
   tables.output = poses.output;
+  set_map(raw, layout, settings, tables);
   normalise(std::move(raw), layout, settings, tables);
   return tables;
 }
 
 TrainingTables make_training_tables(const ArmDescription& arm, const std::vector<Episode>& episodes,
-                                    const TrainingSettings& settings, const Normalisation& input,
-                                    const Normalisation& output) {
+                                    const TrainingSettings& settings, const TrainingTables& like) {
   const NetworkLayout layout(settings.layout, settings.form, arm, settings.reads_velocity);
   TrainingTables tables;
-  tables.input = input;
-  tables.output = output;
-  normalise(gather(arm, episodes, layout, tables.episodes), layout, settings, tables);
+  tables.input = like.input;
+  tables.output = like.output;
+  tables.map = like.map;
+  RawFrames raw = gather(arm, episodes, layout, tables.episodes);
+  if (tables.map.output_scale.size() == 0) {
+    set_map(raw, layout, settings, tables);
+  }
+  normalise(std::move(raw), layout, settings, tables);
   return tables;
 }
 

@@ -33,10 +33,9 @@ struct TrainingTables {
 TrainingTables make_training_tables(const ArmDescription& arm, const std::vector<Episode>& episodes,
                                     const TrainingSettings& settings);
 
-/// The same with a given normalisation (fine-tuning).
+/// The same with the normalisation of `like`, and with its map if it has one.
 TrainingTables make_training_tables(const ArmDescription& arm, const std::vector<Episode>& episodes,
-                                    const TrainingSettings& settings, const Normalisation& input,
-                                    const Normalisation& output);
+                                    const TrainingSettings& settings, const TrainingTables& like);
 
 /// Has `tables.map` keep its states within `bounds`, by (20). @pre made for these settings
 void set_bounds(TrainingTables& tables, const TrainingSettings& settings, const GapBounds& bounds);

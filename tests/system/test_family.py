@@ -120,6 +120,23 @@ class Family(InFolder):
                               "--weights", "never", "--out", "x.safetensors")
         self.assertEqual(len(found["e"]), 2)
 
+    def test_more_frames_than_fit_are_read_in_slices(self):
+        for shard in (0, 1):
+            self.run_limber("collect", *ARM, "--schedule", "random", "--count", 3, "--episodes", 12,
+                            "--vary-physics", 1.5, "--seed", shard, "--out", f"shard_{shard}.h5")
+        train = ("train", *ARM, "--family", "--data", "shard_0.h5", "--data", "shard_1.h5", "--epochs", 4,
+                 "--family-size", 2)
+        models = {}
+        for name, flags in (("one_job", ("--slice-frames", 1000, "--jobs", 1)),
+                            ("two_jobs", ("--slice-frames", 1000, "--jobs", 2)), ("memory", ())):
+            said = self.run_limber(*train, *flags, "--out", f"{name}.safetensors").stderr
+            self.assertEqual("slices of about 1000" in said, name != "memory")
+            self.assertIn("on 22 episodes, validating on 2;", said)
+            models[name] = (self.folder / f"{name}.safetensors").read_bytes()
+            self.assertEqual(self.run_json("inspect", f"{name}.safetensors")["family"]["arms"], 22)
+        self.assertEqual(models["one_job"], models["two_jobs"])
+        self.assertNotEqual(models["one_job"], models["memory"])
+
     def test_a_stopped_run_goes_on_to_the_same_bytes(self):
         process = subprocess.Popen(
             [PROGRAM, "family", *map(str, (*ARM, *SMALL)), "--out", "stopped.safetensors"],

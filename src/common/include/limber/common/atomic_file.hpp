@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -22,6 +23,10 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view c
 /// pipe would block, a device has no end) or is larger than kMaxFile; SystemFault where the
 /// disk fails.
 std::string read_file(const std::filesystem::path& path);
+
+/// The whole file, a block of up to 1 MB after the other. @throws as read_file.
+void read_blocks(const std::filesystem::path& path,
+                 const std::function<void(std::string_view)>& take);
 
 /// Makes the checks that read_file makes before it reads, for libraries that read a path
 /// themselves.

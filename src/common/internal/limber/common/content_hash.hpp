@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -8,5 +9,7 @@ namespace limber {
 /// 128-bit xxHash of `content` as 32 hexadecimal digits: tells whether a file is the one that a
 /// plan or a model was made with. It guards against accidents, not attackers.
 std::string content_hash(std::string_view content);
+/// The same of a file, which is not held. @throws as read_file.
+std::string file_hash(const std::filesystem::path& path);
 
 }  // namespace limber

@@ -79,7 +79,12 @@ struct Recording {
   std::string settings;         ///< how it was collected: schedule, holds, noise; may be empty
   std::string program_version;  ///< of the program that wrote it; `write_recording` fills it in
   std::vector<Episode> episodes;
+  std::vector<int> numbers = {};  ///< of the episodes in the file; empty: all are there
 
+  /// What messages call an episode by.
+  std::size_t number(std::size_t episode) const {
+    return numbers.empty() ? episode : static_cast<std::size_t>(numbers[episode]);
+  }
   /// Whose arm this is (arm/arm_identity.hpp).
   ArmIdentity arm() const { return {arm_name, arm_hash, arm_description}; }
   /// Whether nothing was measured (Episode::setpoints_only): true of all episodes or of none.

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,16 @@
 #include "limber/training/training_settings.hpp"
 
 namespace limber {
+
+inline constexpr int kSliceFrames = 400'000;  // 1.6 GB while one is learnt from, the next read
+
+/// Episodes that do not fit in memory: a slice of them is there at a time, and the next one.
+struct SlicedEpisodes {
+  std::vector<int> frame_counts = {};  ///< of each; empty: there are none
+  /// Those that have these numbers, which rise.
+  std::function<std::vector<Episode>(std::span<const int>)> read = {};
+  int slice_frames = kSliceFrames;  ///< about as many; an episode is never cut
+};
 
 /// The data for training, and those for choosing the best epoch; never the test data.
 struct TrainingData {
@@ -29,6 +40,10 @@ struct TrainingData {
   /// Which of the episodes given to `hold_back_validation` validate, rising; empty where none were
   /// held back.
   std::vector<int> held_back = {};
+  /// In place of `training`: every epoch learns from one slice after the other, each a random share
+  /// of the episodes. Inputs are scaled by what the first slice spans. Each episode is read twice,
+  /// and lies on disk meanwhile, beside the checkpoint.
+  SlicedEpisodes slices = {};
 };
 
 /// Holds back whole episodes for validation, chosen by `seed`: about `fraction` of the frames, at

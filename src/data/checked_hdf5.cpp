@@ -1,0 +1,176 @@
+#include "checked_hdf5.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace limber {
+
+namespace {
+
+constexpr hsize_t kMaxCount = 1U << 28;  // frames of an episode; above it, the file is damaged
+
+// Deflate makes data at most 1032 times smaller; less than this on disk were never written.
+constexpr hsize_t kMaxCompression = 1100;
+constexpr hsize_t kSmallData = hsize_t{1} << 26U;  // bytes; up to here other filters may do better
+
+std::string text_of(const Shape& shape) {
+  return shape.empty() ? "a single value" : fmt::format("{}", fmt::join(shape, " × "));
+}
+
+/// Integers and IEEE's floats of the usual sizes. A damaged type may be larger than its chunks
+/// hold, and HDF5 reads beyond them without a check.
+bool is_number_of_machines(const H5::DataType& type) {
+  const H5T_class_t kind = type.getClass();
+  if (kind != H5T_INTEGER && kind != H5T_FLOAT) {
+    return false;
+  }
+  static const std::vector<hid_t> known = {
+      H5T_STD_I8LE,  H5T_STD_I16LE,  H5T_STD_I32LE,  H5T_STD_I64LE,  H5T_STD_I8BE,
+      H5T_STD_I16BE, H5T_STD_I32BE,  H5T_STD_I64BE,  H5T_STD_U8LE,   H5T_STD_U16LE,
+      H5T_STD_U32LE, H5T_STD_U64LE,  H5T_STD_U8BE,   H5T_STD_U16BE,  H5T_STD_U32BE,
+      H5T_STD_U64BE, H5T_IEEE_F32LE, H5T_IEEE_F64LE, H5T_IEEE_F32BE, H5T_IEEE_F64BE};
+  return std::ranges::any_of(known, [&](hid_t one) { return H5Tequal(type.getId(), one) > 0; });
+}
+
+}  // namespace
+
+CheckedHdf5::CheckedHdf5(const std::filesystem::path& path)
+    : name_(path.string()), file_(open(path)) {}
+
+H5::H5File CheckedHdf5::open(const std::filesystem::path& path) const {
+  bool is_hdf5 = false;
+  try {
+    is_hdf5 = H5::H5File::isHdf5(path.string());
+  } catch (const H5::Exception&) {
+    is_hdf5 = false;
+  }
+  if (!is_hdf5) {
+    throw InputError(
+        fmt::format("{}: not an HDF5 file; expected a recording, schema '{}' (docs/formats.md)",
+                    name_, kRecordingSchema));
+  }
+  try {
+    return H5::H5File(path.string(), H5F_ACC_RDONLY);
+  } catch (const H5::Exception&) {
+    throw InputError(fmt::format(
+        "{}: an HDF5 file that can't be opened: damaged or cut short; expected a whole recording",
+        name_));
+  }
+}
+
+void CheckedHdf5::refuse(const std::string& where, const std::string& message) const {
+  throw InputError(fmt::format("{}: {}: {}", name_, where, message));
+}
+
+H5::Attribute CheckedHdf5::attribute(const char* name) const {
+  if (!file_.attrExists(name)) {
+    refuse(fmt::format("attribute '{}'", name), "missing");
+  }
+  return file_.openAttribute(name);
+}
+
+std::string CheckedHdf5::text(const char* name) const {
+  if (!file_.attrExists(name) && exists(name)) {
+    if (file_.childObjType(name) != H5O_TYPE_DATASET) {
+      refuse(name, "not a text; expected a text");
+    }
+    const H5::DataSet found = file_.openDataSet(name);
+    require_stored(name, found);
+    return text_in(found, name);
+  }
+  return text_in(attribute(name), fmt::format("attribute '{}'", name));
+}
+
+std::string CheckedHdf5::text_if_there(const char* name) const {
+  return file_.attrExists(name) || exists(name) ? text(name) : std::string();
+}
+
+bool CheckedHdf5::exists(const std::string& path) const {
+  if (!file_.nameExists(path)) {
+    return false;
+  }
+  H5L_info_t link{};
+  if (H5Lget_info(file_.getId(), path.c_str(), &link, H5P_DEFAULT) < 0 ||
+      link.type != H5L_TYPE_HARD) {
+    refuse(path, "a link to other data; expected the data themselves");
+  }
+  return true;
+}
+
+H5::DataSet CheckedHdf5::data_set(const std::string& path, const Shape& wanted, const char* meaning,
+                                  const char* unit) const {
+  if (!exists(path) || file_.childObjType(path) != H5O_TYPE_DATASET) {
+    refuse(path, fmt::format("data set missing; expected {}", meaning));
+  }
+  H5::DataSet found = file_.openDataSet(path);
+  if (!is_number_of_machines(found.getDataType())) {
+    refuse(path, fmt::format("holds no numbers that a machine has; expected {}", meaning));
+  }
+  const H5::DataSpace space = found.getSpace();
+  const int rank = space.getSimpleExtentNdims();
+  Shape shape(static_cast<std::size_t>(std::max(rank, 0)));
+  if (rank > 0) {
+    space.getSimpleExtentDims(shape.data());
+  }
+  bool fits = shape.size() == wanted.size();
+  for (std::size_t i = 0; fits && i < shape.size(); ++i) {
+    fits = shape[i] <= kMaxCount && (wanted[i] == 0 || shape[i] == wanted[i]);
+  }
+  if (!fits) {
+    refuse(path, fmt::format("shape {} found; expected {}", text_of(shape), meaning));
+  }
+  require_unit(path, found, unit);
+  require_stored(path, found);
+  return found;
+}
+
+void CheckedHdf5::require_stored(const std::string& path, const H5::DataSet& found) const {
+  const H5::DSetCreatPropList properties = found.getCreatePlist();
+  if (properties.getLayout() == H5D_VIRTUAL ||
+      (properties.getLayout() == H5D_CONTIGUOUS && properties.getExternalCount() > 0)) {
+    refuse(path, "data in another file; expected the data themselves");
+  }
+  const auto numbers = static_cast<hsize_t>(found.getSpace().getSimpleExtentNpoints());
+  const hsize_t bytes = numbers * found.getDataType().getSize();
+  const hsize_t stored = found.getStorageSize();
+  if (numbers > 0 && (stored == 0 || (bytes > kSmallData && bytes / kMaxCompression > stored))) {
+    refuse(path, fmt::format("its shape says {} numbers, but the file holds {} "
+                             "bytes: they were never written, or the file is damaged",
+                             numbers, stored));
+  }
+}
+
+void CheckedHdf5::require_unit(const std::string& path, const H5::DataSet& found,
+                               const char* unit) const {
+  if (!found.attrExists("unit")) {
+    return;
+  }
+  const std::string value = text_in(found.openAttribute("unit"), path + ", attribute 'unit'");
+  if (value != unit) {
+    refuse(path, fmt::format("unit '{}' found; expected '{}'", value, unit));
+  }
+}
+
+void CheckedHdf5::read_into(const std::string& path, const H5::DataSet& found, void* data,
+                            const H5::PredType& type) const {
+  try {
+    found.read(data, type);
+  } catch (const H5::Exception&) {
+    refuse(path, "can't be read: the file is damaged or cut short");
+  }
+}
+
+FrameMatrix CheckedHdf5::matrix(const std::string& path, const Shape& wanted,
+                                const std::string& meaning, const char* unit) const {
+  const H5::DataSet found = data_set(path, wanted, meaning.c_str(), unit);
+  hsize_t extents[3] = {};
+  const int rank = found.getSpace().getSimpleExtentDims(extents);
+  const hsize_t columns = rank == 3 ? extents[1] * extents[2] : extents[1];
+  FrameMatrix result(static_cast<Eigen::Index>(extents[0]), static_cast<Eigen::Index>(columns));
+  read_into(path, found, result.data(), H5::PredType::NATIVE_FLOAT);
+  return result;
+}
+
+}  // namespace limber

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/network/compensation_model.hpp"
+#include "limber/training/trainer.hpp"
+
+namespace limber {
+
+/// What all data for training have together; where they come in slices, each is read once.
+struct DataSurvey {
+  GapBounds bounds;  ///< and those of the model that training starts from
+  bool from_setpoints = false;
+  std::string content;  ///< hash of the slices; empty where there are none
+};
+
+/// @param on_slice  is given every slice of the first epoch, and its episodes
+/// @throws InputError if they don't fit the arm or each other.
+DataSurvey survey_of(
+    const ArmDescription& arm, const TrainingData& data, std::uint64_t seed,
+    const CompensationModel* start,
+    const std::function<void(const std::vector<int>&, const std::vector<Episode>&)>& on_slice);
+
+}  // namespace limber
