@@ -1,4 +1,5 @@
 #include "limber/common/error.hpp"
+#include "limber/common/utf8.hpp"
 #include "limber/planning/planner_factory.hpp"
 #include "limber/run/jacobian_controller.hpp"
 #include "limber/sim/disturbance.hpp"
@@ -11,7 +12,12 @@ namespace limber::fuzz {
 
 namespace {
 
+// The command line and Python pass texts in UTF-8 alone.
+
 void read_planner(const Input& input) {
+  if (!is_utf8(input.bytes)) {
+    return;
+  }
   const std::string name(input.bytes);
   (void)make_planner(name, 1);
   (void)is_default_planner(name);
@@ -33,6 +39,9 @@ void refusing(Read&& read) {
 
 /// The values of flags that have a grammar of their own.
 void read_flag_values(const Input& input) {
+  if (!is_utf8(input.bytes)) {
+    return;
+  }
   const std::string text(input.bytes);
   refusing([&] { (void)parse_jacobian(text); });
   refusing([&] { (void)parse_disturbances(text); });

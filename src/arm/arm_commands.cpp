@@ -113,13 +113,6 @@ std::vector<ArmCommand> read_arm_commands(const YamlReader& node, int segments) 
   return commands;
 }
 
-std::string yaml_text(const std::string& text) {
-  YAML::Emitter emitter;
-  emitter.SetStringFormat(YAML::DoubleQuoted);
-  emitter << text;
-  return emitter.c_str();
-}
-
 std::string arm_commands_to_yaml(const std::vector<ArmCommand>& commands) {
   std::string text = commands.empty() ? "" : "commands:\n";
   for (const ArmCommand& command : commands) {

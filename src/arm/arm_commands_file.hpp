@@ -19,7 +19,4 @@ std::vector<ArmCommand> read_arm_commands(const YamlReader& node, int segments);
 /// The same as YAML, a line for each; empty for none. Numbers survive the round trip exactly.
 std::string arm_commands_to_yaml(const std::vector<ArmCommand>& commands);
 
-/// A text as one line of YAML that reads back the same, whatever it holds.
-std::string yaml_text(const std::string& text);
-
 }  // namespace limber

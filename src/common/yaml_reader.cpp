@@ -82,7 +82,7 @@ YamlReader YamlReader::from_text(const std::string& text, const std::string& nam
     return YamlReader(name, "", root, 1);
   } catch (const YAML::Exception& error) {
     throw InputError(fmt::format("{}:{}:{}: not valid YAML: {}", name, error.mark.line + 1,
-                                 error.mark.column + 1, error.msg));
+                                 error.mark.column + 1, with_other_bytes_escaped(error.msg)));
   }
 }
 
@@ -237,6 +237,13 @@ void YamlReader::require_schema(const std::string& expected) const {
   if (schema.text() != expected) {
     schema.refuse(fmt::format("{} found; this program reads '{}'", schema.found(), expected));
   }
+}
+
+std::string yaml_text(const std::string& text) {
+  YAML::Emitter emitter;
+  emitter.SetStringFormat(YAML::DoubleQuoted);
+  emitter << text;
+  return emitter.c_str();
 }
 
 }  // namespace limber

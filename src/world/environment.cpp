@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "limber/common/content_hash.hpp"
+#include "limber/common/yaml_reader.hpp"
 
 namespace limber {
 
@@ -68,18 +69,6 @@ std::string to_yaml(const PoseGoal& goal) {
   return text + "}";
 }
 
-/// `text` as a YAML scalar whatever it holds.
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') {
-      result += '\\';
-    }
-    result += c == '\n' ? ' ' : c;
-  }
-  return result + "\"";
-}
-
 std::string body_to_yaml(const Environment& environment) {
   std::string text = environment.obstacles.empty() ? "obstacles: []\n" : "obstacles:\n";
   for (const Obstacle& obstacle : environment.obstacles) {
@@ -110,7 +99,7 @@ std::vector<Eigen::Vector2d> rectangle_corners(const Rectangle& rectangle) {
 }
 
 std::string environment_to_yaml(const Environment& environment) {
-  return fmt::format("schema: limber/environment/1\nname: {}\n", quoted(environment.name)) +
+  return fmt::format("schema: limber/environment/1\nname: {}\n", yaml_text(environment.name)) +
          body_to_yaml(environment);
 }
 

@@ -80,6 +80,11 @@ TEST(YamlReader, GivesLineAndColumnOfBrokenYaml) {
   EXPECT_THAT([] { read(""); }, ThrowsMessage<InputError>(HasSubstr("an empty file")));
 }
 
+// The library quotes one byte of a character.
+TEST(YamlReader, SaysWhatIsBrokenInUtf8) {
+  EXPECT_THAT([] { read("a: \"\\\xC3\xA9\"\n"); }, ThrowsMessage<InputError>(HasSubstr("\\xc3")));
+}
+
 TEST(YamlReader, RefusesAnotherSchema) {
   EXPECT_THAT(
       [] { read("schema: limber/plan/1").require_schema("limber/arm/1"); },

@@ -210,12 +210,12 @@ std::string to_yaml(const WireCalibration& calibration) {
       "# How a driver's channels, sensors and tracker "
       "belong to an arm: limber driver calibrate wrote it,\n"
       "# and --calibration reads it (docs/hardware.md).\n"
-      "schema: {}\narm: \"{}\"\nlength_m: {}\n"
+      "schema: {}\narm: {}\nlength_m: {}\n"
       "valves: {}   # of each segment\nsensors: {}\n"
       "zero_kpa: [{}]   # of each reading on the wire\nnoise_kpa: [{}]\n",
-      kCalibrationSchema, calibration.arm, calibration.length_m, to_yaml(calibration.valves),
-      to_yaml(calibration.sensors), fmt::join(calibration.zero_kpa, ", "),
-      fmt::join(calibration.noise_kpa, ", "));
+      kCalibrationSchema, yaml_text(calibration.arm), calibration.length_m,
+      to_yaml(calibration.valves), to_yaml(calibration.sensors),
+      fmt::join(calibration.zero_kpa, ", "), fmt::join(calibration.noise_kpa, ", "));
   if (calibration.tracker) {
     text += to_yaml(*calibration.tracker);
   }

@@ -46,6 +46,9 @@ FlagValues values_of(const YamlReader& value) {
     for (const YamlReader& element : value.elements()) {
       values.push_back(element.text());
     }
+    if (values.empty()) {
+      value.refuse("an empty list found; expected a value, or a list of values");
+    }
   } else {
     values.push_back(value.text());
   }

@@ -168,6 +168,12 @@ TEST(WireCalibrationFile, SaysThePlaneAgain) {
   EXPECT_TRUE(ours.body_rotations[3].isApprox(theirs.body_rotations[3], 1e-15));
 }
 
+TEST(WireCalibrationFile, KeepsEveryNameOfAnArm) {
+  WireCalibration truth = draw_misassembly(three_segments(), 5).truth;
+  truth.arm = "a \"b\" \\ \n{c}: #";
+  EXPECT_EQ(parse_wire_calibration(to_yaml(truth), "c.yaml").arm, truth.arm);
+}
+
 TEST(WireCalibrationFile, NamesWhatIsWrongWithAPlane) {
   const auto expect = [](const auto& spoil, const std::string& message) {
     WireCalibration truth = draw_misassembly_in_3d(three_segments(), 5).truth;

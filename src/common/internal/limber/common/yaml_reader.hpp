@@ -63,4 +63,7 @@ class YamlReader {
   int line_;  // from 1
 };
 
+/// A text as one line of YAML that reads back the same, whatever it holds.
+std::string yaml_text(const std::string& text);
+
 }  // namespace limber
