@@ -88,7 +88,9 @@ YamlReader YamlReader::from_text(const std::string& text, const std::string& nam
 
 void YamlReader::refuse(const std::string& message) const {
   const std::string where = field_.empty() ? "" : field_ + ": ";
-  throw InputError(fmt::format("{}:{}: {}{}", file_, line_, where, message));
+  // A key may hold what an escape stands for: yaml-cpp makes one byte of "\\_".
+  throw InputError(
+      with_other_bytes_escaped(fmt::format("{}:{}: {}{}", file_, line_, where, message)));
 }
 
 std::string YamlReader::found() const {
