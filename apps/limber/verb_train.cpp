@@ -87,7 +87,7 @@ class TrainVerb final : public Verb {
         ->needs("--family")
         ->capture_default_str();
     app.add_option("--slice-frames", slice_frames_,
-                   "Frames of a family in memory at a time, 4 kB each; of more, every epoch reads "
+                   "Frames of a family in memory at a time, 3 kB each; of more, every epoch reads "
                    "one slice after the other")
         ->check(CLI::Range(1, 100'000'000))
         ->needs("--family")

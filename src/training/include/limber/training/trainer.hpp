@@ -15,7 +15,7 @@
 
 namespace limber {
 
-inline constexpr int kSliceFrames = 400'000;  // 1.6 GB while one is learnt from, the next read
+inline constexpr int kSliceFrames = 400'000;  // 1.2 GB: one is learnt from, the next one read
 
 /// Episodes that do not fit in memory: a slice of them is there at a time, and the next one.
 struct SlicedEpisodes {
