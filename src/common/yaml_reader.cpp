@@ -32,28 +32,43 @@ double parse_number(const std::string& text) {
   return error == std::errc() && end == last ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// A repeated key would silently win or lose; yaml-cpp accepts it. `seen` holds the positions of
+/// yaml-cpp makes a byte that is not UTF-8 of the escapes \_ and \N.
+void refuse_other_bytes(const YAML::Node& scalar, const std::string& name) {
+  if (!is_utf8(scalar.Scalar())) {
+    throw InputError(fmt::format("{}:{}: '{}': an escape that gives no UTF-8; write the character",
+                                 name, line_of(scalar, 1),
+                                 with_other_bytes_escaped(shortened(scalar.Scalar()))));
+  }
+}
+
+/// What yaml-cpp accepts. A repeated key would silently win or lose. `seen` holds the positions of
 /// visited collections, so that aliases are walked once however often they are named.
-void refuse_repeated_keys(const YAML::Node& node, const std::string& name, const std::string& field,
-                          std::set<int>& seen) {
+void refuse_oddities(const YAML::Node& node, const std::string& name, const std::string& field,
+                     std::set<int>& seen) {
+  if (node.IsScalar()) {
+    refuse_other_bytes(node, name);
+  }
   if ((!node.IsMap() && !node.IsSequence()) || !seen.insert(node.Mark().pos).second) {
     return;
   }
   if (node.IsSequence()) {
     for (std::size_t i = 0; i < node.size(); ++i) {
-      refuse_repeated_keys(node[i], name, fmt::format("{}[{}]", field, i), seen);
+      refuse_oddities(node[i], name, fmt::format("{}[{}]", field, i), seen);
     }
     return;
   }
   std::set<std::string> keys;
   for (const auto& entry : node) {
+    if (entry.first.IsScalar()) {
+      refuse_other_bytes(entry.first, name);
+    }
     const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "?";
     const std::string path = field.empty() ? key : field + "." + key;
     if (!keys.insert(key).second) {
       throw InputError(
           fmt::format("{}:{}: {}: the key occurs twice", name, line_of(entry.first, 1), path));
     }
-    refuse_repeated_keys(entry.second, name, path, seen);
+    refuse_oddities(entry.second, name, path, seen);
   }
 }
 
@@ -71,6 +86,10 @@ YamlReader YamlReader::from_text(const std::string& text, const std::string& nam
     throw InputError(fmt::format("{}:{}: a byte that is not UTF-8; save the file as UTF-8", name,
                                  1 + std::count(text.begin(), text.begin() + long(at), '\n')));
   }
+  if (const std::size_t at = text.find('\0'); at != std::string::npos) {
+    throw InputError(fmt::format("{}:{}: a byte that is zero; expected text", name,
+                                 1 + std::count(text.begin(), text.begin() + long(at), '\n')));
+  }
   try {
     YAML::Node root = YAML::Load(text);
     if (!root.IsMap()) {
@@ -78,7 +97,7 @@ YamlReader YamlReader::from_text(const std::string& text, const std::string& nam
                                    root.IsNull() ? "an empty file" : "something else"));
     }
     std::set<int> seen_nodes;
-    refuse_repeated_keys(root, name, "", seen_nodes);
+    refuse_oddities(root, name, "", seen_nodes);
     return YamlReader(name, "", root, 1);
   } catch (const YAML::Exception& error) {
     throw InputError(fmt::format("{}:{}:{}: not valid YAML: {}", name, error.mark.line + 1,
@@ -88,9 +107,7 @@ YamlReader YamlReader::from_text(const std::string& text, const std::string& nam
 
 void YamlReader::refuse(const std::string& message) const {
   const std::string where = field_.empty() ? "" : field_ + ": ";
-  // A key may hold what an escape stands for: yaml-cpp makes one byte of "\\_".
-  throw InputError(
-      with_other_bytes_escaped(fmt::format("{}:{}: {}{}", file_, line_, where, message)));
+  throw InputError(fmt::format("{}:{}: {}{}", file_, line_, where, message));
 }
 
 std::string YamlReader::found() const {

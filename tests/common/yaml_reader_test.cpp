@@ -80,6 +80,15 @@ TEST(YamlReader, GivesLineAndColumnOfBrokenYaml) {
   EXPECT_THAT([] { read(""); }, ThrowsMessage<InputError>(HasSubstr("an empty file")));
 }
 
+// yaml-cpp takes a zero for a backslash, and makes one byte of two escapes.
+TEST(YamlReader, RefusesWhatWouldBecomeOtherBytes) {
+  EXPECT_THAT([] { read(std::string("a: 1\nb\0_c: 1\n", 13)); },
+              ThrowsMessage<InputError>(HasSubstr("f.yaml:2: a byte that is zero")));
+  EXPECT_THAT([] { read("a: 1\nb: \"c\\_d\"\n"); },
+              ThrowsMessage<InputError>(HasSubstr("f.yaml:2: 'c\\xa0d': an escape")));
+  EXPECT_THAT([] { read("\"c\\Nd\": 1\n"); }, ThrowsMessage<InputError>(HasSubstr("'c\\x85d'")));
+}
+
 // The library quotes one byte of a character.
 TEST(YamlReader, SaysWhatIsBrokenInUtf8) {
   EXPECT_THAT([] { read("a: \"\\\xC3\xA9\"\n"); }, ThrowsMessage<InputError>(HasSubstr("\\xc3")));
