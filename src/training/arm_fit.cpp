@@ -19,6 +19,7 @@
 #include "limber/data/episode_slice.hpp"
 #include "limber/forward/forward_model.hpp"
 #include "limber/network/arm_family.hpp"
+#include "limber/network/arm_offsets.hpp"
 #include "rollout.hpp"
 
 namespace limber {
@@ -29,12 +30,9 @@ constexpr int kFitWindowFrames = 64;  // that are predicted without correction
 constexpr int kStarts = 32;           // of the family's arms
 constexpr int kGoneOnFrom = 4;  // of those and the middle, the best: the cost has several minima
 constexpr int kMaxIterations = 12;
-constexpr double kMinGain = 1e-3;            // of the cost, relative: less is the end
-constexpr float kStep = 0.05F;               // of e, for derivatives
-constexpr double kSquareUpToM = 0.003;       // errors beyond count by their length
-constexpr double kLostM = 1.0;               // of a prediction that is no number
-constexpr double kIndependentFrames = 20.0;  // frames that tell as much as one that stands alone
-constexpr double kLeastErrorM = 1e-3;        // no network predicts better: a fit is never surer
+constexpr double kMinGain = 1e-3;      // of the cost, relative: less is the end
+constexpr double kLostM = 1.0;         // of a prediction that is no number
+constexpr double kLeastErrorM = 1e-3;  // no network predicts better: a fit is never surer
 constexpr double kFirstDamping = 1e-3;
 constexpr double kMaxDamping = 1e6;
 constexpr int kPieceFrames = 600;  // of an error on what was not fitted to
@@ -162,10 +160,7 @@ class Fit {
   }
 
  private:
-  /// Of one frame, as its plates' mean, beside the prior's |e|² / 2.
-  double share() const {
-    return 1.0 / (kIndependentFrames * scale_m_ * static_cast<double>(windows_->plates()));
-  }
+  double share() const { return offset_share(scale_m_, windows_->plates()); }
 
   double cost_of(const Eigen::VectorXf& e, const Eigen::Matrix2Xf& offsets) const {
     const Eigen::ArrayXd length = offsets.colwise().norm().cast<double>();
@@ -185,15 +180,11 @@ class Fit {
     const Eigen::Index numbers = offsets_.size();
     slope_.resize(numbers, size);
     for (int i = 0; i < size; ++i) {
-      const Eigen::VectorXf shifted = e_ + kStep * Eigen::VectorXf::Unit(size, i);
-      slope_.col(i) = (windows_->offsets(shifted) - offsets_).reshaped() / kStep;
+      const Eigen::VectorXf shifted = e_ + kArmStep * Eigen::VectorXf::Unit(size, i);
+      slope_.col(i) = (windows_->offsets(shifted) - offsets_).reshaped() / kArmStep;
     }
     const Eigen::ArrayXf length = offsets_.colwise().norm();
-    const Eigen::ArrayXf weight =
-        static_cast<float>(share()) / length.max(static_cast<float>(kSquareUpToM));
-    Eigen::VectorXf weights(numbers);
-    weights.reshaped(2, length.size()).rowwise() = weight.matrix().transpose();
-    const Eigen::MatrixXf weighted = weights.asDiagonal() * slope_;
+    const Eigen::MatrixXf weighted = offset_weights(length, share()).asDiagonal() * slope_;
     precision_ =
         (slope_.transpose() * weighted).cast<double>() + Eigen::MatrixXd::Identity(size, size);
     gradient_ = (weighted.transpose() * offsets_.reshaped() + e_).cast<double>();

@@ -8,6 +8,7 @@
 
 #include "limber/arm/plate_distance.hpp"
 #include "limber/network/arm_family.hpp"
+#include "limber/network/arm_offsets.hpp"
 
 namespace limber {
 
@@ -16,9 +17,6 @@ namespace {
 constexpr int kWindowFrames = 16;  // that are predicted without correction
 constexpr std::size_t kWindows = 6;
 constexpr int kRolloutsPerFrame = 4;
-constexpr float kStep = 0.05F;               // of e, for derivatives
-constexpr float kSquareUpToM = 0.003F;       // errors beyond count by their length
-constexpr double kIndependentFrames = 20.0;  // frames that tell as much as one that stands alone
 /// Of the arm's length: what a model of a minute leaves over a window.
 constexpr double kUsualErrorShare = 0.003;
 /// Of the arm's length: a window in which no plate came farther tells nothing.
@@ -56,7 +54,8 @@ bool LiveArmFit::observe(const Pressures& pressure_kpa, const std::optional<Back
          (recent_.size() >= 2 && !(recent_[0].shape && recent_[1].shape))) {
     recent_.pop_front();
   }
-  if (recent_.size() == kWindowFrames + 2 && has_moved()) {
+  const bool is_up_to_date = windows_.empty() || windows_.back().is_fitted;
+  if (recent_.size() == kWindowFrames + 2 && is_up_to_date && has_moved()) {
     take_window();
   }
   bool has_changed = false;
@@ -88,8 +87,9 @@ bool LiveArmFit::roll_out() {
     next_.left_m = offsets(window, member_.e);
     next_.slope.resize(next_.left_m.size(), size);
   } else {
-    const Eigen::VectorXf shifted = next_.at + kStep * Eigen::VectorXf::Unit(size, rolled_out_ - 1);
-    next_.slope.col(rolled_out_ - 1) = (offsets(window, shifted) - next_.left_m) / kStep;
+    const Eigen::VectorXf shifted =
+        next_.at + kArmStep * Eigen::VectorXf::Unit(size, rolled_out_ - 1);
+    next_.slope.col(rolled_out_ - 1) = (offsets(window, shifted) - next_.left_m) / kArmStep;
   }
   if (++rolled_out_ <= size) {
     return false;
@@ -134,14 +134,9 @@ Eigen::VectorXf LiveArmFit::offsets(const Window& window, const Eigen::VectorXf&
 
 /// What a window says of e, about where it was rolled out.
 void LiveArmFit::add(const Window& window, Knowledge& known) const {
-  const Eigen::ArrayXf length =
-      lengths(window.left_m + window.slope * (member_.e - window.at)).max(kSquareUpToM);
-  const double share = 1.0 / (kIndependentFrames * kUsualErrorShare * arm_.length_m() *
-                              static_cast<double>(arm_.point_count() - 1));
-  Eigen::VectorXf weights(window.left_m.size());
-  weights.reshaped(2, length.size()).rowwise() =
-      (static_cast<float>(share) / length).matrix().transpose();
-  const Eigen::MatrixXf weighted = weights.asDiagonal() * window.slope;
+  const Eigen::ArrayXf length = lengths(window.left_m + window.slope * (member_.e - window.at));
+  const double share = offset_share(kUsualErrorShare * arm_.length_m(), arm_.point_count() - 1);
+  const Eigen::MatrixXf weighted = offset_weights(length, share).asDiagonal() * window.slope;
   known.precision += (weighted.transpose() * window.slope).cast<double>();
   known.pull += (weighted.transpose() * (window.slope * window.at - window.left_m)).cast<double>();
 }

@@ -98,6 +98,20 @@ TEST_F(LiveFit, OfAnArmThatDoesAsPredictedStaysAndBecomesSurer) {
   EXPECT_LT(fit.member().covariance.trace(), unsure);
 }
 
+// A round of rollouts then takes longer than a window does.
+TEST_F(LiveFit, OfTheLargestFamilyFindsItsArmToo) {
+  const Eigen::Index own = family.family->size();
+  family.family->columns.conservativeResize(Eigen::NoChange, ArmFamily::kMaxSize);
+  family.family->columns.rightCols(ArmFamily::kMaxSize - own).setZero();
+  family.family->arms.conservativeResize(ArmFamily::kMaxSize, Eigen::NoChange);
+  family.family->arms.bottomRows(ArmFamily::kMaxSize - own).setZero();
+  const CompensationModel truth = arm_at(7);
+  LiveArmFit fit(arm, arm_at(0));
+  const double before_m = error_m(arm_at(0), truth);
+  EXPECT_GT(watch(fit, truth), 3);
+  EXPECT_LT(error_m(model_of_arm(family, fit.member()), truth), 0.3 * before_m);
+}
+
 TEST_F(LiveFit, OfAnArmThatNobodySeesSaysNothing) {
   LiveArmFit fit(arm, arm_at(0));
   EXPECT_EQ(watch(fit, arm_at(7), false), 0);

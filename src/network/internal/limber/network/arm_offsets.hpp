@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace limber {
+
+// How e is told from how far plates are off their predictions (docs/families.md).
+
+inline constexpr float kArmStep = 0.05F;            // of e, for derivatives of offsets
+inline constexpr double kSquareUpToM = 0.003;       // offsets beyond count by their length
+inline constexpr double kIndependentFrames = 20.0;  // that tell as much as one that stands alone
+
+/// What one plate's offset in one frame counts, beside the prior's |e|² / 2.
+/// @param usual_m  mean offset of the plates  @param plates  of a frame
+inline double offset_share(double usual_m, Eigen::Index plates) {
+  return 1.0 / (kIndependentFrames * usual_m * static_cast<double>(plates));
+}
+
+/// Least squares' weights of the numbers x, y, x, y, … of offsets with these lengths.
+inline Eigen::VectorXf offset_weights(const Eigen::ArrayXf& length_m, double share) {
+  Eigen::VectorXf weights(2 * length_m.size());
+  weights.reshaped(2, length_m.size()).rowwise() =
+      (static_cast<float>(share) / length_m.max(static_cast<float>(kSquareUpToM)))
+          .matrix()
+          .transpose();
+  return weights;
+}
+
+}  // namespace limber
