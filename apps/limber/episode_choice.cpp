@@ -21,10 +21,14 @@ void NamedEpisodes::add(const std::string& path, std::vector<Episode> more) {
 
 Recording EpisodeReader::read(const std::string& path) {
   Recording recording = kinds_.read(path, arm_, setpoints_);
+  warn_of_base(path, recording);
+  return recording;
+}
+
+void EpisodeReader::warn_of_base(const std::string& path, const Recording& recording) const {
   if (const std::string warning = base_warning(recording); !warning.empty()) {
     say(flags_, "warning: {}: {}", path, warning);
   }
-  return recording;
 }
 
 NamedEpisodes EpisodeReader::read_all(const std::vector<std::string>& paths) {
@@ -43,9 +47,8 @@ void EpisodeReader::note_source(const std::string& path) {
 std::vector<Episode> EpisodeReader::read_part(const std::string& path,
                                               std::span<const int> episodes) {
   Recording recording = kinds_.read(path, arm_, setpoints_, episodes);
-  if (const std::string warning = base_warning(recording);
-      begun_.insert(path).second && !warning.empty()) {
-    say(flags_, "warning: {}: {}", path, warning);
+  if (begun_.insert(path).second) {
+    warn_of_base(path, recording);
   }
   return std::move(recording.episodes);
 }

@@ -40,6 +40,8 @@ class EpisodeReader {
   const std::string& sources() const { return sources_; }
 
  private:
+  void warn_of_base(const std::string& path, const Recording& recording) const;
+
   const CommonFlags& flags_;
   const ArmDescription& arm_;
   bool setpoints_;
