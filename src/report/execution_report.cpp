@@ -135,8 +135,8 @@ std::string to_text(const ExecutionResult& result, const Environment& before) {
   }
   if (result.arm && result.largest_window_error_m > 0.0) {
     text += fmt::format(
-        "\n  which arm it is was fitted while it moved: predictions over a second were {:.1f} cm "
-        "off at most, {:.1f} in the end{}",
+        "\n  which arm it is was fitted while it moved: short predictions were off by {:.1f} cm "
+        "at most, {:.1f} in the end{}",
         kCmPerM * result.largest_window_error_m, kCmPerM * result.last_window_error_m,
         result.arm->distance() >= FamilyMember::kFar ? "; no arm of the family is like this one"
                                                      : "");

@@ -26,8 +26,8 @@ struct Asked {
 /// A search usually asks 25 times in an iteration. From where every motion strikes at once it asks
 /// once or not at all, and would go on for minutes.
 constexpr std::uint64_t kQueriesPerIteration = 5;
-/// Times the queries of a search, for an arm that was halted and found no way on: it stands, and
-/// would stay there.
+/// Times the queries of a search, for an arm that was halted and found no way on, or that stands
+/// outside its goal and found none: it would stay there.
 constexpr std::uint64_t kQueriesOfLastResort = 25;
 /// Of the goal's tolerance: near enough. Corrections of an arm with
 /// friction end some 4 mm beside their predictions: where the tolerance is 2 cm, from nearer than
@@ -150,13 +150,12 @@ bool Replanner::stays_in_goal(const Plan& plan) const {
 }
 
 std::optional<Plan> Replanner::search(const Plan& before, const Environment& from_here,
-                                      double margin_m) {
+                                      double margin_m, bool is_last_resort) {
   PlanningProblem problem{arm_, model_, from_here, margin_m};
   problem.limits = limits_after(before, settings_.limits);
   problem.margin_yields_to_start = true;
   PlannerLimits limits;
-  limits.queries =
-      (has_halted_in_vain_ || stands_outside_ ? kQueriesOfLastResort : 1) * settings_.queries;
+  limits.queries = (is_last_resort ? kQueriesOfLastResort : 1) * settings_.queries;
   limits.iterations = std::max<std::uint64_t>(1, *limits.queries / kQueriesPerIteration);
   return planner_
       ->plan(problem, limits, seed_of_next(),
@@ -210,11 +209,9 @@ std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const P
     found = if_taken(search_less_and_less(plan, from_here, halted));
   }
   if (!found && !halted && !has_arrived) {
-    stands_outside_ = true;
     from_here.goal.position_tolerance_m = aim_.position_tolerance_m;
     from_here.goal.orientation_tolerance_rad = aim_.orientation_tolerance_rad;
-    found = if_taken(search(plan, from_here, kLeastMargin * room_.margin_m));
-    stands_outside_ = false;
+    found = if_taken(search(plan, from_here, kLeastMargin * room_.margin_m, true));
   }
   if (!found && !halted) {
     found = if_taken(nearer(plan, from_here, as_length_m(aim_, pose_error(aim_, measured))));
@@ -233,7 +230,8 @@ std::optional<Plan> Replanner::search_less_and_less(const Plan& before, Environm
   for (const Asked& asked : is_halted ? std::span<const Asked>(kAskedOfHalted) : kAsked) {
     from_here.goal.position_tolerance_m = asked.tolerance * aim_.position_tolerance_m;
     from_here.goal.orientation_tolerance_rad = asked.tolerance * aim_.orientation_tolerance_rad;
-    if (std::optional<Plan> found = search(before, from_here, asked.margin * room_.margin_m)) {
+    if (std::optional<Plan> found =
+            search(before, from_here, asked.margin * room_.margin_m, has_halted_in_vain_)) {
       return found;
     }
   }

@@ -71,7 +71,8 @@ class Replanner {
   void learn_from(const Plan& ended, const Pose& measured);
   PoseGoal shifted_goal() const;
   bool stays_in_goal(const Plan& plan) const;
-  std::optional<Plan> search(const Plan& before, const Environment& from_here, double margin_m);
+  std::optional<Plan> search(const Plan& before, const Environment& from_here, double margin_m,
+                             bool is_last_resort);
   std::optional<Plan> search_less_and_less(const Plan& before, Environment from_here,
                                            bool is_halted);
   using IsTaken = std::function<bool(const Plan&)>;
@@ -94,7 +95,6 @@ class Replanner {
   PoseGoal aim_;
   int replans_ = 0;
   bool has_halted_in_vain_ = false;  // the arm, halted, asked and found no plan
-  bool stands_outside_ = false;      // … an arm beside the goal did
   bool is_correction_ = false;       // what the arm follows
   int stuck_ = 0;                    // corrections in a row that hardly moved the arm
   RestMiss missed_;
