@@ -1,7 +1,5 @@
 #include "data_survey.hpp"
 
-#include <string_view>
-
 #include <fmt/format.h>
 
 #include "learnt_kind.hpp"
@@ -10,6 +8,7 @@
 #include "limber/network/gap_bounds.hpp"
 #include "limber/training/episode_slices.hpp"
 #include "limber/training/gap_bounds_fit.hpp"
+#include "number_bytes.hpp"
 
 namespace limber {
 
@@ -26,9 +25,7 @@ std::string hash_of(const std::vector<Episode>& episodes) {
   std::string hashes;
   for (const Episode& episode : episodes) {
     for (const FrameMatrix* numbers : {&episode.pressure_kpa, &episode.backbone}) {
-      hashes +=
-          content_hash(std::string_view(reinterpret_cast<const char*>(numbers->data()),
-                                        static_cast<std::size_t>(numbers->size()) * sizeof(float)));
+      hashes += content_hash(number_bytes(*numbers));
     }
     hashes += content_hash(std::string(episode.tracked.begin(), episode.tracked.end()));
   }

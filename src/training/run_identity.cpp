@@ -1,20 +1,15 @@
 #include "run_identity.hpp"
 
-#include <string_view>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "limber/common/content_hash.hpp"
+#include "number_bytes.hpp"
 
 namespace limber {
 
 std::string run_identity(const ArmDescription& arm, const TrainingData& data,
                          const TrainingSettings& settings, const EpochTrainer& trainer) {
-  const auto bytes = [](const auto& matrix) {
-    return std::string_view(reinterpret_cast<const char*>(matrix.data()),
-                            static_cast<std::size_t>(matrix.size()) * sizeof(float));
-  };
   const TrainingSettings& s = settings;
   std::string text = fmt::format(
       "{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", arm.hash(),
@@ -34,17 +29,17 @@ std::string run_identity(const ArmDescription& arm, const TrainingData& data,
     text += fmt::format(" replay {} of {} episodes", s.replay_share, data.replay.size());
   }
   const FrameTable<float>& frames = trainer.tables().frames;
-  text += content_hash(bytes(frames.pressure)) + content_hash(bytes(frames.state));
-  text += content_hash(bytes(trainer.state().parameters));  // the weights that it began with
+  text += content_hash(number_bytes(frames.pressure)) + content_hash(number_bytes(frames.state));
+  text += content_hash(number_bytes(trainer.state().parameters));  // the weights that it began with
   const GapBounds& bounds = trainer.survey().bounds;
   for (const Eigen::VectorXf* bound :
        {&bounds.min_length_m, &bounds.max_length_m, &bounds.min_turn_rad, &bounds.max_turn_rad}) {
-    text += content_hash(bytes(*bound));
+    text += content_hash(number_bytes(*bound));
   }
   text += content_hash(std::string(frames.tracked.begin(), frames.tracked.end()));
   text += trainer.survey().content;
   for (const Episode& episode : data.validation) {
-    text += content_hash(bytes(episode.backbone));
+    text += content_hash(number_bytes(episode.backbone));
   }
   return content_hash(text);
 }

@@ -9,6 +9,7 @@
 
 #include <gmock/gmock.h>
 
+#include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "src/common/temporary_file.hpp"
 #include "support/file_size_limit.hpp"
@@ -198,13 +199,14 @@ TEST(AtomicFile, RefusesFoldersWithoutPermission) {
 TEST(ReadFile, ReturnsEveryByte) {
   const TemporaryFolder folder;
   for (const std::size_t size :
-       {std::size_t{0}, std::size_t{1}, std::size_t{65536}, std::size_t{1000003}}) {
+       {std::size_t{0}, std::size_t{1}, std::size_t{65536}, std::size_t{3000003}}) {
     std::string content(size, '\0');
     for (std::size_t i = 0; i < size; ++i) {
       content[i] = static_cast<char>(i * 7 + i / 251);
     }
     write_file_atomically(folder.path() / "c.bin", content);
     EXPECT_EQ(read_file(folder.path() / "c.bin"), content);
+    EXPECT_EQ(file_hash(folder.path() / "c.bin"), content_hash(content)) << "a block at a time";
   }
 }
 
@@ -216,6 +218,7 @@ TEST(ReadFile, ReadsTheKernelsFilesThatSayTheyAreEmpty) {
 TEST(ReadFile, TakesAReadErrorForAFaultOfTheMachine) {
   EXPECT_THAT([] { read_file("/proc/self/mem"); },
               ThrowsMessage<SystemFault>(HasSubstr("/proc/self/mem: can't be read: Input/output")));
+  EXPECT_THROW(file_hash("/proc/self/mem"), SystemFault);
 }
 
 TEST(ReadFile, RefusesPipesAndDevicesAtOnce) {
