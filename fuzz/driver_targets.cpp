@@ -6,7 +6,6 @@
 #include "limber/common/utf8.hpp"
 #include "limber/driver/driver_protocol.hpp"
 #include "limber/driver/process_driver.hpp"
-#include "support/sample_arm.hpp"
 #include "target.hpp"
 
 namespace limber::fuzz {
@@ -16,18 +15,9 @@ namespace {
 constexpr int kFrames = 6;
 constexpr float kStepKpa = 1.0F;
 
-const ArmDescription& driven_arm() {
-  static const ArmDescription arm = [] {
-    ArmDescription made = sample_arm(1);
-    made.segments[0].gaps = 2;
-    return made;
-  }();
-  return arm;
-}
-
 /// One line of either side.
 void read_driver_line(const Input& input) {
-  const HostHello host = host_hello(driven_arm());
+  const HostHello host = host_hello(small_arm());
   const auto either = [](auto&& read) {
     try {
       read();
@@ -54,7 +44,7 @@ void talk_to_driver(const Input& input) {
   settings.pass_bodies = input.bytes.find("bodies") != std::string_view::npos;
   settings.say = [](const std::string& /*message*/) {};
   try {
-    ProcessDriver driver(driven_arm(), settings);
+    ProcessDriver driver(small_arm(), settings);
     for (int k = 1; k <= kFrames; ++k) {
       (void)driver.command(Pressures::Constant(1, kStepKpa * static_cast<float>(k)));
     }
@@ -66,7 +56,7 @@ void talk_to_driver(const Input& input) {
 
 /// What a driver says that does all it is asked.
 std::string conversation(bool in_space) {
-  const NoLoadModel model(driven_arm());
+  const NoLoadModel model(small_arm());
   std::string text =
       R"({"type":"hello","protocol":1,"driver":"d","device":"s","rate_hz":20.0,"segments":1,)"
       R"("real_time":false,"limits_kpa":[[-90,100]]})"
@@ -75,11 +65,11 @@ std::string conversation(bool in_space) {
     ArmState state;
     state.time_s = 0.05 * k;
     state.pressure_kpa = Pressures::Constant(1, k > kFrames ? 0.0F : kStepKpa * float(k));
-    state.backbone.emplace(driven_arm().point_count(), 3);
+    state.backbone.emplace(small_arm().point_count(), 3);
     model.backbone(state.pressure_kpa, *state.backbone);
     std::optional<BodyPoses> bodies;
     if (in_space) {
-      bodies.emplace(driven_arm().point_count(), 7);
+      bodies.emplace(small_arm().point_count(), 7);
       bodies->setZero();
       bodies->col(6).setOnes();
       state.backbone.reset();
@@ -93,7 +83,7 @@ std::vector<std::string> line_seeds() {
   const std::string text = conversation(false);
   const std::size_t end = text.find('\n');
   return {text.substr(0, end), text.substr(end + 1, text.find('\n', end + 1) - end - 1),
-          set_line(1, 0.5, Pressures::Zero(1)), to_line(host_hello(driven_arm())),
+          set_line(1, 0.5, Pressures::Zero(1)), to_line(host_hello(small_arm())),
           R"({"type":"fault","message":"no air"})"};
 }
 

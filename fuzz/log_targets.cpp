@@ -25,11 +25,7 @@ const ArmDescription& one_segment() {
 
 /// Two plates, as the takes of the reader's tests have.
 const ArmDescription& two_plates() {
-  static const ArmDescription arm = [] {
-    ArmDescription made = sample_arm(1);
-    made.segments[0].gaps = 1;
-    return made;
-  }();
+  static const ArmDescription arm = one_segment_with(1);
   return arm;
 }
 

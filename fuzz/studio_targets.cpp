@@ -1,7 +1,5 @@
-#include <arpa/inet.h>
 #include <poll.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <cstdlib>
@@ -11,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "limber/studio/studio.hpp"
+#include "support/loopback_socket.hpp"
 #include "target.hpp"
 
 namespace limber::fuzz {
@@ -24,21 +23,13 @@ constexpr auto kRateLimitPause = std::chrono::milliseconds(10);
 
 class Connection {
  public:
-  explicit Connection(int port) : socket_(socket(AF_INET, SOCK_STREAM, 0)) {
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_port = htons(static_cast<std::uint16_t>(port));
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    require(connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0,
-            "the studio takes no connection");
+  explicit Connection(int port) : socket_(port) {
+    require(socket_.is_open(), "the studio takes no connection");
   }
-  ~Connection() { close(socket_); }
-  Connection(const Connection&) = delete;
-  Connection& operator=(const Connection&) = delete;
 
   void send_all(std::string_view bytes) {
     while (!bytes.empty()) {
-      const ssize_t sent = send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+      const ssize_t sent = send(socket_.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
       if (sent <= 0) {
         return;  // it was refused before its end
       }
@@ -49,9 +40,9 @@ class Connection {
   std::string read(int first_ms, int quiet_ms) {
     std::string got;
     char buffer[16384];
-    pollfd ready{socket_, POLLIN, 0};
+    pollfd ready{socket_.get(), POLLIN, 0};
     while (poll(&ready, 1, got.empty() ? first_ms : quiet_ms) > 0) {
-      const ssize_t size = recv(socket_, buffer, sizeof buffer, 0);
+      const ssize_t size = recv(socket_.get(), buffer, sizeof buffer, 0);
       if (size <= 0) {
         break;
       }
@@ -59,10 +50,10 @@ class Connection {
     }
     return got;
   }
-  void end_requests() { shutdown(socket_, SHUT_WR); }
+  void end_requests() { shutdown(socket_.get(), SHUT_WR); }
 
  private:
-  int socket_;
+  LoopbackSocket socket_;
 };
 
 /// A studio with one open tab.

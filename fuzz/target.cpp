@@ -11,6 +11,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/printable.hpp"
 #include "limber/common/utf8.hpp"
+#include "support/sample_arm.hpp"
 
 namespace limber::fuzz {
 
@@ -93,6 +94,17 @@ std::string run(const Target& target, std::string_view bytes) {
 const std::filesystem::path& scratch_folder() {
   static const ScratchFolder folder;
   return folder.path();
+}
+
+ArmDescription one_segment_with(int gaps) {
+  ArmDescription arm = sample_arm(1);
+  arm.segments[0].gaps = gaps;
+  return arm;
+}
+
+const ArmDescription& small_arm() {
+  static const ArmDescription arm = one_segment_with(2);
+  return arm;
 }
 
 const ArmDescription& three_segments() {

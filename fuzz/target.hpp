@@ -47,6 +47,10 @@ std::string run(const Target& target, std::string_view bytes);
 /// A folder of this process in memory, removed where it ends in the ordinary way.
 const std::filesystem::path& scratch_folder();
 
+/// One segment, with so many gaps.
+ArmDescription one_segment_with(int gaps);
+/// Two gaps, so that inputs are small.
+const ArmDescription& small_arm();
 /// limber's own arm of three segments.
 const ArmDescription& three_segments();
 /// Of a file in limber's source.

@@ -10,23 +10,12 @@
 #include "limber/planning/forest.hpp"
 #include "limber/world/environment.hpp"
 #include "src/training/checkpoint.hpp"
-#include "support/sample_arm.hpp"
 #include "support/test_recording.hpp"
 #include "target.hpp"
 
 namespace limber::fuzz {
 
 namespace {
-
-/// Small, so that inputs are.
-const ArmDescription& small_arm() {
-  static const ArmDescription arm = [] {
-    ArmDescription made = sample_arm(1);
-    made.segments[0].gaps = 2;
-    return made;
-  }();
-  return arm;
-}
 
 void read_tensors(const Input& input) {
   const Safetensors content = parse_safetensors(input.bytes, input.file);

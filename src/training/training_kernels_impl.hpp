@@ -60,8 +60,8 @@ inline void transpose(Vector* v) {
     if ((i & kRun) == 0) {
       const Vector a = v[i];
       const Vector b = v[i + kRun];
-      v[i] = __builtin_shuffle(a, b, runs<kRun, false>());
-      v[i + kRun] = __builtin_shuffle(a, b, runs<kRun, true>());
+      v[i] = shuffled(a, b, runs<kRun, false>());
+      v[i + kRun] = shuffled(a, b, runs<kRun, true>());
     }
   }
   if constexpr (2 * kRun < kLanes) {

@@ -19,7 +19,21 @@ constexpr int kTileOutputs = 3;
 constexpr int kTileInputs = 4;
 #endif
 
-// Lane numbers for __builtin_shuffle(a, b, ·): of every second run of kRun lanes of a, and of b in
+// Lanes of a, and those of b behind them, by their numbers. clang, which fuzzes, has no such
+// instruction for numbers that are not literals.
+inline Vector shuffled(Vector a, Vector b, IntVector lanes) {
+#if defined(__clang__)
+  Vector result;
+  for (int i = 0; i < kLanes; ++i) {
+    result[i] = lanes[i] < kLanes ? a[lanes[i]] : b[lanes[i] - kLanes];
+  }
+  return result;
+#else
+  return __builtin_shuffle(a, b, lanes);
+#endif
+}
+
+// Lane numbers for shuffled(a, b, ·): of every second run of kRun lanes of a, and of b in
 // between; the first runs, or the second ones where kOdd.
 template <int kRun, bool kOdd>
 inline IntVector runs() {
@@ -38,8 +52,7 @@ inline void add_lanes(Vector* v) {
   for (int i = 0; i < kLanes / (2 * kRun); ++i) {
     const Vector a = v[2 * i];
     const Vector b = v[2 * i + 1];
-    v[i] =
-        __builtin_shuffle(a, b, runs<kRun, false>()) + __builtin_shuffle(a, b, runs<kRun, true>());
+    v[i] = shuffled(a, b, runs<kRun, false>()) + shuffled(a, b, runs<kRun, true>());
   }
   if constexpr (2 * kRun < kLanes) {
     add_lanes<2 * kRun>(v);

@@ -1,9 +1,7 @@
 #include "limber/studio/studio.hpp"
 
-#include <arpa/inet.h>
 #include <poll.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <thread>
@@ -16,6 +14,7 @@
 #include "limber/common/error.hpp"
 #include "limber/world/environment.hpp"
 #include "limber/world/plan.hpp"
+#include "support/loopback_socket.hpp"
 
 namespace limber {
 namespace {
@@ -31,31 +30,22 @@ constexpr int kPatienceMs = 20000;  // on a busy machine; nothing is expected to
 /// A connection that sends whatever it likes.
 class RawClient {
  public:
-  explicit RawClient(int port) : socket_(socket(AF_INET, SOCK_STREAM, 0)) {
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_port = htons(static_cast<std::uint16_t>(port));
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    EXPECT_EQ(connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
-  }
-  ~RawClient() { close(socket_); }
-  RawClient(const RawClient&) = delete;
-  RawClient& operator=(const RawClient&) = delete;
+  explicit RawClient(int port) : socket_(port) { EXPECT_TRUE(socket_.is_open()); }
 
   bool send(const std::string& text) {
-    return ::send(socket_, text.data(), text.size(), MSG_NOSIGNAL) ==
+    return ::send(socket_.get(), text.data(), text.size(), MSG_NOSIGNAL) ==
            static_cast<ssize_t>(text.size());
   }
   /// Until `end` is among what came, the other side closes, or patience is at an end.
   std::string read_until(const std::string& end) {
     while (received_.find(end) == std::string::npos) {
-      pollfd ready{socket_, POLLIN, 0};
+      pollfd ready{socket_.get(), POLLIN, 0};
       char buffer[4096];
       if (poll(&ready, 1, kPatienceMs) <= 0) {
         ADD_FAILURE() << "nothing more came after: " << received_;
         break;
       }
-      const ssize_t got = recv(socket_, buffer, sizeof buffer, 0);
+      const ssize_t got = recv(socket_.get(), buffer, sizeof buffer, 0);
       if (got <= 0) {
         break;
       }
@@ -66,7 +56,7 @@ class RawClient {
   std::string read_to_the_end() { return read_until("no such text"); }
 
  private:
-  int socket_;
+  LoopbackSocket socket_;
   std::string received_;
 };
 
