@@ -211,15 +211,16 @@ void bind_execution(py::module_& module) {
       .def_property_readonly(
           "arm",
           [](const ExecutionResult& run) {
-            return run.arm ? std::optional<Eigen::VectorXf>(run.arm->e) : std::nullopt;
+            return run.arm ? std::optional(py::array_t<float>(run.arm->e.size(), run.arm->e.data()))
+                           : std::nullopt;
           },
           "Which arm of the model's family it is, as a closed loop that adapts has it at the end: "
           "e, float32 (k,), or None.")
       .def_readonly("largest_window_error_m", &ExecutionResult::largest_window_error_m,
                     "Largest error of the plates' places over the windows that arm was fitted to, "
-                    "each before its fit.")
+                    "each before its fit [m].")
       .def_readonly("last_window_error_m", &ExecutionResult::last_window_error_m,
-                    "The same of the last one.")
+                    "The same of the last one [m].")
       .def_readonly("frames_not_certified", &ExecutionResult::frames_not_certified,
                     "Frames in which nothing was certified from where the arm was.")
       .def_readonly("open_loop_goal_error", &ExecutionResult::open_loop_goal_error,

@@ -114,6 +114,26 @@ class PlansAlong(InFolder):
         self.assertEqual(result.plan.tube.level, 0.9)
         self.assertEqual(result.plan.tube.plate_radius_m, tube.plate_radius_m)
 
+    def test_an_adapted_models_arm_is_followed_unless_it_is_not_to_be(self):
+        run_json("collect", "--arm", TWO_SEGMENT, "--schedule", "identify", "--seed", 5, "--out", "minute.h5",
+                 folder=self.folder)
+        run_json("adapt", "--arm", TWO_SEGMENT, "--model", "two_segment", "--recording", "minute.h5",
+                 "--out", "mine.safetensors", folder=self.folder)
+        forward = limber.ForwardModel(self.chain.arm, limber.read_model(self.folder / "mine.safetensors"))
+        model = limber.MotionModel(forward)
+        problem = limber.PlanningProblem(self.chain.arm, model, self.chain.environment)
+        plan = limber.make_planner().plan(problem, limber.PlannerLimits(iterations=300), 1).plan
+        for adapts in (True, False):
+            run = limber.execute(
+                self.chain.arm, self.chain.environment, plan, limber.VirtualArm(self.chain.arm),
+                controller=limber.ClosedLoop(self.chain.arm, model, self.chain.environment, adapts=adapts))
+            if adapts:
+                self.assertEqual((run.arm.dtype, run.arm.ndim), (np.float32, 1))
+                self.assertGreater(run.largest_window_error_m, 0)
+                self.assertGreaterEqual(run.largest_window_error_m, run.last_window_error_m)
+            else:
+                self.assertIsNone(run.arm)
+
     def test_plans_made_again_end_nearer_to_the_goal_as_the_programs(self):
         plan = limber.make_planner().plan(
             self.problem, limber.PlannerLimits(iterations=300), 1).plan
