@@ -14,6 +14,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "read_length.hpp"
+#include "space_segments.hpp"
 
 namespace limber {
 
@@ -39,19 +40,32 @@ StrainPolynomial read_strain_polynomial(const YamlReader& node, double pressure_
   return polynomial;
 }
 
-NoLoadKind read_no_load(const YamlReader& root) {
+Dimension read_dimension(const YamlReader& root) {
+  return root.has("dimension") && root.at("dimension").integer("2, in a plane, or 3, in space", 2,
+                                                               3) == 3
+             ? Dimension::space
+             : Dimension::plane;
+}
+
+NoLoadKind read_no_load(const YamlReader& root, Dimension dimension) {
+  const std::vector<NoLoadKind> kinds =
+      dimension == Dimension::space
+          ? std::vector{NoLoadKind::chambers, NoLoadKind::fitted, NoLoadKind::straight}
+          : std::vector{NoLoadKind::strain_polynomial, NoLoadKind::curvature, NoLoadKind::straight};
   if (!root.has("no_load")) {
-    return NoLoadKind::strain_polynomial;
+    return kinds.front();
   }
   const YamlReader node = root.at("no_load");
-  for (const NoLoadKind kind :
-       {NoLoadKind::strain_polynomial, NoLoadKind::curvature, NoLoadKind::straight}) {
+  std::vector<const char*> words;
+  for (const NoLoadKind kind : kinds) {
     if (node.text() == to_string(kind)) {
       return kind;
     }
+    words.push_back(to_string(kind));
   }
-  node.refuse(
-      fmt::format("{} found; expected strain_polynomial, curvature or straight", node.found()));
+  node.refuse(fmt::format("{} found; expected {} for an arm {}", node.found(),
+                          fmt::join(words, " or "),
+                          dimension == Dimension::space ? "in space" : "in a plane"));
 }
 
 /// Reads segments of one arm: what a segment may say depends on the arm's command.
@@ -161,6 +175,9 @@ std::string segment_to_yaml(const Segment& s) {
 
 /// The same for an arm whose command is no pressure in kPa, or that has no strain polynomials.
 std::string segment_to_yaml(const Segment& s, const ArmDescription& arm) {
+  if (arm.is_spatial()) {
+    return space_segment_to_yaml(s, arm);
+  }
   std::string text =
       fmt::format("{{length_m: {}, width_m: {}, gaps: {}, {}: {}", s.length_m, s.width_m, s.gaps,
                   arm.command.is_pressure_kpa() ? "pressure_limit_kpa" : "limit",
@@ -175,7 +192,7 @@ std::string segment_to_yaml(const Segment& s, const ArmDescription& arm) {
 }
 
 bool is_plain(const ArmDescription& arm) {
-  return arm.command.is_pressure_kpa() && arm.no_load == NoLoadKind::strain_polynomial;
+  return !arm.is_spatial() && arm.command.is_pressure_kpa() && arm.no_load == NoLoadKind::strain_polynomial;
 }
 
 void read_command_and_rate(const YamlReader& root, ArmDescription& arm) {
@@ -194,6 +211,28 @@ std::string schema_line() {
 }
 
 }  // namespace
+
+int ArmDescription::channel_count() const {
+  int count = 0;
+  for (const Segment& segment : segments) {
+    count += is_spatial() ? static_cast<int>(segment.chambers.size()) : 1;
+  }
+  return count;
+}
+
+const Chamber& ArmDescription::chamber(int channel) const {
+  std::size_t segment = 0;
+  auto at = static_cast<std::size_t>(channel);
+  while (at >= segments[segment].chambers.size()) {
+    at -= segments[segment++].chambers.size();
+  }
+  return segments[segment].chambers[at];
+}
+
+const PressureLimits& ArmDescription::limits_of_channel(int channel) const {
+  return is_spatial() ? chamber(channel).limit_kpa
+                      : segments[static_cast<std::size_t>(channel)].pressure_limit_kpa;
+}
 
 int ArmDescription::point_count() const {
   int count = 1;
@@ -232,6 +271,9 @@ std::string ArmDescription::hash() const {
   if (!is_plain(*this)) {
     text += fmt::format(" {} {} {}", command.name, command.unit, to_string(no_load));
   }
+  if (is_spatial()) {
+    text += fmt::format(" {}", fmt::join(gravity, " "));
+  }
   for (const Segment& segment : segments) {
     text += is_plain(*this) ? segment_to_yaml(segment) : segment_to_yaml(segment, *this);
   }
@@ -247,8 +289,21 @@ const char* to_string(NoLoadKind kind) {
       return "curvature";
     case NoLoadKind::straight:
       return "straight";
+    case NoLoadKind::chambers:
+      return "chambers";
+    case NoLoadKind::fitted:
+      return "fitted";
     default:
       return "strain_polynomial";
+  }
+}
+
+void require_planar(const ArmDescription& arm, const std::string& what) {
+  if (arm.is_spatial()) {
+    throw InputError(fmt::format(
+        "{} can't use an arm in space yet, and '{}' is one. import, inspect, characterize "
+        "--recording, train, evaluate and bench can",
+        what, arm.name));
   }
 }
 
@@ -263,16 +318,17 @@ void require_pressure_driven(const ArmDescription& arm, const std::string& what)
 
 ArmDescription read_arm(const YamlReader& root, PolynomialsOf polynomials) {
   root.require_schema(kSchema);
-  root.refuse_unknown_keys({"schema", "name", "command", "no_load", "frame_rate_hz",
-                            "pressure_rate_limit_kpa_per_s", "actuator_radius_m", "segments",
-                            "commands", "virtual_arm", "safety"});
+  root.refuse_unknown_keys({"schema", "name", "dimension", "command", "no_load", "frame_rate_hz",
+                            "pressure_rate_limit_kpa_per_s", "actuator_radius_m", "gravity",
+                            "segments", "commands", "virtual_arm", "safety"});
   ArmDescription arm;
+  arm.dimension = read_dimension(root);
   arm.name = root.at("name").text();
   if (arm.name.empty()) {
     root.at("name").refuse("an empty text found; expected a name");
   }
   arm.frame_rate_hz = root.at("frame_rate_hz").number("frames per second", 1.0, 1000.0);
-  arm.no_load = read_no_load(root);
+  arm.no_load = read_no_load(root, arm.dimension);
   if (root.has("command")) {
     read_command_and_rate(root, arm);
   } else {
@@ -281,16 +337,23 @@ ArmDescription read_arm(const YamlReader& root, PolynomialsOf polynomials) {
   }
   arm.actuator_radius_m = read_radius_m(root.at("actuator_radius_m"));
   const YamlReader segments = root.at("segments");
-  const SegmentReader reader(root, arm, polynomials);
-  for (const YamlReader& node : segments.elements()) {
-    arm.segments.push_back(reader.read(node));
+  if (arm.is_spatial()) {
+    read_space_segments(root, polynomials, arm);
+  } else {
+    if (root.has("gravity")) {
+      root.at("gravity").refuse("an arm in a plane lies on a table; expected no such key");
+    }
+    const SegmentReader reader(root, arm, polynomials);
+    for (const YamlReader& node : segments.elements()) {
+      arm.segments.push_back(reader.read(node));
+    }
   }
   if (arm.segments.empty() || arm.segments.size() > kMaxSegments) {
     segments.refuse(
         fmt::format("{} segments found; expected 1 to {}", arm.segments.size(), kMaxSegments));
   }
   if (root.has("commands")) {
-    arm.commands = read_arm_commands(root.at("commands"), arm.segment_count());
+    arm.commands = read_arm_commands(root.at("commands"), arm.channel_count());
   }
   if (root.has("virtual_arm")) {
     if (!arm.command.is_pressure_kpa()) {
@@ -321,10 +384,13 @@ ArmDescription read_arm_keys(const std::string& keys, const std::string& name) {
 std::string arm_keys_to_yaml(const ArmDescription& arm) {
   const bool pressures = arm.command.is_pressure_kpa();
   std::string text = fmt::format("name: {}\n", yaml_text(arm.name));
+  if (arm.is_spatial()) {
+    text += "dimension: 3\n";
+  }
   if (!pressures) {
     text += fmt::format("command: {{name: {}, unit: {}, limit: {}, rate_limit_per_s: {}}}\n",
                         yaml_text(arm.command.name), yaml_text(arm.command.unit),
-                        limits_to_yaml(arm.segments.front().pressure_limit_kpa),
+                        limits_to_yaml(arm.limits_of_channel(0)),
                         arm.pressure_rate_limit_kpa_per_s);
   }
   if (arm.no_load != NoLoadKind::strain_polynomial) {
@@ -334,7 +400,11 @@ std::string arm_keys_to_yaml(const ArmDescription& arm) {
   if (pressures) {
     text += fmt::format("pressure_rate_limit_kpa_per_s: {}\n", arm.pressure_rate_limit_kpa_per_s);
   }
-  text += fmt::format("actuator_radius_m: {}\nsegments:\n", arm.actuator_radius_m);
+  text += fmt::format("actuator_radius_m: {}\n", arm.actuator_radius_m);
+  if (!arm.gravity.isZero(0.0)) {
+    text += fmt::format("gravity: [{}]\n", fmt::join(arm.gravity, ", "));
+  }
+  text += "segments:\n";
   for (const Segment& segment : arm.segments) {
     text +=
         "  - " + (is_plain(arm) ? segment_to_yaml(segment) : segment_to_yaml(segment, arm)) + "\n";

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "limber/arm/space_no_load.hpp"
 #include "limber/common/error.hpp"
 
 namespace limber {
@@ -20,7 +21,13 @@ NoLoadModel::NoLoadModel(const ArmDescription& arm)
     : segments_(arm.segments),
       kind_(arm.no_load),
       command_(arm.command),
+      dimension_(arm.dimension),
+      channel_count_(arm.channel_count()),
       point_count_(arm.point_count()) {
+  if (arm.is_spatial()) {
+    in_space_ = std::make_shared<const SpaceNoLoad>(arm);
+    return;
+  }
   for (int i = 0; kind_ == NoLoadKind::strain_polynomial && i < segment_count(); ++i) {
     const std::string reason =
         why_unusable(segment(i).strain_polynomial, segment(i).pressure_limit_kpa.largest_kpa());
@@ -113,6 +120,16 @@ void NoLoadModel::chain(
       backbone.row(++point) = numbers_of(pose);
     }
   }
+}
+
+void NoLoadModel::poses(const Eigen::Ref<const Eigen::VectorXf>& pressures_kpa,
+                        Eigen::Ref<Eigen::VectorXf> numbers) const {
+  if (in_space_) {
+    in_space_->poses(pressures_kpa.cast<double>(), numbers);
+    return;
+  }
+  Eigen::Map<Backbone> rows(numbers.data(), point_count_, kPoseSize);
+  backbone(pressures_kpa, rows);
 }
 
 void NoLoadModel::backbone(const Eigen::Ref<const Eigen::VectorXf>& pressures_kpa,

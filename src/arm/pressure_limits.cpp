@@ -75,8 +75,8 @@ double corner_kpa(const PressureLimits& limits, int state) {
 
 std::vector<PressureLimits> limits_of(const ArmDescription& arm) {
   std::vector<PressureLimits> limits;
-  for (const Segment& segment : arm.segments) {
-    limits.push_back(segment.pressure_limit_kpa);
+  for (int channel = 0; channel < arm.channel_count(); ++channel) {
+    limits.push_back(arm.limits_of_channel(channel));
   }
   return limits;
 }

@@ -10,6 +10,7 @@
 
 #include "episode_path.hpp"
 #include "limber/arm/names.hpp"
+#include "limber/arm/space_pose.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/data/log_units.hpp"
@@ -57,6 +58,14 @@ void require_gaps(const Episode& episode, const ArmDescription& arm, double slac
   }
 }
 
+/// In space a heading has no turns to count.
+double heading_from_base_rad(const Episode& episode, int t, int plate) {
+  return episode.dimension == Dimension::space
+             ? 0.0
+             : std::abs(double(episode.backbone(t, kPoseSize * plate + 2)) -
+                        double(episode.backbone(t, 2)));
+}
+
 /// Even one frame far away ruins ranges and means.
 void require_plates_near(const Episode& episode, const ArmDescription& arm,
                          const std::string& where) {
@@ -64,13 +73,11 @@ void require_plates_near(const Episode& episode, const ArmDescription& arm,
   const int end = episode.frame_count();
   const int first = episode.next_tracked(0, end);
   for (int t = first; t < end; t = episode.next_tracked(t + 1, end)) {
-    const Eigen::Vector2d begin = episode.backbone.row(first).head<2>().cast<double>();
-    const Eigen::RowVectorXd poses = episode.backbone.row(t).cast<double>();
-    const Eigen::Vector2d base = poses.head<2>();
+    const Eigen::Vector3d begin = episode.position_m(first, 0);
+    const Eigen::Vector3d base = episode.position_m(t, 0);
     for (int plate = 0; plate < arm.point_count(); ++plate) {
-      const Eigen::Vector3d pose = poses.segment<kPoseSize>(kPoseSize * plate);
-      const double away_m = (pose.head<2>() - (plate == 0 ? begin : base)).norm();
-      const double turned_rad = std::abs(pose[2] - poses[2]);
+      const double away_m = (episode.position_m(t, plate) - (plate == 0 ? begin : base)).norm();
+      const double turned_rad = heading_from_base_rad(episode, t, plate);
       if (away_m > farthest_m || turned_rad > kNeverTurned_rad) {
         throw InputError(fmt::format(
             "{}: {}: {} is {}; {} is {:.4g} m long, and up to {:.4g} m and {} rad are allowed. Was "
@@ -87,21 +94,44 @@ void require_plates_near(const Episode& episode, const ArmDescription& arm,
 }
 
 double spread_of_end_m(const Episode& episode) {
-  const Eigen::Index tip = episode.backbone.cols() - kPoseSize;
-  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  const Eigen::Index tip = episode.point_count() - 1;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   double squares = 0.0;
   double count = 0.0;
   for (int t = 0; t < episode.frame_count(); ++t) {
     if (episode.was_tracked(t)) {
       // Welford's update: differences of large sums would lose the spread of an arm far away.
-      const Eigen::Vector2d tip_m = episode.backbone.row(t).segment<2>(tip).cast<double>();
-      const Eigen::Vector2d before = tip_m - mean;
+      const Eigen::Vector3d tip_m = episode.position_m(t, tip);
+      const Eigen::Vector3d before = tip_m - mean;
       count += 1.0;
       mean += before / count;
       squares += before.dot(tip_m - mean);
     }
   }
   return count > 0.0 ? std::sqrt(squares / count) : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// The same of an arm in space.
+std::string base_offset_in_space(const Episode& episode) {
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  Eigen::Vector3d rotation_rad = Eigen::Vector3d::Zero();
+  int count = 0;
+  for (int t = 0; t < episode.frame_count(); ++t) {
+    if (episode.was_tracked(t)) {
+      const SpacePose base =
+          space_pose_of(episode.backbone.row(t).head<kSpacePoseSize>().cast<double>());
+      point += base.position_m;
+      rotation_rad += rotation_vector(base.rotation);
+      ++count;
+    }
+  }
+  point /= std::max(count, 1);
+  rotation_rad /= std::max(count, 1);
+  if (point.norm() <= kBasePosition_m && rotation_rad.norm() <= kBaseHeading_rad) {
+    return {};
+  }
+  return fmt::format("({:.3f}, {:.3f}, {:.3f}) m, {:.3f} rad", point.x(), point.y(), point.z(),
+                     rotation_rad.norm());
 }
 
 }  // namespace
@@ -128,6 +158,9 @@ Pose mean_base(const Episode& episode) {
 }
 
 std::string base_offset(const Episode& episode) {
+  if (episode.dimension == Dimension::space) {
+    return base_offset_in_space(episode);
+  }
   const Pose base = mean_base(episode);
   if (std::hypot(base.x_m, base.y_m) <= kBasePosition_m &&
       std::abs(base.theta_rad) <= kBaseHeading_rad) {
@@ -140,11 +173,7 @@ double median_gap_m(const Episode& episode, int plate) {
   std::vector<double> distances;
   for (int t = 0; t < episode.frame_count(); ++t) {
     if (episode.was_tracked(t)) {
-      const auto row = episode.backbone.row(t);
-      distances.push_back(
-          (row.segment<2>(kPoseSize * plate + kPoseSize) - row.segment<2>(kPoseSize * plate))
-              .cast<double>()
-              .norm());
+      distances.push_back((episode.position_m(t, plate + 1) - episode.position_m(t, plate)).norm());
     }
   }
   if (distances.empty()) {
@@ -161,14 +190,13 @@ void require_motion(const Episode& episode, const ArmDescription& arm, const std
   for (Eigen::Index i = 0; i < episode.pressure_kpa.cols(); ++i) {
     const double range = double(episode.pressure_kpa.col(i).maxCoeff()) -
                          double(episode.pressure_kpa.col(i).minCoeff());
-    const double limit =
-        arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa.half_width_kpa();
+    const double limit = arm.limits_of_channel(static_cast<int>(i)).half_width_kpa();
     if (range > kMovingCommand * limit) {
       throw InputError(fmt::format(
           "{}: the arm's end stands still (its position spreads by {:.2g} mm; expected at least "
           "{:.2g} mm) while the {} of {} changes by {:.4g} {}. Was the tracker running, and do "
           "both logs belong together? Record it again, or leave the episode out",
-          where, 1e3 * spread_m, 1e3 * kStill * arm.length_m(), arm.command.name, segment_name(i),
+          where, 1e3 * spread_m, 1e3 * kStill * arm.length_m(), arm.command.name, channel_name(arm, i),
           range, arm.command.unit));
     }
   }

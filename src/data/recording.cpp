@@ -73,6 +73,20 @@ class EpisodeCheck {
     }
   }
 
+  void unit_quaternions(const FrameMatrix& backbone) const {
+    constexpr double kUnit = 1e-3;  // rounding of whoever wrote it; a tracker's zeros are refused
+    constexpr Eigen::Index kFirst = 3;
+    for (Eigen::Index t = 0; t < backbone.rows(); ++t) {
+      for (Eigen::Index at = kFirst; at < backbone.cols(); at += kSpacePoseSize) {
+        const double norm = double(backbone.row(t).segment<4>(at).norm());
+        if (std::abs(norm - 1.0) > kUnit) {
+          refuse("backbone", fmt::format("{}, {}: the quaternion's length is {:.4g}; expected 1",
+                                         frame_name(t), plate_name(at / kSpacePoseSize), norm));
+        }
+      }
+    }
+  }
+
   void motions(const std::vector<int>& motion_index) const {
     for (std::size_t t = 0; t < motion_index.size(); ++t) {
       const int before = t == 0 ? 0 : motion_index[t - 1];
@@ -90,24 +104,27 @@ class EpisodeCheck {
 };
 
 /// What is known of each frame.
-void validate_frames(const Episode& episode, const EpisodeCheck& check, int segment_count,
+void validate_frames(const Episode& episode, const EpisodeCheck& check, int channel_count,
                      int point_count) {
   check.times(episode.time_s);
   const Eigen::Index frames = episode.time_s.size();
-  check.shape("pressure_kpa", episode.pressure_kpa, frames, segment_count);
-  check.shape("setpoint_kpa", episode.setpoint_kpa, frames, segment_count);
-  check.shape("backbone", episode.backbone, frames, kPoseSize * point_count);
+  check.shape("pressure_kpa", episode.pressure_kpa, frames, channel_count);
+  check.shape("setpoint_kpa", episode.setpoint_kpa, frames, channel_count);
+  check.shape("backbone", episode.backbone, frames, pose_size(episode.dimension) * point_count);
   check.finite("pressure_kpa", episode.pressure_kpa);
   check.finite("setpoint_kpa", episode.setpoint_kpa);
   check.finite("backbone", episode.backbone);
   if (!episode.tracked.empty()) {
     check.length("tracked", episode.tracked, frames);
   }
+  if (episode.dimension == Dimension::space) {
+    check.unit_quaternions(episode.backbone);
+  }
 }
 
-void validate_episode(const Episode& episode, const EpisodeCheck& check, int segment_count,
+void validate_episode(const Episode& episode, const EpisodeCheck& check, int channel_count,
                       int point_count) {
-  validate_frames(episode, check, segment_count, point_count);
+  validate_frames(episode, check, channel_count, point_count);
   check.length("motion_index", episode.motion_index, episode.time_s.size());
   check.motions(episode.motion_index);
   if (episode.setpoints_only && episode.pressure_kpa != episode.setpoint_kpa) {
@@ -125,6 +142,15 @@ std::string episode_path(std::size_t index) {
 
 int Episode::untracked_count() const {
   return static_cast<int>(std::count(tracked.begin(), tracked.end(), 0));
+}
+
+Eigen::Vector3d Episode::position_m(Eigen::Index t, Eigen::Index plate) const {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  const Eigen::Index first = pose_size(dimension) * plate;
+  for (Eigen::Index i = 0; i < position_size(dimension); ++i) {
+    position[i] = double(backbone(t, first + i));
+  }
+  return position;
 }
 
 std::int64_t Recording::frame_count() const {
@@ -150,7 +176,9 @@ Recording make_recording(const ArmDescription& arm, const std::string& source, s
   recording.arm_hash = identity.hash;
   recording.arm_description = identity.description;
   recording.command = arm.command;
+  recording.dimension = arm.dimension;
   recording.segment_count = arm.segment_count();
+  recording.chamber_count = arm.is_spatial() ? arm.channel_count() : 0;
   recording.point_count = arm.point_count();
   recording.rate_hz = arm.frame_rate_hz;
   recording.seed = seed;
@@ -178,6 +206,10 @@ void validate_header(const Recording& recording, const std::string& file) {
                                    file, text->size(), kLongestText));
     }
   }
+  if (recording.dimension == Dimension::space && recording.chamber_count < 1) {
+    throw InputError(fmt::format("{}: attribute 'chambers' is {}; expected a whole number ≥ 1", file,
+                                 recording.chamber_count));
+  }
   if (recording.segment_count < 1) {
     throw InputError(fmt::format("{}: attribute 'segments' is {}; expected a whole number ≥ 1",
                                  file, recording.segment_count));
@@ -200,7 +232,10 @@ void validate(const Recording& recording, const std::string& file) {
   for (std::size_t i = 0; i < recording.episodes.size(); ++i) {
     const Episode& episode = recording.episodes[i];
     const EpisodeCheck check(file, recording.number(i));
-    validate_episode(episode, check, recording.segment_count, recording.point_count);
+    if (episode.dimension != recording.dimension || episode.lifted != recording.lifted()) {
+      check.refuse("backbone", "poses of another kind than the recording says; expected one kind");
+    }
+    validate_episode(episode, check, recording.channel_count(), recording.point_count);
     if (episode.setpoints_only != recording.setpoints_only()) {
       check.refuse("pressure_kpa",
                    fmt::format("{}, other than in episode 0; expected one kind in a "
@@ -221,6 +256,16 @@ void require_sizes_of(const Recording& recording, const ArmDescription& arm,
   if (recording.command.name != arm.command.name || recording.command.unit != arm.command.unit) {
     refuse(fmt::format("the command '{}' in {}", recording.command.name, recording.command.unit),
            fmt::format("'{}' in {}", arm.command.name, arm.command.unit));
+  }
+  if (recording.dimension != arm.dimension) {
+    const auto in_words = [](Dimension dimension) {
+      return dimension == Dimension::space ? "poses in space" : "poses in a plane";
+    };
+    refuse(in_words(recording.dimension), in_words(arm.dimension));
+  }
+  if (recording.channel_count() != arm.channel_count()) {
+    refuse(fmt::format("{} commands", recording.channel_count()),
+           fmt::format("{}", arm.channel_count()));
   }
   if (recording.segment_count != arm.segment_count()) {
     refuse(fmt::format("{} segments", recording.segment_count),
@@ -262,22 +307,22 @@ constexpr double kMaxFarBeyond = 0.001;  // … in this share of the frames: mor
 constexpr double kNeverBelieved = 3.0;   // of the limit, even once: a spike that ruins the ranges
 constexpr double kAnotherUnit = 10.0;    // off by more: no broken log, but numbers in another unit
 
-[[noreturn]] void refuse_command(double kpa, Eigen::Index segment, Eigen::Index frame,
+[[noreturn]] void refuse_command(double kpa, Eigen::Index channel, Eigen::Index frame,
                                  const ArmDescription& arm, const std::string& file,
                                  const std::string& where) {
-  const PressureLimits& limits = arm.segments[static_cast<std::size_t>(segment)].pressure_limit_kpa;
+  const PressureLimits& limits = arm.limits_of_channel(static_cast<int>(channel));
   throw InputError(fmt::format(
       "{}: {}: {} is at {:.4g} {} in {}; the limit of {} is {} {}. If the "
       "arm can take that, raise the limit in its arm file; if not, the unit or the column was "
       "wrong when the recording was made: import it again",
-      file, where, segment_name(segment), kpa, arm.command.unit, frame_name(frame),
+      file, where, channel_name(arm, channel), kpa, arm.command.unit, frame_name(frame),
       arm_in_words(arm), limits_to_yaml(limits), arm.command.unit));
 }
 
 void require_commands_within(const FrameMatrix& commands, const ArmDescription& arm,
                              const std::string& file, const std::string& where) {
   for (Eigen::Index i = 0; i < commands.cols(); ++i) {
-    const PressureLimits& limits = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+    const PressureLimits& limits = arm.limits_of_channel(static_cast<int>(i));
     const double limit = limits.largest_kpa();
     const Eigen::VectorXd sizes = commands.col(i).cast<double>().unaryExpr(
         [&](double value) { return limits.size_kpa(value); });
@@ -297,8 +342,7 @@ void require_unit(const FrameMatrix& commands, const ArmDescription& arm, const 
   for (Eigen::Index i = 0; i < commands.cols(); ++i) {
     Eigen::Index worst = 0;
     const double largest = double(commands.col(i).cwiseAbs().maxCoeff(&worst));
-    if (largest >
-        kAnotherUnit * arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa.largest_kpa()) {
+    if (largest > kAnotherUnit * arm.limits_of_channel(static_cast<int>(i)).largest_kpa()) {
       refuse_command(double(commands(worst, i)), i, worst, arm, file, where);
     }
   }
@@ -352,13 +396,19 @@ void require_episodes_of(const std::vector<Episode>& episodes, const ArmDescript
     const Episode& episode = episodes[e];
     for (const FrameMatrix* commands : {&episode.pressure_kpa, &episode.setpoint_kpa}) {
       if (commands->cols() != arm.channel_count()) {
-        refuse(e, commands->cols(), "segments", arm.channel_count());
+        refuse(e, commands->cols(), arm.is_spatial() ? "chambers" : "segments",
+               arm.channel_count());
       }
     }
-    if (episode.backbone.cols() != kPoseSize * arm.point_count()) {
-      refuse(e, episode.backbone.cols() / kPoseSize, "backbone points", arm.point_count());
+    const int size = pose_size(arm.dimension);
+    if (episode.dimension != arm.dimension) {
+      refuse(e, position_size(episode.dimension), "numbers per position",
+             position_size(arm.dimension));
     }
-    validate_episode(episode, EpisodeCheck(where, e), arm.segment_count(), arm.point_count());
+    if (episode.backbone.cols() != size * arm.point_count()) {
+      refuse(e, episode.backbone.cols() / size, "backbone points", arm.point_count());
+    }
+    validate_episode(episode, EpisodeCheck(where, e), arm.channel_count(), arm.point_count());
     const std::string path = episode_path(e);
     require_unit(episode.pressure_kpa, arm, where, path + ", measured");
     require_unit(episode.setpoint_kpa, arm, where, path + ", set points");
@@ -366,14 +416,15 @@ void require_episodes_of(const std::vector<Episode>& episodes, const ArmDescript
   }
 }
 
-void require_alike(const std::vector<Episode>& episodes, int segment_count, int point_count,
+void require_alike(const std::vector<Episode>& episodes, int channel_count, int point_count,
                    const std::string& where) {
-  if (segment_count == 0 && !episodes.empty()) {
-    segment_count = static_cast<int>(episodes.front().pressure_kpa.cols());
-    point_count = static_cast<int>(episodes.front().backbone.cols() / kPoseSize);
+  if (channel_count == 0 && !episodes.empty()) {
+    channel_count = static_cast<int>(episodes.front().pressure_kpa.cols());
+    point_count = static_cast<int>(episodes.front().backbone.cols() /
+                                   pose_size(episodes.front().dimension));
   }
   for (std::size_t e = 0; e < episodes.size(); ++e) {
-    validate_frames(episodes[e], EpisodeCheck(where, e), segment_count, point_count);
+    validate_frames(episodes[e], EpisodeCheck(where, e), channel_count, point_count);
   }
 }
 
@@ -381,6 +432,7 @@ void require_episodes_of(const std::vector<Episode>& episodes, const NoLoadModel
                          const std::string& where) {
   ArmDescription arm;  // what of it a model knows
   arm.command = model.command();
+  arm.dimension = model.dimension();
   for (int i = 0; i < model.segment_count(); ++i) {
     arm.segments.push_back(model.segment(i));
   }

@@ -23,6 +23,16 @@ inline constexpr const char* kCommandsAre = "commands_are";
 inline constexpr const char* kPhysics = "physics";
 inline constexpr const char* kLog = "log";
 
+/// Attributes of recordings of arms in space: 3; columns of commands; and where rotations are from.
+inline constexpr const char* kDimension = "dimension";
+inline constexpr const char* kChambers = "chambers";
+inline constexpr const char* kRotations = "rotations";
+inline constexpr const char* kMeasured = "measured";
+inline constexpr const char* kLifted = "lifted";
+
+inline constexpr const char* kPoseUnits = "m, m, rad";
+inline constexpr const char* kSpacePoseUnits = "m, m, m, 1, 1, 1, 1";
+
 /// One thread inside HDF5, its own error printing off (it would go to standard error).
 class Hdf5Section {
  public:

@@ -39,6 +39,7 @@ class Reader : private CheckedHdf5 {
     recording.segment_count = number<int>("segments", H5::PredType::NATIVE_INT);
     recording.point_count = number<int>("points", H5::PredType::NATIVE_INT);
     recording.seed = number<std::uint64_t>("seed", H5::PredType::NATIVE_UINT64);
+    const bool lifted = read_space(recording);
     validate_header(recording, name_);  // sizes decide what the data sets must hold
     const bool setpoints_only = holds_setpoints_only();
     if (wanted.episodes) {
@@ -52,6 +53,8 @@ class Reader : private CheckedHdf5 {
       }
       Episode& episode = recording.episodes.emplace_back();
       episode.setpoints_only = setpoints_only;
+      episode.dimension = recording.dimension;
+      episode.lifted = lifted;
       read_outline(group, episode);
       if (!wanted.outline) {
         read_frames(group, recording, episode);
@@ -71,6 +74,26 @@ class Reader : private CheckedHdf5 {
       refuse("attribute 'schema'",
              fmt::format("'{}' found; this program reads '{}'", schema, kRecordingSchema));
     }
+  }
+
+  /// What recordings of arms in space say of themselves. Whether rotations were made of positions.
+  bool read_space(Recording& recording) const {
+    if (!file_.attrExists(kDimension)) {
+      return false;
+    }
+    const int dimension = number<int>(kDimension, H5::PredType::NATIVE_INT);
+    if (dimension != position_size(Dimension::space)) {
+      refuse(fmt::format("attribute '{}'", kDimension),
+             fmt::format("{} found; expected 3, or no such attribute", dimension));
+    }
+    recording.dimension = Dimension::space;
+    recording.chamber_count = number<int>(kChambers, H5::PredType::NATIVE_INT);
+    const std::string rotations = text(kRotations);
+    if (rotations != kMeasured && rotations != kLifted) {
+      refuse(fmt::format("attribute '{}'", kRotations),
+             fmt::format("'{}' found; expected '{}' or '{}'", rotations, kMeasured, kLifted));
+    }
+    return rotations == kLifted;
   }
 
   bool holds_setpoints_only() const {
@@ -131,9 +154,10 @@ class Reader : private CheckedHdf5 {
   void read_frames(const std::string& group, const Recording& recording, Episode& episode) const {
     const auto frames = static_cast<hsize_t>(episode.time_s.size());
     const bool setpoints_only = episode.setpoints_only;
-    const auto n = static_cast<hsize_t>(recording.segment_count);
+    const auto n = static_cast<hsize_t>(recording.channel_count());
     const auto m = static_cast<hsize_t>(recording.point_count);
-    const std::string pressures = fmt::format("{} × {}: frames × segments", frames, n);
+    const std::string pressures = fmt::format("{} × {}: frames × {}", frames, n,
+                                              recording.chamber_count > 0 ? "chambers" : "segments");
     const Command& command = recording.command;
     const auto commands = [&](const std::string& name) {
       return matrix(group + "/" + name, {frames, n}, pressures, command.unit.c_str());
@@ -152,10 +176,13 @@ class Reader : private CheckedHdf5 {
                                    pressures, kCommandsAre, commands_are(true)));
     }
     episode.pressure_kpa = setpoints_only ? episode.setpoint_kpa : commands(measured_name(command));
-    episode.backbone =
-        matrix(group + "/backbone", {frames, m, kPoseSize},
-               fmt::format("{} × {} × 3: frames × points × [x_m, y_m, theta_rad]", frames, m),
-               "m, m, rad");
+    const bool in_space = recording.dimension == Dimension::space;
+    const int size = pose_size(recording.dimension);
+    episode.backbone = matrix(
+        group + "/backbone", {frames, m, static_cast<hsize_t>(size)},
+        fmt::format("{} × {} × {}: frames × points × {}", frames, m, size,
+                    in_space ? "[x_m, y_m, z_m, qx, qy, qz, qw]" : "[x_m, y_m, theta_rad]"),
+        in_space ? kSpacePoseUnits : kPoseUnits);
     const std::string each = fmt::format("{}: one per frame", frames);
     const std::string motion_path = group + "/motion_index";
     episode.motion_index.resize(frames);

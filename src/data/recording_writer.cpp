@@ -99,7 +99,7 @@ void write_data_set(const H5::Group& group, const std::string& name, const char*
 
 void write_episode(const H5::Group& group, const Episode& episode, const Recording& recording) {
   const auto frames = static_cast<hsize_t>(episode.frame_count());
-  const auto segments = static_cast<hsize_t>(recording.segment_count);
+  const auto channels = static_cast<hsize_t>(recording.channel_count());
   const auto points = static_cast<hsize_t>(recording.point_count);
   const std::vector<std::uint8_t> tracked =
       episode.tracked.empty() ? std::vector<std::uint8_t>(frames, 1) : episode.tracked;
@@ -109,12 +109,14 @@ void write_episode(const H5::Group& group, const Episode& episode, const Recordi
   const Command& command = recording.command;
   if (!episode.setpoints_only) {
     write_data_set(group, measured_name(command), command.unit.c_str(), real,
-                   episode.pressure_kpa.data(), {frames, segments});
+                   episode.pressure_kpa.data(), {frames, channels});
   }
   write_data_set(group, setpoint_name(command), command.unit.c_str(), real,
-                 episode.setpoint_kpa.data(), {frames, segments});
-  write_data_set(group, "backbone", "m, m, rad", real, episode.backbone.data(),
-                 {frames, points, kPoseSize});
+                 episode.setpoint_kpa.data(), {frames, channels});
+  const bool in_space = recording.dimension == Dimension::space;
+  write_data_set(group, "backbone", in_space ? kSpacePoseUnits : kPoseUnits, real,
+                 episode.backbone.data(),
+                 {frames, points, static_cast<hsize_t>(pose_size(recording.dimension))});
   write_data_set(group, "motion_index", "1", H5::PredType::NATIVE_INT, episode.motion_index.data(),
                  {frames});
   write_data_set(group, "tracked", "1", H5::PredType::NATIVE_UINT8, tracked.data(), {frames});
@@ -146,6 +148,11 @@ void write_header(const H5::H5File& file, const Recording& recording) {
   write_number(file, "rate_hz", H5::PredType::NATIVE_DOUBLE, recording.rate_hz);
   write_number(file, "segments", H5::PredType::NATIVE_INT, recording.segment_count);
   write_number(file, "points", H5::PredType::NATIVE_INT, recording.point_count);
+  if (recording.dimension == Dimension::space) {
+    write_number(file, kDimension, H5::PredType::NATIVE_INT, position_size(recording.dimension));
+    write_number(file, kChambers, H5::PredType::NATIVE_INT, recording.chamber_count);
+    write_text(file, kRotations, recording.lifted() ? kLifted : kMeasured);
+  }
   write_number(file, "seed", H5::PredType::NATIVE_UINT64, recording.seed);
   make_group(file, "episodes");
 }
@@ -220,9 +227,9 @@ std::string file_image(const Recording& recording) {
 
 /// What recordings have in common that may be joined.
 std::string origin_of(const Recording& recording) {
-  return fmt::format("arm {} {}, {} segments, {} points, {} Hz, {} [{}], {}, {}",
+  return fmt::format("arm {} {}, {} segments, {} points{}, {} Hz, {} [{}], {}, {}",
                      recording.arm_name, recording.arm_hash, recording.segment_count,
-                     recording.point_count, recording.rate_hz, recording.command.name,
+                     recording.point_count, recording.lifted() ? " without rotations" : "", recording.rate_hz, recording.command.name,
                      recording.command.unit, commands_are(recording.setpoints_only()),
                      recording.source);
 }

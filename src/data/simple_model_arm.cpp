@@ -49,6 +49,9 @@ void set_shape(const ArmDescription& arm, double gain, double length_ratio, Segm
     case NoLoadKind::straight:
       segment.curvature_per_unit = seven_digits(share / segment.length_m);
       break;
+    case NoLoadKind::chambers:
+    case NoLoadKind::fitted:
+      break;  // of arms in space, which have another fit
   }
   segment.length_m = seven_digits(length_ratio * segment.length_m);
 }

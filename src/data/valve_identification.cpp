@@ -28,9 +28,9 @@ bool changes_at(const Episode& episode, int segment, int frame, double limit) {
 }
 
 std::vector<double> max_setpoints(const Recording& recording) {
-  std::vector<double> limits(std::size_t(recording.segment_count), 0.0);
+  std::vector<double> limits(std::size_t(recording.channel_count()), 0.0);
   for (const Episode& episode : recording.episodes) {
-    for (int i = 0; i < recording.segment_count; ++i) {
+    for (int i = 0; i < recording.channel_count(); ++i) {
       limits[std::size_t(i)] = std::max<double>(limits[std::size_t(i)],
                                                 episode.setpoint_kpa.col(i).cwiseAbs().maxCoeff());
     }
@@ -113,7 +113,7 @@ class ErrorCollector {
     const FrameMatrix simulated =
         simulate_valves(valves, recording_.rate_hz, *episode, range.first, range.count);
     const int within = int(std::lround(kChangedWithinS * recording_.rate_hz));
-    for (int i = 0; i < recording_.segment_count; ++i) {
+    for (int i = 0; i < recording_.channel_count(); ++i) {
       int changed = -within - 1;
       for (int t = std::max(range.first - within, 0); t < range.first + range.count; ++t) {
         if (changes_at(*episode, i, t, limits_[std::size_t(i)])) {
@@ -175,7 +175,7 @@ class Identification {
           what);
     }
     int changes = 0;
-    for (int i = 0; i < recording_.segment_count; ++i) {
+    for (int i = 0; i < recording_.channel_count(); ++i) {
       const int count = change_count(recording_, i, limits_[std::size_t(i)]);
       changes = std::max(changes, count);
       if (count >= kMinChanges) {
@@ -208,7 +208,7 @@ class Identification {
   std::vector<SegmentValves> choose() const {
     constexpr double kAsGood = 1.05;
     constexpr double kNothing = 1e-4;  // of the limit: no error worth own parameters
-    const auto segments = std::size_t(recording_.segment_count);
+    const auto segments = std::size_t(recording_.channel_count());
     const std::vector<SegmentValves> pooled(segments, fit(told_));
     if (told_.size() < 2) {
       return pooled;
@@ -230,10 +230,10 @@ class Identification {
           "no set point changes in the held-back data: the errors are unknown");
       return;
     }
-    if (int(told_.size()) < recording_.segment_count) {
+    if (int(told_.size()) < recording_.channel_count()) {
       result.findings.warnings.push_back(fmt::format(
           "set points of {} of {} segments hardly change: these take the valves of the others",
-          recording_.segment_count - int(told_.size()), recording_.segment_count));
+          recording_.channel_count() - int(told_.size()), recording_.channel_count()));
     }
     if (held_back.mean_kpa <= kSuspiciousMean * scale()) {
       return;
@@ -318,9 +318,9 @@ IdentifiedValves identify_valves(const Recording& recording, std::vector<double>
   if (limits_kpa.empty()) {
     limits_kpa = max_setpoints(recording);
   }
-  if (int(limits_kpa.size()) != recording.segment_count) {
+  if (int(limits_kpa.size()) != recording.channel_count()) {
     throw InputError(fmt::format("valves: {} limits; the recording has {} segments",
-                                 limits_kpa.size(), recording.segment_count));
+                                 limits_kpa.size(), recording.channel_count()));
   }
   return Identification(recording, std::move(limits_kpa)).run();
 }

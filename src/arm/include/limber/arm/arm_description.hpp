@@ -7,6 +7,9 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
+#include "limber/arm/pose_size.hpp"
 #include "limber/arm/strain_polynomial.hpp"
 
 namespace limber {
@@ -70,20 +73,36 @@ enum class NoLoadKind {
   strain_polynomial,  ///< the pressure of one side, which contracts by P(|p|)
   curvature,          ///< proportional to the segment's curvature; its length stays
   straight,           ///< nothing: the unloaded arm is straight, the network learns the rest
+  chambers,           ///< in space: strains of chambers, by where they lie in the segment
+  fitted,             ///< in space: a matrix from all strains to the segment's bend and extension
 };
 
-/// "strain_polynomial", "curvature" or "straight", as arm files have it.
+/// "strain_polynomial", "curvature", "straight", "chambers" or "fitted", as arm files have it.
 const char* to_string(NoLoadKind kind);
 
-/// One bending segment: two actuators on each side.
+/// What bends a segment in space: a chamber, a bellows, a muscle or a tendon, with a command of its
+/// own. Angle and radius say where it lies in the segment's cross-section, seen from the tip.
+struct Chamber {
+  double angle_deg = 0.0;    ///< from y (left) toward z (up)
+  double radius_m = 0.0;     ///< from the segment's axis; > 0 with NoLoadKind::chambers
+  int sense = 1;             ///< 1 where it extends under positive commands, −1 where it contracts
+  PressureLimits limit_kpa;  ///< in the command's unit
+  StrainPolynomial strain_polynomial{};  ///< of its strain; all 0: the strain is the command itself
+};
+
+/// One bending segment: in the plane, two actuators on each side; in space, chambers.
 struct Segment {
   double length_m = 0.0;                 ///< l0, unpressurised, > 0
-  double width_m = 0.0;                  ///< t, between the two sides, > 0
+  double width_m = 0.0;                  ///< t, between the two sides, > 0; in space its diameter
   int gaps = 0;                          ///< spaces between support plates, ≥ 1
   PressureLimits pressure_limit_kpa;     ///< ± p_max, or of each side its own
   StrainPolynomial strain_polynomial{};  ///< NoLoadKind::strain_polynomial only
   /// κ in 1/m over the command, positive to the left, ≠ 0; NoLoadKind::curvature only.
   double curvature_per_unit = 1.0;
+  std::vector<Chamber> chambers{};  ///< of an arm in space, ≥ 1; else none
+  /// 3 × all chambers of the arm: bend about y and about z [rad] and extension [share of length_m]
+  /// over their strains. NoLoadKind::fitted only.
+  Eigen::MatrixXd shape_of_strains{};
 };
 
 /// A command of the real arm, such as a motor's, where segments have none of their own
@@ -100,10 +119,11 @@ struct VirtualArmSection {
   std::string file = "arm";  ///< stands for the file in messages
 };
 
-/// A planar arm as its file describes it (docs/formats.md, schema limber/arm/1). Plain values;
+/// An arm as its file describes it (docs/formats.md, schema limber/arm/1). Plain values;
 /// `validate`d by the reader.
 struct ArmDescription {
   std::string name;
+  Dimension dimension = Dimension::plane;
   Command command;
   NoLoadKind no_load = NoLoadKind::strain_polynomial;
   std::vector<Segment> segments;     ///< base first
@@ -112,13 +132,19 @@ struct ArmDescription {
   double pressure_rate_limit_kpa_per_s =
       0.0;                         ///< what the valves can follow; bounds a plan's frames
   double actuator_radius_m = 0.0;  ///< collision radius of a gap is width/2 + this
+  /// Where things fall in the frame of the base, of unit length; 0 where the file does not say.
+  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
   VirtualArmSection virtual_arm;
 
   /// What bends: shapes, lengths and curvatures have one of each.
   int segment_count() const { return static_cast<int>(segments.size()); }
-  /// What is commanded: n of Pressures, of valves and of their limits. Equal to segment_count()
-  /// today; an arm in space will have several channels per segment.
-  int channel_count() const { return segment_count(); }
+  bool is_spatial() const { return dimension == Dimension::space; }
+  /// What is commanded: n of Pressures, of valves and of their limits. In the plane a segment has
+  /// one, in space one for each of its chambers, base first.
+  int channel_count() const;
+  const PressureLimits& limits_of_channel(int channel) const;
+  /// Chamber of that channel. @pre is_spatial()
+  const Chamber& chamber(int channel) const;
   /// Backbone points m: every plate, base included.
   int point_count() const;
   double length_m() const;
@@ -134,6 +160,9 @@ struct ArmDescription {
   /// name excluded.
   std::string hash() const;
 };
+
+/// @throws InputError "WHAT can't use an arm in space …" for one, and names what can.
+void require_planar(const ArmDescription& arm, const std::string& what);
 
 /// @throws InputError "WHAT needs an arm that is driven by pressures in kPa …" for any other.
 void require_pressure_driven(const ArmDescription& arm, const std::string& what);

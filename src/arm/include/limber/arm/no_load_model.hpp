@@ -1,12 +1,15 @@
 #pragma once
 // For those who ask a model where the arm goes.
 
+#include <memory>
 #include <vector>
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/backbone.hpp"
 
 namespace limber {
+
+class SpaceNoLoad;
 
 /// Curvature and length of one segment; positive curvature bends left.
 struct SegmentShape {
@@ -22,9 +25,9 @@ struct SegmentPressure {
 };
 
 /// Shape of the unloaded, frictionless arm at given pressures: docs/model.md, (3), (4), (11) and
-/// (12).
+/// (12); of an arm in space, (24) to (26), and then `poses` alone.
 ///
-/// Sizes:   n segments, m backbone points (plates, base included).
+/// Sizes:   n channels (in the plane: segments), m backbone points (plates, base included).
 /// Frame:   B, the arm's base: x along the straight arm, y left, θ counter-clockwise and unwrapped.
 /// Threads: constant after construction; share it freely.
 class NoLoadModel {
@@ -34,10 +37,20 @@ class NoLoadModel {
   explicit NoLoadModel(const ArmDescription& arm);
 
   int segment_count() const { return static_cast<int>(segments_.size()); }
-  int channel_count() const { return segment_count(); }  ///< as in ArmDescription
+  int channel_count() const { return channel_count_; }  ///< as in ArmDescription
+  Dimension dimension() const { return dimension_; }
   int point_count() const { return point_count_; }
   NoLoadKind kind() const { return kind_; }
   const Command& command() const { return command_; }
+
+  /// Backbone B̃ at `pressures_kpa` (size n) of either kind of arm, written to `numbers`: m poses of
+  /// pose_size(dimension()) numbers.
+  void poses(const Eigen::Ref<const Eigen::VectorXf>& pressures_kpa,
+             Eigen::Ref<Eigen::VectorXf> numbers) const;
+  /// The model of an arm in space; else null.
+  const SpaceNoLoad* in_space() const { return in_space_.get(); }
+
+  // What follows is of planar arms.
 
   /// Backbone B̃ at `pressures_kpa` (size n), written to `backbone` (m×3). Above a pressure's limit
   /// the strain continues along the end slope of the polynomial, so that a measured overshoot is
@@ -69,7 +82,10 @@ class NoLoadModel {
   std::vector<Segment> segments_;
   NoLoadKind kind_;
   Command command_;
+  Dimension dimension_;
+  int channel_count_ = 0;
   int point_count_ = 0;
+  std::shared_ptr<const SpaceNoLoad> in_space_;
 };
 
 }  // namespace limber

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <iterator>
 #include <string>
 
 #include <Eigen/Core>
@@ -15,6 +16,18 @@ namespace limber {
 
 inline std::string segment_name(Eigen::Index segment) {
   return fmt::format("segment {}", segment);
+}
+
+/// What a command moves: "segment 1", or of an arm in space "chamber 2 of segment 1".
+inline std::string channel_name(const ArmDescription& arm, Eigen::Index channel) {
+  if (!arm.is_spatial()) {
+    return segment_name(channel);
+  }
+  Eigen::Index segment = 0;
+  while (channel >= std::ssize(arm.segments[std::size_t(segment)].chambers)) {
+    channel -= std::ssize(arm.segments[std::size_t(segment++)].chambers);
+  }
+  return fmt::format("chamber {} of {}", channel, segment_name(segment));
 }
 
 inline std::string plate_name(Eigen::Index plate) {

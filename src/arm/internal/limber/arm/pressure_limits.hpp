@@ -28,7 +28,7 @@ inline constexpr int kCornerStates = 3;
 /// that has one side only takes half of it in place of the missing one.
 double corner_kpa(const PressureLimits& limits, int state);
 
-/// Of every segment, base first.
+/// Of every channel, base first.
 std::vector<PressureLimits> limits_of(const ArmDescription& arm);
 
 }  // namespace limber

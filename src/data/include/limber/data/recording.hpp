@@ -25,13 +25,15 @@ inline Eigen::Map<const Backbone> backbone_at(const FrameMatrix& backbones, Eige
   return {backbones.row(frame).data(), backbones.cols() / kPoseSize, kPoseSize};
 }
 
-/// One unbroken run of the arm at its frame rate: T frames, n segments, m backbone points.
+/// One unbroken run of the arm at its frame rate: T frames, n channels (in the plane: segments), m
+/// backbone points.
 struct Episode {
   Eigen::VectorXd time_s;    ///< T, strictly increasing
   FrameMatrix pressure_kpa;  ///< T×n, measured, gauge, signed; or see `setpoints_only`
   FrameMatrix setpoint_kpa;  ///< T×n, what was commanded
   FrameMatrix
-      backbone;  ///< T×3m, poses (x_m, y_m, theta_rad) of the points, base first, θ unwrapped
+      backbone;  ///< T×3m, poses (x_m, y_m, theta_rad) of the points, base first, θ unwrapped;
+                 ///< of an arm in space T×7m, (x_m, y_m, z_m, qx, qy, qz, qw)
   std::vector<int> motion_index;  ///< T, number of the commanded motion a frame belongs to, from 0
 
   /// T, 1 if the backbone was tracked, 0 if it was not and is filled in between its tracked
@@ -42,6 +44,10 @@ struct Episode {
   /// learns what the arm does under set points, its valves included.
   bool setpoints_only = false;
 
+  Dimension dimension = Dimension::plane;
+  /// In space: rotations were made from positions (docs/space.md). Nothing is measured against them.
+  bool lifted = false;
+
   /// JSON of what a virtual arm that was varied has other than its file; empty: nothing was. Those
   /// who want to know read it; no network ever does.
   std::string physics;
@@ -50,11 +56,15 @@ struct Episode {
   std::string log;
 
   int frame_count() const { return static_cast<int>(time_s.size()); }
+  /// m.
+  int point_count() const { return static_cast<int>(backbone.cols()) / pose_size(dimension); }
   int untracked_count() const;
   /// Whether the backbone of frame `t` was tracked. @pre 0 ≤ t < frame_count()
   bool was_tracked(int t) const {
     return tracked.empty() || tracked[static_cast<std::size_t>(t)] != 0;
   }
+  /// Where a plate is in frame `t`; in the plane z is 0.
+  Eigen::Vector3d position_m(Eigen::Index t, Eigen::Index plate) const;
   /// The first tracked frame at or after `t` and before `end`; `end` if there is none. @pre end ≤
   /// frame_count()
   int next_tracked(int t, int end) const {
@@ -71,7 +81,9 @@ struct Recording {
   std::string arm_hash;
   std::string arm_description;  ///< arm_keys_to_yaml(); empty in files of before it was kept
   Command command;              ///< what the numbers named pressure and set point are
+  Dimension dimension = Dimension::plane;
   int segment_count = 0;
+  int chamber_count = 0;  ///< of an arm in space: a command each; else 0
   int point_count = 0;
   double rate_hz = 0.0;
   std::uint64_t seed = 0;
@@ -85,6 +97,11 @@ struct Recording {
   std::size_t number(std::size_t episode) const {
     return numbers.empty() ? episode : static_cast<std::size_t>(numbers[episode]);
   }
+  /// Columns of commands.
+  int channel_count() const {
+    return dimension == Dimension::space ? chamber_count : segment_count;
+  }
+  bool lifted() const { return !episodes.empty() && episodes.front().lifted; }
   /// Whose arm this is (arm/arm_identity.hpp).
   ArmIdentity arm() const { return {arm_name, arm_hash, arm_description}; }
   /// Whether nothing was measured (Episode::setpoints_only): true of all episodes or of none.
@@ -140,8 +157,8 @@ void require_episodes_of(const std::vector<Episode>& episodes, const NoLoadModel
                          const std::string& where = "the recording");
 
 /// The same where no arm is given: frames of equal sizes, of finite numbers, at increasing times.
-/// @param segment_count,point_count  expected of each; 0: those of the first
-void require_alike(const std::vector<Episode>& episodes, int segment_count = 0, int point_count = 0,
+/// @param channel_count,point_count  expected of each; 0: those of the first
+void require_alike(const std::vector<Episode>& episodes, int channel_count = 0, int point_count = 0,
                    const std::string& where = "the recording");
 
 }  // namespace limber

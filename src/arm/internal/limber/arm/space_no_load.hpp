@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "limber/arm/arm_description.hpp"
+
+namespace limber {
+
+/// Bend and length of one segment in space.
+struct SpaceSegmentShape {
+  Eigen::Vector3d rotation_rad;  ///< from its beginning to its end; nothing twists it
+  double length_m = 0.0;
+};
+
+/// The unloaded arm in space: strains of all chambers, (25), a matrix from them to the bend and the
+/// extension of every segment, (26), and elements of constant strain, (24), of docs/model.md.
+///
+/// Sizes:   n chambers in all, s segments, m plates. Threads: constant after construction.
+class SpaceNoLoad {
+ public:
+  explicit SpaceNoLoad(const ArmDescription& arm);
+
+  /// (25): of every chamber, at `commands` (n); with sign, positive where it extends. Above a limit
+  /// it goes on along its end slope.
+  Eigen::VectorXd strains(const Eigen::Ref<const Eigen::VectorXd>& commands) const;
+  SpaceSegmentShape segment_shape(int segment, const Eigen::VectorXd& strains) const;
+  /// 3s × n: of each segment its bend about y and z [rad] and its extension [share of its length].
+  const Eigen::MatrixXd& shape_of_strains() const { return shape_; }
+
+  /// m poses, kSpacePoseSize numbers each.
+  void poses(const Eigen::Ref<const Eigen::VectorXd>& commands,
+             Eigen::Ref<Eigen::VectorXf> numbers) const;
+
+ private:
+  ArmDescription arm_;
+  Eigen::MatrixXd shape_;
+};
+
+}  // namespace limber

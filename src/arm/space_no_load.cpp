@@ -1,0 +1,95 @@
+#include "limber/arm/space_no_load.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/QR>
+
+#include "limber/arm/space_pose.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr int kRows = 3;  // of a segment: bend about y, bend about z, extension
+
+/// Of a segment whose chambers are springs of equal stiffness: the constant strain that fits all of
+/// their own strains best. A chamber at (y, z) has ε = ε0 − κz y + κy z.
+Eigen::MatrixXd shape_of_chambers(const Segment& segment) {
+  const auto count = static_cast<Eigen::Index>(segment.chambers.size());
+  Eigen::MatrixXd places(count, kRows);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Chamber& chamber = segment.chambers[static_cast<std::size_t>(i)];
+    const double angle_rad = chamber.angle_deg * std::numbers::pi / 180.0;
+    places.row(i) << chamber.radius_m * std::sin(angle_rad),
+        -chamber.radius_m * std::cos(angle_rad), 1.0;
+  }
+  // Two chambers can't bend it both ways, and then bend it one way only.
+  const Eigen::MatrixXd fit = places.completeOrthogonalDecomposition().pseudoInverse();
+  Eigen::MatrixXd shape = fit;
+  shape.topRows<2>() *= segment.length_m;  // curvature times length
+  return shape;
+}
+
+}  // namespace
+
+SpaceNoLoad::SpaceNoLoad(const ArmDescription& arm) : arm_(arm) {
+  shape_ = Eigen::MatrixXd::Zero(kRows * arm.segment_count(), arm.channel_count());
+  Eigen::Index first = 0;
+  for (int i = 0; i < arm.segment_count(); ++i) {
+    const Segment& segment = arm.segments[static_cast<std::size_t>(i)];
+    const auto chambers = static_cast<Eigen::Index>(segment.chambers.size());
+    if (arm.no_load == NoLoadKind::chambers) {
+      shape_.block(kRows * i, first, kRows, chambers) = shape_of_chambers(segment);
+    } else if (arm.no_load == NoLoadKind::fitted) {
+      shape_.middleRows<kRows>(kRows * i) = segment.shape_of_strains;
+    }
+    first += chambers;
+  }
+}
+
+Eigen::VectorXd SpaceNoLoad::strains(const Eigen::Ref<const Eigen::VectorXd>& commands) const {
+  Eigen::VectorXd result(commands.size());
+  for (Eigen::Index i = 0; i < commands.size(); ++i) {
+    const Chamber& chamber = arm_.chamber(static_cast<int>(i));
+    double strain = commands[i];
+    if (chamber.strain_polynomial != StrainPolynomial{}) {
+      const double size = std::abs(commands[i]);
+      const double limit = chamber.limit_kpa.largest_kpa();
+      const double slope = std::max(0.0, strain_slope_at(chamber.strain_polynomial, limit));
+      strain = strain_at(chamber.strain_polynomial, std::min(size, limit)) +
+               slope * std::max(0.0, size - limit);
+      strain = std::copysign(strain, commands[i]);
+    }
+    result[i] = chamber.sense * strain;
+  }
+  return result;
+}
+
+SpaceSegmentShape SpaceNoLoad::segment_shape(int segment, const Eigen::VectorXd& strains) const {
+  const Eigen::Vector3d shape = shape_.middleRows<kRows>(kRows * segment) * strains;
+  const double length_m = arm_.segments[static_cast<std::size_t>(segment)].length_m;
+  return {{0.0, shape[0], shape[1]}, length_m * (1.0 + shape[2])};
+}
+
+void SpaceNoLoad::poses(const Eigen::Ref<const Eigen::VectorXd>& commands,
+                        Eigen::Ref<Eigen::VectorXf> numbers) const {
+  const Eigen::VectorXd strains = this->strains(commands);
+  SpacePose pose;
+  numbers.head<kSpacePoseSize>() = numbers_of(pose).cast<float>();
+  Eigen::Index at = 0;
+  for (int i = 0; i < arm_.segment_count(); ++i) {
+    const SpaceSegmentShape shape = segment_shape(i, strains);
+    const int gaps = arm_.segments[static_cast<std::size_t>(i)].gaps;
+    const SpacePose step =
+        element<double>(shape.length_m / gaps, Eigen::Vector3d(shape.rotation_rad / gaps));
+    for (int g = 0; g < gaps; ++g) {
+      pose = compose(pose, step);
+      at += kSpacePoseSize;
+      numbers.segment<kSpacePoseSize>(at) = numbers_of(pose).cast<float>();
+    }
+  }
+}
+
+}  // namespace limber
