@@ -9,6 +9,8 @@
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/data/episode_slice.hpp"
+#include "limber/data/space_fit.hpp"
+#include "limber/data/valve_simulation.hpp"
 #include "limber/training/cross_validation.hpp"
 #include "limber/training/episode_slices.hpp"
 #include "sliced_recordings.hpp"
@@ -61,7 +63,10 @@ IdentifiedValves DataFlags::valves_of(const std::vector<Episode>& episodes,
   for (const std::string& path : data_) {
     files.push_back(fs::path(path).filename().string());
   }
-  return identify_valves(episodes, arm, fmt::format("{}", fmt::join(files, ", ")));
+  const std::string source = fmt::format("{}", fmt::join(files, ", "));
+  return arm.is_spatial() && !episodes.empty() && episodes.front().setpoints_only
+             ? valves_of_shapes(arm, episodes, source)
+             : identify_valves(episodes, arm, source);
 }
 
 EpisodeChoice DataFlags::load_arms(const CommonFlags& flags, const ArmDescription& arm,
@@ -125,6 +130,10 @@ EpisodeChoice DataFlags::load(const CommonFlags& flags, const ArmDescription& ar
   NamedEpisodes validation = load_validation(flags, reader);
   std::vector<std::string> broken = leave_out(arm, all, validation);
   valves = valves_of(all.episodes, arm);
+  if (arm.is_spatial()) {
+    follow_setpoints(valves.parameters, arm, all.episodes);
+    follow_setpoints(valves.parameters, arm, validation.episodes);
+  }
   EpisodeChoice choice;
   if (may_be_little && validation_.empty() && unseen_.empty() && is_little(arm, all.episodes)) {
     choice.is_little = true;
@@ -136,6 +145,9 @@ EpisodeChoice DataFlags::load(const CommonFlags& flags, const ArmDescription& ar
   choice.broken = std::move(broken);
   if (!unseen_.empty()) {
     choice.data.unseen = reader.read(unseen_).episodes;
+    if (arm.is_spatial()) {
+      follow_setpoints(valves.parameters, arm, choice.data.unseen);
+    }
   }
   return choice;
 }

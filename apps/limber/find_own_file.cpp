@@ -39,9 +39,17 @@ std::string find_arm_file(const std::string& name_or_path) {
                        "(three_segment, two_segment, five_segment, motor_driven, uneven_limits)");
 }
 
-ArmDescription load_asked_arm(const std::string& name_or_path, PolynomialsOf polynomials) {
+ArmDescription load_any_arm(const std::string& name_or_path, PolynomialsOf polynomials) {
   ArmDescription arm = load_arm(find_arm_file(name_or_path), polynomials);
-  virtual_arm_parameters(arm);  // refuses what is wrong there, whoever needs it
+  if (!arm.is_spatial()) {
+    virtual_arm_parameters(arm);  // refuses what is wrong there, whoever needs it
+  }
+  return arm;
+}
+
+ArmDescription load_asked_arm(const std::string& name_or_path, PolynomialsOf polynomials) {
+  ArmDescription arm = load_any_arm(name_or_path, polynomials);
+  require_planar(arm, "this command");
   return arm;
 }
 

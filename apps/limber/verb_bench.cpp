@@ -58,7 +58,7 @@ class BenchVerb final : public Verb {
     if (!plot_.empty()) {
       refuse_to_overwrite(plot_, flags.force);
     }
-    const ArmDescription arm = load_asked_arm(arm_);
+    const ArmDescription arm = load_any_arm(arm_);
     if (!training_.empty()) {
       return run_training(arm, flags);
     }

@@ -52,7 +52,7 @@ class EvaluateVerb final : public Verb {
 
   int run(const CommonFlags& flags) override {
     require_free_paths(flags);
-    const ArmDescription arm = load_asked_arm(arm_);
+    const ArmDescription arm = load_any_arm(arm_);
     const ForwardModel no_load(arm);
     std::optional<ForwardModel> network;
     if (!model_.empty()) {

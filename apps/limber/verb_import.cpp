@@ -52,7 +52,7 @@ class ImportVerb final : public Verb {
     if (!dry_run_) {
       refuse_to_overwrite(out_, flags.force);
     }
-    const ArmDescription arm = load_asked_arm(arm_);
+    const ArmDescription arm = load_any_arm(arm_);
     if (format_ == "csv" && mapping_.empty()) {
       throw InputError(
           "import csv needs --mapping MAP.yaml, which "

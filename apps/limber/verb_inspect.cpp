@@ -354,7 +354,7 @@ class InspectVerb final : public Verb {
   int run(const CommonFlags& flags) override {
     std::optional<ArmDescription> arm;
     if (!arm_.empty()) {
-      arm = load_asked_arm(arm_);
+      arm = load_any_arm(arm_);
     }
     Finding finding = inspect_file(file_, arm);
     nlohmann::ordered_json json = {{"file", file_}};

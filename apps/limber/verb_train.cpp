@@ -107,7 +107,7 @@ class TrainVerb final : public Verb {
       return only_add_bounds(flags);
     }
     require_free_paths(flags);
-    const ArmDescription arm = load_asked_arm(arm_);
+    const ArmDescription arm = load_any_arm(arm_);
     EpisodeReader reader(flags, arm, files_.setpoints());
     const std::optional<CompensationModel> start = read_start(arm, reader);
     TrainingSettings settings = make_settings(flags, start.has_value());
@@ -134,8 +134,10 @@ class TrainVerb final : public Verb {
       return kExitNoSolution;
     }
     result.model.set_valves(valves);
-    result.model.learnt =
-        learnt_region_of(data, start && start->learnt ? &*start->learnt : nullptr);
+    if (!arm.is_spatial()) {
+      result.model.learnt =
+          learnt_region_of(data, start && start->learnt ? &*start->learnt : nullptr);
+    }
     record_origin(result.model, reader.sources(), settings, choice);
     note_unseen(arm, result.model, data.unseen, flags.jobs);
     write(result);

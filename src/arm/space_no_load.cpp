@@ -12,13 +12,13 @@ namespace limber {
 
 namespace {
 
-constexpr int kRows = 3;  // of a segment: bend about y, bend about z, extension
+constexpr int kRowsOfSegment = 3;  // of a segment: bend about y, bend about z, extension
 
 /// Of a segment whose chambers are springs of equal stiffness: the constant strain that fits all of
 /// their own strains best. A chamber at (y, z) has ε = ε0 − κz y + κy z.
 Eigen::MatrixXd shape_of_chambers(const Segment& segment) {
   const auto count = static_cast<Eigen::Index>(segment.chambers.size());
-  Eigen::MatrixXd places(count, kRows);
+  Eigen::MatrixXd places(count, kRowsOfSegment);
   for (Eigen::Index i = 0; i < count; ++i) {
     const Chamber& chamber = segment.chambers[static_cast<std::size_t>(i)];
     const double angle_rad = chamber.angle_deg * std::numbers::pi / 180.0;
@@ -35,15 +35,15 @@ Eigen::MatrixXd shape_of_chambers(const Segment& segment) {
 }  // namespace
 
 SpaceNoLoad::SpaceNoLoad(const ArmDescription& arm) : arm_(arm) {
-  shape_ = Eigen::MatrixXd::Zero(kRows * arm.segment_count(), arm.channel_count());
+  shape_ = Eigen::MatrixXd::Zero(kRowsOfSegment * arm.segment_count(), arm.channel_count());
   Eigen::Index first = 0;
   for (int i = 0; i < arm.segment_count(); ++i) {
     const Segment& segment = arm.segments[static_cast<std::size_t>(i)];
     const auto chambers = static_cast<Eigen::Index>(segment.chambers.size());
     if (arm.no_load == NoLoadKind::chambers) {
-      shape_.block(kRows * i, first, kRows, chambers) = shape_of_chambers(segment);
+      shape_.block(kRowsOfSegment * i, first, kRowsOfSegment, chambers) = shape_of_chambers(segment);
     } else if (arm.no_load == NoLoadKind::fitted) {
-      shape_.middleRows<kRows>(kRows * i) = segment.shape_of_strains;
+      shape_.middleRows<kRowsOfSegment>(kRowsOfSegment * i) = segment.shape_of_strains;
     }
     first += chambers;
   }
@@ -68,7 +68,7 @@ Eigen::VectorXd SpaceNoLoad::strains(const Eigen::Ref<const Eigen::VectorXd>& co
 }
 
 SpaceSegmentShape SpaceNoLoad::segment_shape(int segment, const Eigen::VectorXd& strains) const {
-  const Eigen::Vector3d shape = shape_.middleRows<kRows>(kRows * segment) * strains;
+  const Eigen::Vector3d shape = shape_.middleRows<kRowsOfSegment>(kRowsOfSegment * segment) * strains;
   const double length_m = arm_.segments[static_cast<std::size_t>(segment)].length_m;
   return {{0.0, shape[0], shape[1]}, length_m * (1.0 + shape[2])};
 }

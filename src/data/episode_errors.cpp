@@ -13,6 +13,7 @@
 #include "limber/common/units.hpp"
 #include "limber/data/recording_inspection.hpp"
 #include "limber/data/simple_model.hpp"
+#include "limber/data/space_fit.hpp"
 
 namespace limber {
 
@@ -26,12 +27,13 @@ constexpr double kRelated = 0.6;         // … where the others' middle one is 
 constexpr double kMovedShare = 0.01;     // of the arm's length, by the tip
 
 double mean_tip_error_cm(const FrameMatrix& expected, const Episode& episode) {
-  const Eigen::Index tip = expected.cols() - kPoseSize;
+  const Eigen::Index tip = expected.cols() - pose_size(episode.dimension);
+  const Eigen::Index numbers = position_size(episode.dimension);
   double sum = 0.0;
   int count = 0;
   for (int t = 0; t < episode.frame_count(); ++t) {
     if (episode.was_tracked(t)) {
-      sum += double((expected.row(t) - episode.backbone.row(t)).segment<2>(tip).norm());
+      sum += double((expected.row(t) - episode.backbone.row(t)).segment(tip, numbers).norm());
       ++count;
     }
   }
@@ -39,7 +41,8 @@ double mean_tip_error_cm(const FrameMatrix& expected, const Episode& episode) {
 }
 
 bool tip_moves(const ArmDescription& arm, const FrameMatrix& backbones) {
-  const auto tips = backbones.middleCols<2>(backbones.cols() - kPoseSize);
+  const auto tips = backbones.middleCols(backbones.cols() - pose_size(arm.dimension),
+                                         position_size(arm.dimension));
   return double((tips.rowwise() - tips.row(0)).rowwise().norm().maxCoeff()) >
          kMovedShare * arm.length_m();
 }
@@ -119,6 +122,52 @@ void mark_mistakes(const SimpleModel& model, const ArmDescription& arm,
   }
 }
 
+/// @param known  logarithms of the errors of those that move
+void mark_far_off(const std::vector<double>& known, EpisodeErrors& errors) {
+  errors.limit_cm = std::numeric_limits<double>::infinity();
+  if (known.empty()) {
+    return;
+  }
+  const double middle = median(known);
+  errors.median_cm = std::exp(middle);
+  if (known.size() >= kMinEpisodes) {
+    std::vector<double> deviations;
+    for (const double one : known) {
+      deviations.push_back(std::abs(one - middle));
+    }
+    const double spread = kDeviations * kScaleOfMedian * median(std::move(deviations));
+    errors.limit_cm = std::exp(middle + std::max(spread, std::log(kMinRatio)));
+  }
+  for (EpisodeError& episode : errors.episodes) {
+    if (episode.moves && episode.tip_cm > errors.limit_cm) {
+      episode.why =
+          fmt::format("{:.1f} cm at the tip, more than {:.1f} cm", episode.tip_cm, errors.limit_cm);
+    }
+  }
+}
+
+/// In space nothing is said of turns: what commands make of them is fitted, whatever it is.
+EpisodeErrors errors_in_space(const ArmDescription& arm, const std::vector<Episode>& episodes) {
+  const SpaceFit model = fit_space_model(arm, episodes);
+  EpisodeErrors errors;
+  std::vector<double> known;
+  for (const Episode& episode : episodes) {
+    const FrameMatrix expected = predict(model, arm, episode);
+    const double error_cm = mean_tip_error_cm(expected, episode);
+    const bool moves = tip_moves(arm, expected) || tip_moves(arm, episode.backbone);
+    errors.episodes.push_back({episode_name(std::ssize(errors.episodes), episode.log), error_cm,
+                               std::numeric_limits<double>::quiet_NaN(), moves, false, ""});
+    if (moves && error_cm > 0.0) {
+      known.push_back(std::log(error_cm));
+    }
+  }
+  mark_far_off(known, errors);
+  for (EpisodeError& episode : errors.episodes) {
+    episode.is_outlier = !episode.why.empty();
+  }
+  return errors;
+}
+
 }  // namespace
 
 std::vector<int> EpisodeErrors::outliers() const {
@@ -137,6 +186,9 @@ EpisodeErrors episode_errors(const ArmDescription& arm, const std::vector<Episod
 }
 
 EpisodeErrors errors_of_any(const ArmDescription& arm, const std::vector<Episode>& episodes) {
+  if (arm.is_spatial()) {
+    return errors_in_space(arm, episodes);
+  }
   const SimpleModel model = fit_to_any(arm, episodes).model;
   EpisodeErrors errors;
   std::vector<double> known;
@@ -152,25 +204,9 @@ EpisodeErrors errors_of_any(const ArmDescription& arm, const std::vector<Episode
       known.push_back(std::log(error.tip_cm));
     }
   }
-  errors.limit_cm = std::numeric_limits<double>::infinity();
+  mark_far_off(known, errors);
   if (known.empty()) {
     return errors;
-  }
-  const double middle = median(known);
-  errors.median_cm = std::exp(middle);
-  if (known.size() >= kMinEpisodes) {
-    std::vector<double> deviations;
-    for (const double one : known) {
-      deviations.push_back(std::abs(one - middle));
-    }
-    const double spread = kDeviations * kScaleOfMedian * median(std::move(deviations));
-    errors.limit_cm = std::exp(middle + std::max(spread, std::log(kMinRatio)));
-  }
-  for (EpisodeError& episode : errors.episodes) {
-    if (episode.moves && episode.tip_cm > errors.limit_cm) {
-      episode.why =
-          fmt::format("{:.1f} cm at the tip, more than {:.1f} cm", episode.tip_cm, errors.limit_cm);
-    }
   }
   mark_unrelated(correlations, errors);
   if (known.size() >= kMinEpisodes) {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "limber/arm/names.hpp"
+#include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/data/valve_simulation.hpp"
@@ -331,8 +332,8 @@ IdentifiedValves identify_valves(const std::vector<Episode>& episodes, const Arm
   recording.episodes = episodes;
   validate(recording, source);
   std::vector<double> limits;
-  for (const Segment& segment : arm.segments) {
-    limits.push_back(segment.pressure_limit_kpa.largest_kpa());
+  for (const PressureLimits& limit : limits_of(arm)) {
+    limits.push_back(limit.largest_kpa());
   }
   return identify_valves(recording, std::move(limits));
 }

@@ -122,7 +122,8 @@ void ForwardModel::step_batch(const Eigen::Ref<const Eigen::MatrixXf>& previous_
                               const Eigen::Ref<const Eigen::MatrixXf>& previous,
                               Eigen::Ref<Eigen::MatrixXf> next, Workspace& workspace) const {
   assert(previous_kpa.rows() == channel_count() && current_kpa.rows() == channel_count());
-  assert(previous.rows() == kPoseSize * point_count() && next.rows() == kPoseSize * point_count());
+  assert(previous.rows() == pose_size(dimension()) * point_count() &&
+         next.rows() == previous.rows());
   assert(previous_kpa.cols() == next.cols() && current_kpa.cols() == next.cols() &&
          previous.cols() == next.cols());
   assert(previous_kpa.allFinite() && current_kpa.allFinite() && previous.allFinite());

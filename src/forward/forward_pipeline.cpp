@@ -1,6 +1,9 @@
 #include "forward_pipeline.hpp"
 
 #include <algorithm>
+#include <iterator>
+
+#include "limber/arm/space_no_load.hpp"
 
 namespace limber {
 
@@ -37,6 +40,20 @@ NoLoadSegment pack(const Segment& segment, NoLoadKind kind) {
   return packed;
 }
 
+NoLoadChamber pack(const Chamber& chamber) {
+  const StrainPolynomial& c = chamber.strain_polynomial;
+  const double limit = chamber.limit_kpa.largest_kpa();
+  NoLoadChamber packed{};
+  std::transform(c.begin(), c.end(), packed.strain_coefficient,
+                 [](double x) { return static_cast<float>(x); });
+  packed.limit = static_cast<float>(limit);
+  packed.strain_at_limit = static_cast<float>(strain_at(c, limit));
+  packed.slope_at_limit = static_cast<float>(std::max(0.0, strain_slope_at(c, limit)));
+  packed.sense = static_cast<float>(chamber.sense);
+  packed.has_strain = c != StrainPolynomial{};
+  return packed;
+}
+
 int padded(int count, int lanes) {
   return (count + lanes - 1) / lanes * lanes;
 }
@@ -46,13 +63,29 @@ int padded(int count, int lanes) {
 ForwardPipeline::ForwardPipeline(const ArmDescription& arm, const CompensationModel* model,
                                  CpuLevel level)
     : segments_(arm.segment_count()),
+      channels_(arm.channel_count()),
       points_(arm.point_count()),
+      dimension_(arm.dimension),
       rows_(row_kernels(level)),
+      gaps_(arm.is_spatial() ? rows_.in_space : rows_.in_plane),
+      poses_(gaps_.pose_size * points_),
       layout_(model != nullptr ? model->layout : BackboneLayout::base_poses,
               model != nullptr ? model->form : OutputForm::compensation, arm,
               model != nullptr && model->reads_velocity) {
   for (const Segment& segment : arm.segments) {
     no_load_.push_back(pack(segment, arm.no_load));
+    for (const Chamber& chamber : segment.chambers) {
+      in_space_.chambers.push_back(pack(chamber));
+    }
+    in_space_.gap_length_m.push_back(static_cast<float>(segment.length_m / segment.gaps));
+    in_space_.gap_share.push_back(1.0F / static_cast<float>(segment.gaps));
+  }
+  if (arm.is_spatial()) {
+    const SpaceNoLoad no_load(arm);
+    for (const auto& row : no_load.shape_of_strains().rowwise()) {
+      std::ranges::transform(row, std::back_inserter(in_space_.shape),
+                             [](double share) { return static_cast<float>(share); });
+    }
   }
   for (int gap = 0; gap + 1 < points_; ++gap) {
     segment_of_gap_.push_back(arm.segment_of_gap(gap));
@@ -62,16 +95,16 @@ ForwardPipeline::ForwardPipeline(const ArmDescription& arm, const CompensationMo
     for (int gap = 0; model->bounds && gap + 1 < points_; ++gap) {
       const GapBounds& b = *model->bounds;
       bounds_.push_back(gap_bound(b.min_length_m[gap], b.max_length_m[gap], b.min_turn_rad[gap],
-                                  b.max_turn_rad[gap]));
+                                  b.max_turn_rad[gap],
+                                  arm.is_spatial() ? b.max_bend_rad[gap] : 0.0F));
     }
   }
 }
 
 std::size_t ForwardPipeline::scratch_size() const {
   // Base poses and gap poses as rows, then a network's input and two layers as rows or as columns.
-  const int network = network_ ? layout_.input_size() + 2 * network_->padded_width() : segments_;
-  return static_cast<std::size_t>((kPoseSize * points_ + kPoseSize * points_ + network) *
-                                  kTileQueries);
+  const int network = network_ ? layout_.input_size() + 2 * network_->padded_width() : channels_;
+  return static_cast<std::size_t>((2 * poses_ + network) * kTileQueries);
 }
 
 void ForwardPipeline::run(int count, const QueryColumns& queries, float* scratch) const {
@@ -94,62 +127,87 @@ void ForwardPipeline::run(int count, const QueryColumns& queries, float* scratch
 void ForwardPipeline::run_no_load(int count, const QueryColumns& queries, float* scratch) const {
   const int stride = padded(count, rows_.lanes);
   float* const base = scratch;
-  float* const gap = base + kPoseSize * points_ * stride;
-  float* const pressure = gap + kPoseSize * points_ * stride;
-  rows_.gather(segments_, count, queries.current_kpa.data, queries.current_kpa.ld, pressure,
+  float* const gap = base + poses_ * stride;
+  float* const pressure = gap + poses_ * stride;
+  rows_.gather(channels_, count, queries.current_kpa.data, queries.current_kpa.ld, pressure,
                stride);
-  rows_.no_load_gaps(no_load_.data(), segments_, pressure, gap, stride);
-  rows_.chain_segments(no_load_.data(), segments_, gap, base, stride);
-  rows_.scatter(kPoseSize * points_, count, base, stride, queries.next.data, queries.next.ld);
+  no_load_rows(stride, pressure, gap);
+  chain_no_load(stride, gap, base);
+  rows_.scatter(poses_, count, base, stride, queries.next.data, queries.next.ld);
+}
+
+void ForwardPipeline::no_load_rows(int stride, const float* pressure, float* gap) const {
+  if (dimension_ == Dimension::space) {
+    rows_.no_load_space_gaps({segments_, channels_, in_space_.chambers.data(),
+                              in_space_.shape.data(), in_space_.gap_length_m.data(),
+                              in_space_.gap_share.data()},
+                             pressure, gap, stride);
+  } else {
+    rows_.no_load_gaps(no_load_.data(), segments_, pressure, gap, stride);
+  }
+}
+
+// Of the segments' gaps to all plates. `gap` has room for all gaps.
+void ForwardPipeline::chain_no_load(int stride, float* gap, float* base) const {
+  if (dimension_ == Dimension::plane) {
+    rows_.chain_segments(no_load_.data(), segments_, gap, base, stride);
+    return;
+  }
+  // In place, from the tip: a gap never lies before its segment's.
+  const std::ptrdiff_t size = std::ptrdiff_t{gaps_.gap_size} * stride;
+  for (int g = points_ - 2; g >= 0; --g) {
+    std::copy_n(gap + size * segment_of_gap_[static_cast<std::size_t>(g)], size, gap + size * g);
+  }
+  gaps_.decode(points_ - 1, gap, base, stride);
 }
 
 void ForwardPipeline::run_many(int count, const QueryColumns& queries, float* scratch) const {
   const int stride = padded(count, rows_.lanes);
   float* const base = scratch;
-  float* const gap = base + kPoseSize * points_ * stride;
-  float* const input = gap + kPoseSize * points_ * stride;
+  float* const gap = base + poses_ * stride;
+  float* const input = gap + poses_ * stride;
   float* const pressure = input + layout_.pressure_row() * stride;
   float* const backbone = input + layout_.backbone_row() * stride;
   float* const no_load = input + layout_.no_load_row() * stride;
   float* const change = input + layout_.change_row() * stride;
   float* const layers = input + layout_.input_size() * stride;
-  rows_.gather(segments_, count, queries.previous_kpa.data, queries.previous_kpa.ld, input, stride);
-  rows_.gather(segments_, count, queries.current_kpa.data, queries.current_kpa.ld, pressure,
+  rows_.gather(channels_, count, queries.previous_kpa.data, queries.previous_kpa.ld, input, stride);
+  rows_.gather(channels_, count, queries.current_kpa.data, queries.current_kpa.ld, pressure,
                stride);
   if (layout_.backbone_layout() == BackboneLayout::base_poses) {
-    rows_.gather(kPoseSize * points_, count, queries.previous.data, queries.previous.ld, backbone,
+    rows_.gather(poses_, count, queries.previous.data, queries.previous.ld, backbone,
                  stride);
     if (layout_.reads_velocity()) {
-      rows_.gather(kPoseSize * points_, count, queries.before.data, queries.before.ld, change,
+      rows_.gather(poses_, count, queries.before.data, queries.before.ld, change,
                    stride);
-      subtract_from(backbone, kPoseSize * points_ * stride, change);
+      subtract_from(backbone, poses_ * stride, change);
     }
-    rows_.no_load_gaps(no_load_.data(), segments_, pressure, gap, stride);
-    rows_.chain_segments(no_load_.data(), segments_, gap, no_load, stride);
+    no_load_rows(stride, pressure, gap);
+    chain_no_load(stride, gap, no_load);
     const float* output = network_->evaluate_rows(stride, input, layers);
-    const int all = kPoseSize * points_ * stride;
+    const int all = poses_ * stride;
     compose(all, backbone, no_load, output, output + all, base);
     if (!bounds_.empty()) {
       rows_.bound_base(points_ - 1, bounds_.data(), base, stride);
     }
   } else {
-    rows_.gather(kPoseSize * points_, count, queries.previous.data, queries.previous.ld, base,
+    rows_.gather(poses_, count, queries.previous.data, queries.previous.ld, base,
                  stride);
-    rows_.encode_gaps(points_ - 1, base, backbone, stride);
+    gaps_.encode(points_ - 1, base, backbone, stride);
     if (layout_.reads_velocity()) {
-      rows_.gather(kPoseSize * points_, count, queries.before.data, queries.before.ld, base,
+      rows_.gather(poses_, count, queries.before.data, queries.before.ld, base,
                    stride);
-      rows_.encode_gaps(points_ - 1, base, change, stride);
+      gaps_.encode(points_ - 1, base, change, stride);
       subtract_from(backbone, layout_.backbone_size() * stride, change);
     }
-    rows_.no_load_gaps(no_load_.data(), segments_, pressure, no_load, stride);
+    no_load_rows(stride, pressure, no_load);
     compose_gaps(stride, backbone, no_load, network_->evaluate_rows(stride, input, layers), gap);
     if (!bounds_.empty()) {
-      rows_.bound_gaps(points_ - 1, bounds_.data(), gap, stride);
+      gaps_.bound(points_ - 1, bounds_.data(), gap, stride);
     }
-    rows_.decode_gaps(points_ - 1, gap, base, stride);
+    gaps_.decode(points_ - 1, gap, base, stride);
   }
-  rows_.scatter(kPoseSize * points_, count, base, stride, queries.next.data, queries.next.ld);
+  rows_.scatter(poses_, count, base, stride, queries.next.data, queries.next.ld);
 }
 
 void ForwardPipeline::run_few(int count, const QueryColumns& queries, float* scratch) const {
@@ -157,22 +215,22 @@ void ForwardPipeline::run_few(int count, const QueryColumns& queries, float* scr
   const int ld = layout_.input_size();
   const int width = network_->padded_width();
   float* const base = scratch;
-  float* const gap = base + kPoseSize * points_ * stride;
-  float* const input = gap + kPoseSize * points_ * stride;  // columns from here on
+  float* const gap = base + poses_ * stride;
+  float* const input = gap + poses_ * stride;  // columns from here on
   float* const layers = input + ld * count;
   float* const pressure = layers;  // rows again, read before the layers are written
   const bool has_gap_poses = layout_.backbone_layout() == BackboneLayout::gap_poses;
   for (int q = 0; q < count; ++q) {
     write_column(queries.from(q), input + q * ld);
   }
-  rows_.gather(segments_, count, queries.current_kpa.data, queries.current_kpa.ld, pressure,
+  rows_.gather(channels_, count, queries.current_kpa.data, queries.current_kpa.ld, pressure,
                stride);
-  rows_.no_load_gaps(no_load_.data(), segments_, pressure, gap, stride);
+  no_load_rows(stride, pressure, gap);
   if (has_gap_poses) {
-    rows_.scatter(kPoseSize * segments_, count, gap, stride, input + layout_.no_load_row(), ld);
+    rows_.scatter(gaps_.gap_size * segments_, count, gap, stride, input + layout_.no_load_row(), ld);
   } else {
-    rows_.chain_segments(no_load_.data(), segments_, gap, base, stride);
-    rows_.scatter(kPoseSize * points_, count, base, stride, input + layout_.no_load_row(), ld);
+    chain_no_load(stride, gap, base);
+    rows_.scatter(poses_, count, base, stride, input + layout_.no_load_row(), ld);
   }
   const float* outputs = network_->evaluate_columns(count, input, ld, layers);
   for (int q = 0; q < count; ++q) {
@@ -184,9 +242,9 @@ void ForwardPipeline::run_few(int count, const QueryColumns& queries, float* scr
       spread_over_gaps(no_load, base);
       compose(layout_.backbone_size(), previous, base, output, gate, gap);
       if (!bounds_.empty()) {
-        rows_.bound_gaps_of_one(points_ - 1, bounds_.data(), gap);
+        gaps_.bound_one(points_ - 1, bounds_.data(), gap);
       }
-      rows_.decode_gaps_of_one(points_ - 1, gap, queries.next.column(q));
+      gaps_.decode_one(points_ - 1, gap, queries.next.column(q));
     } else {
       float* const next = queries.next.column(q);
       compose(layout_.backbone_size(), previous, no_load, output, gate, next);
@@ -201,13 +259,13 @@ void ForwardPipeline::run_few(int count, const QueryColumns& queries, float* scr
 void ForwardPipeline::write_column(const QueryColumns& queries, float* column) const {
   const auto encode = [&](const float* base_poses, float* to) {
     if (layout_.backbone_layout() == BackboneLayout::gap_poses) {
-      rows_.encode_gaps_of_one(points_ - 1, base_poses, to);
+      gaps_.encode_one(points_ - 1, base_poses, to);
     } else {
-      std::copy_n(base_poses, kPoseSize * points_, to);
+      std::copy_n(base_poses, poses_, to);
     }
   };
-  std::copy_n(queries.previous_kpa.data, segments_, column);
-  std::copy_n(queries.current_kpa.data, segments_, column + segments_);
+  std::copy_n(queries.previous_kpa.data, channels_, column);
+  std::copy_n(queries.current_kpa.data, channels_, column + channels_);
   float* const backbone = column + layout_.backbone_row();
   encode(queries.previous.data, backbone);
   if (layout_.reads_velocity()) {
@@ -226,7 +284,8 @@ void ForwardPipeline::subtract_from(const float* after, int count, float* change
 // Of B̃ there is one gap pose per segment; every gap of it gets its own.
 void ForwardPipeline::spread_over_gaps(const float* no_load, float* gaps) const {
   for (std::size_t g = 0; g < segment_of_gap_.size(); ++g) {
-    std::copy_n(no_load + kPoseSize * segment_of_gap_[g], kPoseSize, gaps + kPoseSize * g);
+    const int size = gaps_.gap_size;
+    std::copy_n(no_load + size * segment_of_gap_[g], size, gaps + size * static_cast<int>(g));
   }
 }
 
@@ -246,8 +305,9 @@ void ForwardPipeline::compose_gaps(int stride, const float* previous, const floa
   const float* gates = output + layout_.backbone_size() * stride;
   for (int g = 0; g + 1 < points_; ++g) {
     const int segment = segment_of_gap_[static_cast<std::size_t>(g)];
-    const int at = kPoseSize * g * stride;
-    compose(kPoseSize * stride, previous + at, no_load + kPoseSize * segment * stride, output + at,
+    const int at = gaps_.gap_size * g * stride;
+    compose(gaps_.gap_size * stride, previous + at, no_load + gaps_.gap_size * segment * stride,
+            output + at,
             gates + at, next + at);
   }
 }

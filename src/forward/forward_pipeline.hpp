@@ -65,10 +65,24 @@ class ForwardPipeline {
   void compose_gaps(int stride, const float* previous, const float* no_load, const float* output,
                     float* next) const;
 
+  void no_load_rows(int stride, const float* pressure, float* gap) const;
+  void chain_no_load(int stride, float* gap, float* base) const;
+
   int segments_;
+  int channels_;
   int points_;
+  Dimension dimension_;
   const RowKernels& rows_;
+  const GapKernels& gaps_;
+  int poses_;  ///< numbers of all plates about the base
   std::vector<NoLoadSegment> no_load_;
+  struct SpaceTables {
+    std::vector<NoLoadChamber> chambers;
+    std::vector<float> shape;
+    std::vector<float> gap_length_m;
+    std::vector<float> gap_share;
+  };
+  SpaceTables in_space_;  ///< of an arm in space
   std::vector<int> segment_of_gap_;
   std::vector<GapBound<float>> bounds_;  ///< of (20), one per gap; empty: none
   NetworkLayout layout_;

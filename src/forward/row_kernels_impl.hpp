@@ -12,6 +12,7 @@
 #include "kernels/vector_sincos.hpp"
 #include "limber/arm/pose_size.hpp"
 #include "row_kernels.hpp"
+#include "space_row_kernels.hpp"
 
 namespace limber {
 namespace {
@@ -372,14 +373,12 @@ constexpr RowKernels row_kernels_of_this_level() {
           scatter,
           no_load_gaps,
           chain_segments,
-          encode_gaps,
-          decode_gaps,
-          encode_gaps_of_one,
-          decode_gaps_of_one,
+          no_load_space_gaps,
+          {kPoseSize, kPoseSize, encode_gaps, decode_gaps, encode_gaps_of_one, decode_gaps_of_one,
+           bound_gaps, bound_gaps_of_one},
+          kSpaceGapKernels,
           add,
           gated_change,
-          bound_gaps,
-          bound_gaps_of_one,
           bound_base,
           bound_base_of_one};
 }

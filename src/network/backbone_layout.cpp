@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include "limber/arm/space_pose.hpp"
+
 namespace limber {
 
 NetworkLayout::NetworkLayout(BackboneLayout layout, OutputForm form, const ArmDescription& arm,
@@ -9,6 +11,8 @@ NetworkLayout::NetworkLayout(BackboneLayout layout, OutputForm form, const ArmDe
     : layout_(layout),
       form_(form),
       reads_velocity_(reads_velocity),
+      dimension_(arm.dimension),
+      channel_count_(arm.channel_count()),
       point_count_(arm.point_count()) {
   int gap = 0;
   for (const Segment& segment : arm.segments) {
@@ -18,21 +22,21 @@ NetworkLayout::NetworkLayout(BackboneLayout layout, OutputForm form, const ArmDe
 }
 
 int NetworkLayout::backbone_size() const {
-  return layout_ == BackboneLayout::base_poses ? kPoseSize * point_count_
-                                               : kPoseSize * (point_count_ - 1);
+  return layout_ == BackboneLayout::base_poses ? pose_size(dimension_) * point_count_
+                                               : gap_size(dimension_) * (point_count_ - 1);
 }
 
 int NetworkLayout::no_load_size() const {
-  return layout_ == BackboneLayout::base_poses ? kPoseSize * point_count_
-                                               : kPoseSize * segment_count();
+  return layout_ == BackboneLayout::base_poses ? pose_size(dimension_) * point_count_
+                                               : gap_size(dimension_) * segment_count();
 }
 
 Eigen::MatrixXf NetworkLayout::encode(const Eigen::Ref<const Eigen::MatrixXf>& base_poses) const {
-  assert(base_poses.rows() == kPoseSize * point_count_);
+  assert(base_poses.rows() == pose_size(dimension_) * point_count_);
   if (layout_ == BackboneLayout::base_poses) {
     return base_poses;
   }
-  return gap_poses_of(base_poses.cast<double>()).cast<float>();
+  return gap_poses_of(base_poses.cast<double>(), dimension_).cast<float>();
 }
 
 Eigen::MatrixXf NetworkLayout::decode(const Eigen::Ref<const Eigen::MatrixXf>& encoded) const {
@@ -40,7 +44,7 @@ Eigen::MatrixXf NetworkLayout::decode(const Eigen::Ref<const Eigen::MatrixXf>& e
   if (layout_ == BackboneLayout::base_poses) {
     return encoded;
   }
-  return base_poses_of(encoded.cast<double>()).cast<float>();
+  return base_poses_of(encoded.cast<double>(), dimension_).cast<float>();
 }
 
 Eigen::MatrixXf NetworkLayout::no_load_input(
@@ -51,35 +55,90 @@ Eigen::MatrixXf NetworkLayout::no_load_input(
   }
   Eigen::MatrixXf rows(no_load_size(), encoded.cols());
   for (int i = 0; i < segment_count(); ++i) {
-    rows.middleRows<kPoseSize>(kPoseSize * i) =
-        encoded.middleRows<kPoseSize>(kPoseSize * first_gap(i));
+    const int size = gap_size(dimension_);
+    rows.middleRows(size * i, size) = encoded.middleRows(size * first_gap(i), size);
   }
   return rows;
 }
 
-Eigen::MatrixXd gap_poses_of(const Eigen::Ref<const Eigen::MatrixXd>& base_poses) {
-  Eigen::MatrixXd gaps(base_poses.rows() - kPoseSize, base_poses.cols());
+namespace {
+
+Eigen::Vector3d gap_of(const Pose& from, const Pose& to) {
+  return numbers_of(between(from, to));
+}
+Eigen::Matrix<double, kSpaceGapSize, 1> gap_of(const SpacePose& from, const SpacePose& to) {
+  return gap_numbers_of(between(from, to));
+}
+
+/// What the two kinds of arms differ in.
+struct PlaneNumbers {
+  static constexpr int kPose = kPoseSize;
+  static constexpr int kGap = kPoseSize;
+  template <class Derived>
+  static Pose pose(const Eigen::MatrixBase<Derived>& numbers) {
+    return pose_of(numbers);
+  }
+  template <class Derived>
+  static Pose step(const Eigen::MatrixBase<Derived>& gap) {
+    return pose_of(gap);
+  }
+};
+struct SpaceNumbers {
+  static constexpr int kPose = kSpacePoseSize;
+  static constexpr int kGap = kSpaceGapSize;
+  template <class Derived>
+  static SpacePose pose(const Eigen::MatrixBase<Derived>& numbers) {
+    return space_pose_of(numbers);
+  }
+  template <class Derived>
+  static SpacePose step(const Eigen::MatrixBase<Derived>& gap) {
+    return step_of_gap(gap);
+  }
+};
+
+template <class Numbers>
+Eigen::MatrixXd gaps_in(const Eigen::Ref<const Eigen::MatrixXd>& base_poses) {
+  const Eigen::Index count = base_poses.rows() / Numbers::kPose - 1;
+  Eigen::MatrixXd gaps(Numbers::kGap * count, base_poses.cols());
   for (Eigen::Index j = 0; j < base_poses.cols(); ++j) {
-    for (Eigen::Index i = 0; i < gaps.rows(); i += kPoseSize) {
-      const Pose from = pose_of(base_poses.col(j).segment<kPoseSize>(i));
-      const Pose to = pose_of(base_poses.col(j).segment<kPoseSize>(i + kPoseSize));
-      gaps.col(j).segment<kPoseSize>(i) = numbers_of(between(from, to));
+    const auto pose = [&](Eigen::Index plate) {
+      return Numbers::pose(base_poses.col(j).segment<Numbers::kPose>(Numbers::kPose * plate));
+    };
+    for (Eigen::Index g = 0; g < count; ++g) {
+      gaps.col(j).segment<Numbers::kGap>(Numbers::kGap * g) = gap_of(pose(g), pose(g + 1));
     }
   }
   return gaps;
 }
 
-Eigen::MatrixXd base_poses_of(const Eigen::Ref<const Eigen::MatrixXd>& gap_poses) {
-  Eigen::MatrixXd base(gap_poses.rows() + kPoseSize, gap_poses.cols());
+template <class Numbers>
+Eigen::MatrixXd poses_in(const Eigen::Ref<const Eigen::MatrixXd>& gap_poses) {
+  const Eigen::Index count = gap_poses.rows() / Numbers::kGap;
+  Eigen::MatrixXd base(Numbers::kPose * (count + 1), gap_poses.cols());
   for (Eigen::Index j = 0; j < gap_poses.cols(); ++j) {
-    Pose pose;
-    base.col(j).head<kPoseSize>() = numbers_of(pose);
-    for (Eigen::Index i = 0; i < gap_poses.rows(); i += kPoseSize) {
-      pose = compose(pose, pose_of(gap_poses.col(j).segment<kPoseSize>(i)));
-      base.col(j).segment<kPoseSize>(i + kPoseSize) = numbers_of(pose);
+    decltype(Numbers::step(gap_poses.col(j))) pose;
+    base.col(j).head<Numbers::kPose>() = numbers_of(pose);
+    for (Eigen::Index g = 0; g < count; ++g) {
+      pose = compose(
+          pose, Numbers::step(gap_poses.col(j).segment<Numbers::kGap>(Numbers::kGap * g)));
+      base.col(j).segment<Numbers::kPose>(Numbers::kPose * (g + 1)) = numbers_of(pose);
     }
   }
   return base;
+}
+
+}  // namespace
+
+Eigen::MatrixXd gap_poses_of(const Eigen::Ref<const Eigen::MatrixXd>& base_poses,
+                             Dimension dimension) {
+  return dimension == Dimension::space ? gaps_in<SpaceNumbers>(base_poses)
+                                       : gaps_in<PlaneNumbers>(base_poses);
+}
+
+Eigen::MatrixXd base_poses_of(const Eigen::Ref<const Eigen::MatrixXd>& gap_poses,
+                              Dimension dimension) {
+  return dimension == Dimension::space ? poses_in<SpaceNumbers>(gap_poses)
+                                       : poses_in<PlaneNumbers>(gap_poses);
 }
 
 }  // namespace limber

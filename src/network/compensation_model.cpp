@@ -22,11 +22,12 @@ struct Sizes {
 
 // As in NetworkLayout, from the counts alone: a model file carries no arm.
 Sizes expected_sizes(const CompensationModel& model) {
-  const Eigen::Index n = model.segment_count;
+  const Eigen::Index n = model.channel_count();
   const Eigen::Index m = model.point_count;
   const bool base = model.layout == BackboneLayout::base_poses;
-  const Eigen::Index backbone = base ? kPoseSize * m : kPoseSize * (m - 1);
-  const Eigen::Index no_load = base ? kPoseSize * m : kPoseSize * n;
+  const Eigen::Index gap = gap_size(model.dimension);
+  const Eigen::Index backbone = base ? kPoseSize * m : gap * (m - 1);
+  const Eigen::Index no_load = base ? kPoseSize * m : gap * model.segment_count;
   const bool gated = model.form == OutputForm::gated_change;
   const Eigen::Index change = model.reads_velocity ? backbone : 0;
   return {2 * n + backbone + no_load + change, backbone, gated ? 2 * backbone : backbone};
@@ -128,7 +129,9 @@ CompensationModel CompensationModel::member(int index) const {
   one.arm_name = arm_name;
   one.arm_hash = arm_hash;
   one.arm_description = arm_description;
+  one.dimension = dimension;
   one.segment_count = segment_count;
+  one.chamber_count = chamber_count;
   one.point_count = point_count;
   one.preset = preset;
   one.learnt_from_setpoints = learnt_from_setpoints;
@@ -163,7 +166,9 @@ void CompensationModel::set_arm(const ArmDescription& arm) {
   arm_name = identity.name;
   arm_hash = identity.hash;
   arm_description = identity.description;
+  dimension = arm.dimension;
   segment_count = arm.segment_count();
+  chamber_count = arm.is_spatial() ? arm.channel_count() : 0;
   point_count = arm.point_count();
 }
 
@@ -189,6 +194,12 @@ void validate(const CompensationModel& model, const std::string& where) {
                        "one more point than segments",
                        model.segment_count, model.point_count));
   }
+  if (model.dimension == Dimension::space &&
+      (model.chamber_count < 1 || model.layout != BackboneLayout::gap_poses)) {
+    refuse(where, fmt::format("chamber_count {} and layout {}; expected at least 1 chamber and "
+                              "gap_poses of an arm in space",
+                              model.chamber_count, to_string(model.layout)));
+  }
   const Sizes sizes = expected_sizes(model);
   validate_layers(where, "layers.", model.layers, sizes);
   validate_members(where, model, sizes);
@@ -200,7 +211,7 @@ void validate(const CompensationModel& model, const std::string& where) {
                               to_string(model.form)));
   }
   if (model.valves) {
-    const std::string fault = why_unusable(*model.valves, model.segment_count);
+    const std::string fault = why_unusable(*model.valves, model.channel_count());
     if (!fault.empty()) {
       refuse(where, "metadata valves: " + fault);
     }
@@ -230,10 +241,13 @@ void validate(const CompensationModel& model, const std::string& where) {
     validate(*model.member_of_family, *model.family, where);
   }
   if (model.learnt) {
+    if (model.dimension == Dimension::space) {
+      refuse(where, "tensors learnt.* are of planar arms; expected none for an arm in space");
+    }
     validate(*model.learnt, model.segment_count, model.point_count, where);
   }
   if (model.bounds) {
-    validate(*model.bounds, model.point_count, where);
+    validate(*model.bounds, model.dimension, model.point_count, where);
   }
 }
 
@@ -256,7 +270,8 @@ void require_model_of(const CompensationModel& model, const ArmDescription& arm,
         "the model was trained with (--arm), or train a model for this one",
         where, model.arm_name, model.arm_hash, arm.name, arm.hash(), why));
   }
-  if (model.segment_count != arm.segment_count() || model.point_count != arm.point_count()) {
+  if (model.segment_count != arm.segment_count() || model.point_count != arm.point_count() ||
+      model.dimension != arm.dimension || model.channel_count() != arm.channel_count()) {
     throw InputError(fmt::format("{}: made for {} segments and {} points; arm '{}' has {} and {}",
                                  where, model.segment_count, model.point_count, arm.name,
                                  arm.segment_count(), arm.point_count()));

@@ -54,12 +54,14 @@ std::string data_flags(const CompensationModel& model) {
 
 }  // namespace
 
-void validate(const GapBounds& bounds, int point_count, const std::string& where) {
+void validate(const GapBounds& bounds, Dimension dimension, int point_count,
+              const std::string& where) {
   const int gaps = point_count - 1;
   require_size(bounds.min_length_m, "length.min", gaps, where);
   require_size(bounds.max_length_m, "length.max", gaps, where);
   require_size(bounds.min_turn_rad, "turn.min", gaps, where);
   require_size(bounds.max_turn_rad, "turn.max", gaps, where);
+  require_size(bounds.max_bend_rad, "bend.max", dimension == Dimension::space ? gaps : 0, where);
   require_range(bounds.min_length_m, bounds.max_length_m, "length", where);
   require_range(bounds.min_turn_rad, bounds.max_turn_rad, "turn", where);
   for (int i = 0; i < gaps; ++i) {
@@ -72,7 +74,8 @@ void validate(const GapBounds& bounds, int point_count, const std::string& where
 
 GapBounds joined(const GapBounds& a, const GapBounds& b) {
   return {a.min_length_m.cwiseMin(b.min_length_m), a.max_length_m.cwiseMax(b.max_length_m),
-          a.min_turn_rad.cwiseMin(b.min_turn_rad), a.max_turn_rad.cwiseMax(b.max_turn_rad)};
+          a.min_turn_rad.cwiseMin(b.min_turn_rad), a.max_turn_rad.cwiseMax(b.max_turn_rad),
+          a.max_bend_rad.cwiseMax(b.max_bend_rad)};
 }
 
 void require_bounded(const CompensationModel& model, const std::string& file) {
@@ -90,13 +93,25 @@ nlohmann::ordered_json to_json(const GapBounds& bounds) {
   const auto list = [](const Eigen::VectorXf& values) {
     return std::vector<float>(values.begin(), values.end());
   };
-  return {{"min_length_m", list(bounds.min_length_m)},
-          {"max_length_m", list(bounds.max_length_m)},
-          {"min_turn_rad", list(bounds.min_turn_rad)},
-          {"max_turn_rad", list(bounds.max_turn_rad)}};
+  nlohmann::ordered_json json = {{"min_length_m", list(bounds.min_length_m)},
+                                 {"max_length_m", list(bounds.max_length_m)},
+                                 {"min_turn_rad", list(bounds.min_turn_rad)},
+                                 {"max_turn_rad", list(bounds.max_turn_rad)}};
+  if (bounds.max_bend_rad.size() > 0) {
+    json["max_bend_rad"] = list(bounds.max_bend_rad);
+  }
+  return json;
 }
 
 std::string to_text(const GapBounds& bounds) {
+  if (bounds.max_bend_rad.size() > 0) {
+    return fmt::format(
+        "bounds: gaps stay {:.1f} to {:.1f} mm long, bend by up to {:.3f} rad and twist by {:.3f} "
+        "to {:.3f} rad",
+        1e3F * bounds.min_length_m.minCoeff(), 1e3F * bounds.max_length_m.maxCoeff(),
+        bounds.max_bend_rad.maxCoeff(), bounds.min_turn_rad.minCoeff(),
+        bounds.max_turn_rad.maxCoeff());
+  }
   return fmt::format("bounds: gaps stay {:.1f} to {:.1f} mm long and turn by {:.3f} to {:.3f} rad",
                      1e3F * bounds.min_length_m.minCoeff(), 1e3F * bounds.max_length_m.maxCoeff(),
                      bounds.min_turn_rad.minCoeff(), bounds.max_turn_rad.maxCoeff());

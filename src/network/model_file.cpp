@@ -26,6 +26,8 @@ constexpr const char* kLearntFromKey = "learnt_from";
 constexpr const char* kErrorKey = "prediction_error";
 constexpr const char* kReadsVelocityKey = "reads_velocity";
 constexpr const char* kTubeKey = "tube";
+constexpr const char* kDimensionKey = "dimension";
+constexpr const char* kChamberCountKey = "chamber_count";
 constexpr const char* kLearntPrefix = "learnt.";
 constexpr const char* kBoundsPrefix = "bounds.";
 constexpr const char* kFamilyPrefix = "family.";
@@ -169,6 +171,20 @@ bool reads_velocity_at(const Safetensors& content, const std::string& where) {
   return found != content.metadata.end();
 }
 
+// Models of planar arms don't say.
+void read_space_into(CompensationModel& model, const Safetensors& content,
+                     const std::string& where) {
+  if (content.metadata.count(kDimensionKey) == 0) {
+    return;
+  }
+  if (count_at(content, kDimensionKey, where) != position_size(Dimension::space)) {
+    refuse(where, fmt::format("metadata {} = '{}'; expected 3, or no such key", kDimensionKey,
+                              shortened(content.metadata.at(kDimensionKey))));
+  }
+  model.dimension = Dimension::space;
+  model.chamber_count = count_at(content, kChamberCountKey, where);
+}
+
 // Older models, from before set points alone were learnt from, don't say; they are of the one kind.
 bool learnt_from_setpoints_at(const Safetensors& content, const std::string& where) {
   if (content.metadata.count(kLearntFromKey) == 0) {
@@ -258,13 +274,21 @@ void add_bounds(Safetensors& content, const GapBounds& bounds) {
   add("length.max", bounds.max_length_m);
   add("turn.min", bounds.min_turn_rad);
   add("turn.max", bounds.max_turn_rad);
+  if (bounds.max_bend_rad.size() > 0) {
+    add("bend.max", bounds.max_bend_rad);
+  }
 }
 
 GapBounds read_bounds(TensorReader& tensors) {
   const auto vector = [&](const char* name) {
     return tensors.vector(std::string(kBoundsPrefix) + name);
   };
-  return {vector("length.min"), vector("length.max"), vector("turn.min"), vector("turn.max")};
+  GapBounds bounds = {vector("length.min"), vector("length.max"), vector("turn.min"),
+                      vector("turn.max")};
+  if (tensors.has(std::string(kBoundsPrefix) + "bend.max")) {
+    bounds.max_bend_rad = vector("bend.max");
+  }
+  return bounds;
 }
 
 void add_family(Safetensors& content, const CompensationModel& model) {
@@ -312,6 +336,10 @@ void write_model(const std::filesystem::path& path, const CompensationModel& mod
                       {"point_count", std::to_string(model.point_count)},
                       {"preset", model.preset},
                       {kLearntFromKey, commands_are(model.learnt_from_setpoints)}};
+  if (model.dimension == Dimension::space) {
+    content.metadata[kDimensionKey] = "3";
+    content.metadata[kChamberCountKey] = std::to_string(model.chamber_count);
+  }
   if (model.reads_velocity) {
     content.metadata[kReadsVelocityKey] = "yes";
   }
@@ -362,6 +390,7 @@ CompensationModel read_model(const std::filesystem::path& path) {
   model.reads_velocity = reads_velocity_at(content, where);
   model.segment_count = count_at(content, "segment_count", where);
   model.point_count = count_at(content, "point_count", where);
+  read_space_into(model, content, where);
   model.preset = text_at(content, "preset", where);
   for (const auto& [key, value] : content.metadata) {
     if (key.rfind(kTrainingPrefix, 0) == 0) {

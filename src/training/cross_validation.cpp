@@ -206,7 +206,9 @@ TrainingResult train_on_everything(const ArmDescription& arm, const std::vector<
   TrainingResult result = train(arm, data, all, hooks);
   if (result.best_epoch > 0) {
     result.model.set_valves(valves);
-    result.model.learnt = learnt_region_of(data);
+    if (!arm.is_spatial()) {
+      result.model.learnt = learnt_region_of(data);
+    }
     if (result.status == TrainingStatus::finished && result.best_epoch == found.epochs()) {
       result.model.prediction_error = found.prediction_error;
       result.model.tube = found.tube;

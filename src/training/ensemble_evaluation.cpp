@@ -67,7 +67,9 @@ EnsembleErrors errors_of(const EnsembleForward& ensemble, const std::vector<Epis
   for (std::size_t episode = 0; episode < episodes.size(); ++episode) {
     const TipErrorSeries one = tip_errors(mean[episode], episodes[episode], 1);
     append(series, one);
-    const Eigen::Index tip = mean[episode].cols() - kPoseSize;
+    const Dimension dimension = episodes[episode].dimension;
+    const Eigen::Index tip = mean[episode].cols() - pose_size(dimension);
+    const Eigen::Index numbers = position_size(dimension);
     for (std::size_t i = 0; i < one.position_cm.size(); ++i) {
       if (std::isnan(one.position_cm[i])) {
         continue;
@@ -76,7 +78,7 @@ EnsembleErrors errors_of(const EnsembleForward& ensemble, const std::vector<Epis
       double square = 0.0;
       for (const std::vector<FrameMatrix>& member : members) {
         square += static_cast<double>(
-            (member[episode].row(t).segment<2>(tip) - mean[episode].row(t).segment<2>(tip))
+            (member[episode].row(t).segment(tip, numbers) - mean[episode].row(t).segment(tip, numbers))
                 .squaredNorm());
       }
       spread_cm.push_back(kCmPerM * std::sqrt(square / static_cast<double>(members.size())));

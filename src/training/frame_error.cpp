@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "limber/arm/pose_size.hpp"
+#include "space_frame_error.hpp"
 #include "training_kernels.hpp"
 
 namespace limber {
@@ -11,11 +12,16 @@ template <class Scalar>
 FrameError<Scalar>::FrameError(Vector weight) : weight_(std::move(weight)) {}
 
 template <class Scalar>
-FrameError<Scalar>::FrameError(Vector weight, Vector scale, Vector offset)
-    : weight_(std::move(weight)), scale_(std::move(scale)), offset_(std::move(offset)) {
-  const Eigen::Index size = scale_.size();
-  assert(size > 0 && size % kPoseSize == 0 && weight_.size() == size && offset_.size() == size);
-  scratch_.resize(2 * (size / kPoseSize) * window_kernels<Scalar>().lanes);
+FrameError<Scalar>::FrameError(Vector weight, Vector scale, Vector offset, Dimension dimension)
+    : dimension_(dimension),
+      weight_(std::move(weight)),
+      scale_(std::move(scale)),
+      offset_(std::move(offset)) {
+  const Eigen::Index gaps = scale_.size() / gap_size(dimension);
+  assert(gaps > 0 && scale_.size() == gaps * gap_size(dimension) &&
+         offset_.size() == scale_.size() && weight_.size() == gaps * pose_size(dimension));
+  const int kept = dimension == Dimension::space ? kSpaceScratch : 2;
+  scratch_.resize(kept * gaps * window_kernels<Scalar>().lanes);
 }
 
 // Chained, forward along the arm: p_{i+1} = p_i + R(θ_i) d_i, θ_{i+1} = θ_i + a_i. Back from its
@@ -27,6 +33,11 @@ Scalar FrameError<Scalar>::compute(int stride, const Scalar* state, const Scalar
   const WindowKernels<Scalar>& kernels = window_kernels<Scalar>();
   assert(stride % kernels.lanes == 0);
   const int size = static_cast<int>(weight_.size());
+  if (is_chained() && dimension_ == Dimension::space) {
+    return kernels.space_chained_error(size / kSpacePoseSize, stride, weight_.data(), scale_.data(),
+                                       offset_.data(), state, target, window_weight, gradient,
+                                       scratch_.data());
+  }
   if (is_chained()) {
     return kernels.chained_error(size / kPoseSize, stride, weight_.data(), scale_.data(),
                                  offset_.data(), state, target, window_weight, gradient,

@@ -6,6 +6,7 @@
 
 #include "kernels/vector_sincos.hpp"
 #include "limber/arm/pose_size.hpp"
+#include "space_frame_error.hpp"
 
 namespace limber {
 namespace {
@@ -107,6 +108,31 @@ struct ChainedError {
     }
   }
 };
+
+struct LanesOfWindows {
+  static constexpr int kLanesOfN = kLanes;
+  static Vector load(const float* p) { return limber::load(p); }
+  static void store(float* p, Vector v) { limber::store(p, v); }
+  static Vector all(float x) { return broadcast(x); }
+  static Vector signed_weight(Vector difference, Vector weight) {
+    return with_sign_of(difference, weight);
+  }
+};
+
+float space_chained_error(int gaps, int stride, const float* weight, const float* scale,
+                          const float* offset, const float* state, const float* target,
+                          const float* window_weight, float* gradient, float* scratch) {
+  Vector sum{};
+  for (int q = 0; q < stride; q += kLanes) {
+    const Vector of_window = load(window_weight + q);
+    const SpaceChainedError<Vector, LanesOfWindows, float> part = {
+        gaps,      stride,     weight,    scale,        offset,
+        state + q, target + q, of_window, gradient + q, scratch};
+    sum = multiply_add(part.forward(), of_window, sum);
+    part.backward();
+  }
+  return lane_sum(sum);
+}
 
 float chained_error(int gaps, int stride, const float* weight, const float* scale,
                     const float* offset, const float* state, const float* target,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "limber/arm/space_pose.hpp"
 #include "limber/common/error.hpp"
 
 namespace limber {
@@ -33,20 +34,34 @@ GapBounds gap_bounds_of(const std::vector<Episode>& episodes) {
     throw InputError("no episodes to take the bounds of gaps from; expected at least one");
   }
   require_alike(episodes);
-  const Eigen::Index gaps = episodes.front().backbone.cols() / kPoseSize - 1;
+  const Eigen::Index gaps = episodes.front().point_count() - 1;
+  const bool in_space = episodes.front().dimension == Dimension::space;
   GapBounds bounds;
+  bounds.max_bend_rad.resize(in_space ? gaps : 0);
   for (Eigen::VectorXf* numbers :
        {&bounds.min_length_m, &bounds.max_length_m, &bounds.min_turn_rad, &bounds.max_turn_rad}) {
     numbers->resize(gaps);
   }
   std::vector<float> lengths;
   std::vector<float> turns;
+  std::vector<float> bends;
   for (Eigen::Index g = 0; g < gaps; ++g) {
     lengths.clear();
     turns.clear();
+    bends.clear();
     for (const Episode& episode : episodes) {
       for (int t = 0; t < episode.frame_count(); ++t) {
-        if (episode.was_tracked(t)) {
+        if (episode.was_tracked(t) && in_space) {
+          const auto pose = [&](Eigen::Index plate) {
+            return space_pose_of(
+                episode.backbone.row(t).segment<kSpacePoseSize>(kSpacePoseSize * plate));
+          };
+          const SpacePoseOf<float> step = between(pose(g), pose(g + 1));
+          const Eigen::Vector3f omega = rotation_vector(step.rotation);
+          lengths.push_back(step.position_m.norm());
+          turns.push_back(omega.x());
+          bends.push_back(std::hypot(omega.y(), omega.z()));
+        } else if (episode.was_tracked(t)) {
           const auto step = episode.backbone.row(t).segment<kPoseSize>(kPoseSize * (g + 1)) -
                             episode.backbone.row(t).segment<kPoseSize>(kPoseSize * g);
           lengths.push_back(std::hypot(step[0], step[1]));
@@ -64,6 +79,10 @@ GapBounds gap_bounds_of(const std::vector<Episode>& episodes) {
     bounds.max_length_m[g] = static_cast<float>(std::max(length.high, kShortest_m));
     bounds.min_turn_rad[g] = static_cast<float>(turn.low);
     bounds.max_turn_rad[g] = static_cast<float>(turn.high);
+    if (in_space) {
+      bounds.max_bend_rad[g] =
+          static_cast<float>(widened_range(bends, kMinTurnMargin_rad, 0.0).high);
+    }
   }
   return bounds;
 }

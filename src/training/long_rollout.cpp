@@ -62,10 +62,37 @@ std::vector<const Episode*> episodes_to_walk(const std::vector<Episode>& episode
   return longest;
 }
 
+/// The same of an arm in space, whose poses lie in a column; no more than its distance is looked at.
+bool walk_in_space(const ForwardModel& model, const Episode& episode, int frames,
+                   LongRollout& result) {
+  const int count = frames_from_tracked(episode);
+  const int begin = episode.frame_count() - count;
+  ForwardModel::Workspace workspace;
+  Eigen::MatrixXf state = episode.backbone.row(begin).transpose();
+  Eigen::MatrixXf before = state;
+  for (int frame = 0; frame < frames && state.allFinite(); ++frame) {
+    throw_if_interrupted();
+    const auto commands = [&](int step) -> Eigen::MatrixXf {
+      return episode.pressure_kpa.row(begin + there_and_back(step, count)).transpose();
+    };
+    model.step_batch(commands(frame), commands(frame + 1), before, state, before, workspace);
+    before.swap(state);
+    ++result.frames;
+    for (Eigen::Index at = 0; state.allFinite() && at < state.rows(); at += kSpacePoseSize) {
+      result.max_distance_m =
+          std::max(result.max_distance_m, double(state.col(0).segment<3>(at).norm()));
+    }
+  }
+  return state.allFinite();
+}
+
 /// One episode there and back for so many frames, added to `result`; `held` counts frames.
 /// @return whether all of it is finite
 bool walk(const ForwardModel& model, const Episode& episode, int frames, LongRollout& result,
           int& held) {
+  if (model.dimension() == Dimension::space) {
+    return walk_in_space(model, episode, frames, result);
+  }
   const int count = frames_from_tracked(episode);
   const int begin = episode.frame_count() - count;
   ForwardModel::Workspace workspace;

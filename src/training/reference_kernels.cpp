@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "space_frame_error.hpp"
 #include "state_bound_kernels.hpp"
 
 namespace limber {
@@ -165,10 +166,10 @@ void bound(const StateBoundsView<double>& bounds, int stride, const double* unbo
       continue;
     }
     for (int g = 0; g < bounds.gap_count; ++g) {
-      for (int r = kPoseSize * g; r < kPoseSize * (g + 1); ++r) {
+      for (int r = bounds.gap_size * g; r < bounds.gap_size * (g + 1); ++r) {
         state[r * stride + j] = unbounded[r * stride + j];
       }
-      bound_gap_of_window(bounds, g, stride, unbounded + j, state + j);
+      bound_any_gap(bounds, g, stride, unbounded + j, state + j);
     }
   }
 }
@@ -181,8 +182,7 @@ void bound_back(const StateBoundsView<double>& bounds, int stride, const double*
       continue;
     }
     for (int g = 0; g < bounds.gap_count; ++g) {
-      bound_gap_of_window_back(bounds, g, stride, unbounded + j, carried + j, direct + j,
-                               error + j);
+      bound_any_gap_back(bounds, g, stride, unbounded + j, carried + j, direct + j, error + j);
     }
   }
 }
@@ -214,6 +214,30 @@ double chained_error(int gaps, int stride, const double* weight, const double* s
   return sum;
 }
 
+struct OneWindow {
+  static constexpr int kLanesOfN = 1;
+  static double load(const double* p) { return *p; }
+  static void store(double* p, double x) { *p = x; }
+  static double all(double x) { return x; }
+  static double signed_weight(double difference, double weight) {
+    return with_sign_of(difference, weight);
+  }
+};
+
+double space_chained_error(int gaps, int stride, const double* weight, const double* scale,
+                           const double* offset, const double* state, const double* target,
+                           const double* window_weight, double* gradient, double* scratch) {
+  double sum = 0.0;
+  for (int j = 0; j < stride; ++j) {
+    const SpaceChainedError<double, OneWindow, double> window = {
+        gaps,      stride,     weight,           scale,        offset,
+        state + j, target + j, window_weight[j], gradient + j, scratch};
+    sum += window_weight[j] * window.forward();
+    window.backward();
+  }
+  return sum;
+}
+
 }  // namespace
 
 template <>
@@ -221,7 +245,7 @@ const WindowKernels<double>& window_kernels(CpuLevel) {
   static constexpr WindowKernels<double> kKernels = {
       1,          layer,       layer_back,   weight_gradient, bias_gradient, relu_gradient,
       gather,     add_scaled,  carry,        gated_change,    gated_carry,   bound,
-      bound_back, entry_error, chained_error};
+      bound_back, entry_error, chained_error, space_chained_error};
   return kKernels;
 }
 

@@ -33,7 +33,7 @@ void roll_out_batch(const ForwardModel& model, const std::vector<Episode>& episo
                     std::span<const RolloutPiece> pieces, OnInterrupt on_interrupt,
                     std::vector<FrameMatrix>& predicted) {
   const auto columns = static_cast<Eigen::Index>(pieces.size());
-  const Eigen::Index size = kPoseSize * model.point_count();
+  const Eigen::Index size = pose_size(model.dimension()) * model.point_count();
   Eigen::MatrixXf previous_kpa(model.channel_count(), columns);
   Eigen::MatrixXf current_kpa(model.channel_count(), columns);
   Eigen::MatrixXf state(size, columns);
@@ -224,11 +224,13 @@ double mean_tip_error_m(const std::vector<FrameMatrix>& predicted,
   for (const RolloutPiece& piece : pieces) {
     const auto index = static_cast<std::size_t>(piece.episode);
     const Episode& episode = episodes[index];
-    const Eigen::Index tip = episode.backbone.cols() - kPoseSize;
+    const Eigen::Index tip = episode.backbone.cols() - pose_size(episode.dimension);
+    const Eigen::Index numbers = position_size(episode.dimension);
     for (int t = piece.first + 1; t <= piece.first + piece.frames; ++t) {
       if (episode.was_tracked(t)) {
         const auto error =
-            predicted[index].row(t).segment<2>(tip) - episode.backbone.row(t).segment<2>(tip);
+            predicted[index].row(t).segment(tip, numbers) -
+            episode.backbone.row(t).segment(tip, numbers);
         sum += static_cast<double>(error.norm());
         ++count;
       }

@@ -3,7 +3,7 @@
 // (20) for one window's normalised state, whose number r stands at [r·stride], and its derivative.
 // Plain numbers, one window at a time: bounds are hardly ever reached.
 
-#include "kernels/gap_bound.hpp"
+#include "kernels/space_gap_bound.hpp"
 #include "limber/arm/pose_size.hpp"
 #include "training_kernels.hpp"
 
@@ -67,6 +67,66 @@ inline void bound_gap_of_window_back(const StateBoundsView<Scalar>& bounds, int 
       direct[at] = 0;
       error[at] = 0;
     }
+  }
+}
+
+template <class Scalar>
+inline SpaceGap<Scalar> space_gap_of(const StateBoundsView<Scalar>& bounds, int g, int stride,
+                                     const Scalar* state) {
+  SpaceGap<Scalar> gap;
+  for (int i = 0; i < kSpaceGapSize; ++i) {
+    const int r = kSpaceGapSize * g + i;
+    (i < 3 ? gap.d[i] : gap.omega[i - 3]) = in_metres(bounds, r, state[r * stride]);
+  }
+  return gap;
+}
+
+template <class Scalar>
+inline void bound_any_gap(const StateBoundsView<Scalar>& bounds, int g, int stride,
+                          const Scalar* unbounded, Scalar* state) {
+  if (bounds.gap_size != kSpaceGapSize) {
+    bound_gap_of_window(bounds, g, stride, unbounded, state);
+    return;
+  }
+  const SpaceGap<Scalar> given = space_gap_of(bounds, g, stride, unbounded);
+  if (is_within(bounds.gaps[g], given)) {
+    return;
+  }
+  SpaceGap<Scalar> kept = given;
+  bound_gap(bounds.gaps[g], kept);
+  for (int i = 0; i < kSpaceGapSize; ++i) {
+    const int r = kSpaceGapSize * g + i;
+    const Scalar number = i < 3 ? kept.d[i] : kept.omega[i - 3];
+    state[r * stride] = (number - bounds.offset[r]) / bounds.scale[r];
+  }
+}
+
+template <class Scalar>
+inline void bound_any_gap_back(const StateBoundsView<Scalar>& bounds, int g, int stride,
+                               const Scalar* unbounded, Scalar* carried, Scalar* direct,
+                               Scalar* error) {
+  if (bounds.gap_size != kSpaceGapSize) {
+    bound_gap_of_window_back(bounds, g, stride, unbounded, carried, direct, error);
+    return;
+  }
+  const SpaceGap<Scalar> given = space_gap_of(bounds, g, stride, unbounded);
+  if (is_within(bounds.gaps[g], given)) {
+    return;
+  }
+  SpaceGap<Scalar> by;
+  for (int i = 0; i < kSpaceGapSize; ++i) {
+    const int r = kSpaceGapSize * g + i;
+    const int at = r * stride;
+    (i < 3 ? by.d[i] : by.omega[i - 3]) =
+        (carried[at] + direct[at] + error[at]) / bounds.scale[r];
+  }
+  bound_gap_back(bounds.gaps[g], bounds.lead_back, given, by);
+  for (int i = 0; i < kSpaceGapSize; ++i) {
+    const int r = kSpaceGapSize * g + i;
+    const int at = r * stride;
+    carried[at] = (i < 3 ? by.d[i] : by.omega[i - 3]) * bounds.scale[r];
+    direct[at] = 0;
+    error[at] = 0;
   }
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "limber/arm/plate_distance.hpp"
+#include "limber/arm/space_pose.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/common/units.hpp"
 
@@ -47,10 +48,33 @@ ErrorStatistics statistics(std::vector<double> values, const std::vector<int>& m
 }
 
 /// Mean distance of the plates, the base left out: it stands still.
-double plates_m(const FrameMatrix& predicted, const FrameMatrix& recorded, Eigen::Index t) {
-  const Eigen::VectorXd apart_m =
-      plate_distances_m(backbone_at(predicted, t), backbone_at(recorded, t));
-  return apart_m.tail(apart_m.size() - 1).mean();
+double plates_m(const FrameMatrix& predicted, const Episode& recorded, Eigen::Index t) {
+  if (recorded.dimension == Dimension::plane) {
+    const Eigen::VectorXd apart_m =
+        plate_distances_m(backbone_at(predicted, t), backbone_at(recorded.backbone, t));
+    return apart_m.tail(apart_m.size() - 1).mean();
+  }
+  double sum = 0.0;
+  for (Eigen::Index plate = 1; plate < recorded.point_count(); ++plate) {
+    const Eigen::Index at = kSpacePoseSize * plate;
+    sum += double((predicted.row(t).segment<3>(at) - recorded.backbone.row(t).segment<3>(at)).norm());
+  }
+  return sum / double(recorded.point_count() - 1);
+}
+
+/// Angle between the tips' headings; NaN where nobody measured them.
+double heading_apart_rad(const FrameMatrix& predicted, const Episode& recorded, Eigen::Index t) {
+  if (recorded.dimension == Dimension::plane) {
+    return std::abs(double(predicted(t, predicted.cols() - 1)) -
+                    double(recorded.backbone(t, predicted.cols() - 1)));
+  }
+  if (recorded.lifted) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const SpacePose a = space_pose_of(predicted.row(t).tail<kSpacePoseSize>().cast<double>());
+  const SpacePose b =
+      space_pose_of(recorded.backbone.row(t).tail<kSpacePoseSize>().cast<double>());
+  return rotation_vector(between(a, b).rotation).norm();
 }
 
 }  // namespace
@@ -59,18 +83,20 @@ TipErrorSeries tip_errors(const FrameMatrix& predicted, const Episode& episode, 
   assert(first >= 1);
   TipErrorSeries errors;
   const FrameMatrix& recorded = episode.backbone;
-  const Eigen::Index tip = recorded.cols() - kPoseSize;
+  const Eigen::Index tip = recorded.cols() - pose_size(episode.dimension);
+  const Eigen::Index numbers = position_size(episode.dimension);
   for (int t = first; t < episode.frame_count(); ++t) {
-    const Eigen::Vector3d difference =
-        (predicted.row(t).segment<kPoseSize>(tip) - recorded.row(t).segment<kPoseSize>(tip))
+    const Eigen::VectorXd difference =
+        (predicted.row(t).segment(tip, numbers) - recorded.row(t).segment(tip, numbers))
+            .transpose()
             .cast<double>();
-    const bool tracked = episode.was_tracked(t) && difference.allFinite();
+    const bool tracked = episode.was_tracked(t) && predicted.row(t).tail(recorded.cols() - tip).allFinite();
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    errors.position_cm.push_back(tracked ? kCmPerM * difference.head<2>().norm() : nan);
-    errors.orientation_rad.push_back(tracked ? std::abs(difference[2]) : nan);
-    errors.plates_cm.push_back(tracked ? kCmPerM * plates_m(predicted, recorded, t) : nan);
+    errors.position_cm.push_back(tracked ? kCmPerM * difference.norm() : nan);
+    errors.orientation_rad.push_back(tracked ? heading_apart_rad(predicted, episode, t) : nan);
+    errors.plates_cm.push_back(tracked ? kCmPerM * plates_m(predicted, episode, t) : nan);
     errors.motion.push_back(episode.motion_index[static_cast<std::size_t>(t)]);
-    const auto step = (recorded.row(t) - recorded.row(t - 1)).segment<2>(tip).cast<double>();
+    const auto step = (recorded.row(t) - recorded.row(t - 1)).segment(tip, numbers).cast<double>();
     errors.moving.push_back(episode.was_tracked(t - 1) && step.norm() >= kMovingTip_m);
   }
   return errors;

@@ -9,6 +9,7 @@ namespace limber {
 template <class Scalar>
 struct StateBoundsView {
   int gap_count;
+  int gap_size;  ///< numbers of a gap (gap_size)
   bool of_base_poses;
   bool lead_back;
   const GapBound<Scalar>* gaps;
@@ -75,10 +76,13 @@ struct WindowKernels {
   /// `window_weight` (stride numbers).
   Scalar (*entry_error)(int size, int stride, const Scalar* weight, const Scalar* state,
                         const Scalar* target, const Scalar* window_weight, Scalar* gradient);
-  /// `scratch`: 2·gaps·lanes numbers.
+  /// `scratch`: 2·gaps·lanes numbers; in space kSpaceScratch·gaps·lanes.
   Scalar (*chained_error)(int gaps, int stride, const Scalar* weight, const Scalar* scale,
                           const Scalar* offset, const Scalar* state, const Scalar* target,
                           const Scalar* window_weight, Scalar* gradient, Scalar* scratch);
+  Scalar (*space_chained_error)(int gaps, int stride, const Scalar* weight, const Scalar* scale,
+                                const Scalar* offset, const Scalar* state, const Scalar* target,
+                                const Scalar* window_weight, Scalar* gradient, Scalar* scratch);
 };
 
 /// The optimiser's operations on vectors of parameters, for one level of CPU features.

@@ -155,9 +155,32 @@ inline Vector gap_number(const StateBoundsView<float>& bounds, const float* stat
                       broadcast(bounds.offset[row]));
 }
 
+// The same in space.
+inline bool any_near_space_bound(const StateBoundsView<float>& bounds, int g, const float* state,
+                                 int stride) {
+  constexpr float kRounding = 1e-5F;
+  const GapBound<float>& bound = bounds.gaps[g];
+  Vector of[kSpaceGapSize];
+  for (int i = 0; i < kSpaceGapSize; ++i) {
+    of[i] = gap_number(bounds, state, stride, kSpaceGapSize * g + i);
+  }
+  const Vector square = of[0] * of[0] + of[1] * of[1] + of[2] * of[2];
+  const Vector bend = of[4] * of[4] + of[5] * of[5];
+  const float max_bend = bound.max_bend * bound.max_bend;
+  const IntVector near = (square < broadcast(bound.min_square * (1.0F + kRounding))) |
+                         (square > broadcast(bound.max_square * (1.0F - kRounding))) |
+                         (bend > broadcast(max_bend * (1.0F - kRounding))) |
+                         (of[3] < broadcast(bound.min_turn + kRounding)) |
+                         (of[3] > broadcast(bound.max_turn - kRounding));
+  return non_zero_lanes(reinterpret_cast<Vector>(near)) != 0;
+}
+
 // Whether any lane of gap g lies so close to a bound that it may be beyond it.
 inline bool any_near_bound(const StateBoundsView<float>& bounds, int g, const float* state,
                            int stride) {
+  if (bounds.gap_size == kSpaceGapSize) {
+    return any_near_space_bound(bounds, g, state, stride);
+  }
   constexpr float kRounding = 1e-5F;
   const GapBound<float>& bound = bounds.gaps[g];
   const Vector x = gap_number(bounds, state, stride, kPoseSize * g);
@@ -178,14 +201,14 @@ void bound(const StateBoundsView<float>& bounds, int stride, const float* unboun
     }
     return;
   }
-  for (int i = 0; i < kPoseSize * bounds.gap_count * stride; i += kLanes) {
+  for (int i = 0; i < bounds.gap_size * bounds.gap_count * stride; i += kLanes) {
     store(state + i, load(unbounded + i));
   }
   for (int g = 0; g < bounds.gap_count; ++g) {
     for (int q = 0; q < stride; q += kLanes) {
       if (any_near_bound(bounds, g, unbounded + q, stride)) {
         for (int j = q; j < q + kLanes; ++j) {
-          bound_gap_of_window(bounds, g, stride, unbounded + j, state + j);
+          bound_any_gap(bounds, g, stride, unbounded + j, state + j);
         }
       }
     }
@@ -204,8 +227,7 @@ void bound_back(const StateBoundsView<float>& bounds, int stride, const float* u
     for (int q = 0; q < stride; q += kLanes) {
       if (any_near_bound(bounds, g, unbounded + q, stride)) {
         for (int j = q; j < q + kLanes; ++j) {
-          bound_gap_of_window_back(bounds, g, stride, unbounded + j, carried + j, direct + j,
-                                   error + j);
+          bound_any_gap_back(bounds, g, stride, unbounded + j, carried + j, direct + j, error + j);
         }
       }
     }
@@ -215,7 +237,8 @@ void bound_back(const StateBoundsView<float>& bounds, int stride, const float* u
 constexpr WindowKernels<float> window_kernels_of_this_level() {
   return {kLanes,        layer,  layer_back, weight_gradient, bias_gradient,
           relu_gradient, gather, add_scaled, carry,           gated_change,
-          gated_carry,   bound,  bound_back, entry_error,     chained_error};
+          gated_carry,   bound,  bound_back, entry_error,     chained_error,
+          space_chained_error};
 }
 
 constexpr OptimiserKernels optimiser_kernels_of_this_level() {

@@ -20,16 +20,19 @@ constexpr float kConstantSpread = 1e-6F;
 // Of poses: no motion capture resolves less.
 constexpr float kMinInputSpread_m = 1e-4F;
 constexpr float kMinInputSpread_rad = 2e-3F;
+// What rotations count that nobody measured: enough for states to stay what they were made.
+constexpr float kLiftedWeight = 0.1F;
 
 /// Columns of all episodes' frames in user units, backbones in the network's layout.
 struct RawFrames {
   Eigen::MatrixXf pressure_kpa;       // n×F
-  Eigen::MatrixXf poses;              // 3m×F, recorded, about the base
-  Eigen::MatrixXf no_load_poses;      // 3m×F
+  Eigen::MatrixXf poses;              // 3m×F (7m in space), recorded, about the base
+  Eigen::MatrixXf no_load_poses;      // the same of the unloaded arm
   Eigen::MatrixXf state;              // D×F, recorded, in the network's layout
   Eigen::MatrixXf no_load;            // D×F
   std::vector<std::uint8_t> tracked;  // F; empty: the arm was tracked in all frames
   std::vector<int> tracked_columns;   // those in which it was; empty: in all
+  bool lifted = false;                // rotations in space were made from positions
 };
 
 /// Marks the frames in which the arm was not tracked.
@@ -71,13 +74,12 @@ RawFrames gather(const ArmDescription& arm, const std::vector<Episode>& episodes
                     "episode to learn from",
                     episodes.size()));
   }
-  const int poses = kPoseSize * arm.point_count();
+  const int poses = pose_size(arm.dimension) * arm.point_count();
   RawFrames raw;
   raw.pressure_kpa.resize(arm.channel_count(), count);
   raw.poses.resize(poses, count);
   raw.no_load_poses.resize(poses, count);
   const NoLoadModel no_load(arm);
-  Backbone unloaded(arm.point_count(), kPoseSize);
   for (std::size_t index = 0; index < episodes.size(); ++index) {
     const EpisodeRange range = ranges[index];
     raw.pressure_kpa.middleCols(range.first, range.count) =
@@ -85,11 +87,18 @@ RawFrames gather(const ArmDescription& arm, const std::vector<Episode>& episodes
     raw.poses.middleCols(range.first, range.count) = episodes[index].backbone.transpose();
   }
   for (Eigen::Index column = 0; column < count; ++column) {
-    no_load.backbone(raw.pressure_kpa.col(column), unloaded);
-    raw.no_load_poses.col(column) = unloaded.reshaped<Eigen::RowMajor>();
+    Eigen::VectorXf unloaded(poses);
+    no_load.poses(raw.pressure_kpa.col(column), unloaded);
+    raw.no_load_poses.col(column) = unloaded;
   }
   raw.no_load = layout.encode(raw.no_load_poses);
   raw.state = layout.encode(raw.poses);
+  if (arm.is_spatial()) {
+    // Chained from the base, so that quaternions have the signs that predictions have.
+    raw.poses = layout.decode(raw.state);
+    raw.no_load_poses = layout.decode(raw.no_load);
+    raw.lifted = !episodes.empty() && episodes.front().lifted;
+  }
   mark_untracked(episodes, raw);
   return raw;
 }
@@ -100,25 +109,40 @@ Eigen::MatrixXf tracked_only(Eigen::MatrixXf columns, const RawFrames& raw) {
                                      : Eigen::MatrixXf(columns(Eigen::all, raw.tracked_columns));
 }
 
-/// Least spread of the numbers of poses (x, y, θ, x, y, …): a number that only noise moves would
-/// otherwise count as much as the arm's end.
-float min_pose_spread(Eigen::Index row) {
-  return row % kPoseSize == 2 ? kMinInputSpread_rad : kMinInputSpread_m;
+using IsAngle = bool (*)(Eigen::Index row);
+/// Which rows of planar poses (x, y, θ, x, …), of gaps in space and of poses in space are angles.
+bool is_planar_angle(Eigen::Index row) {
+  return row % kPoseSize == 2;
+}
+bool is_space_gap_angle(Eigen::Index row) {
+  return row % kSpaceGapSize > 2;
+}
+bool is_quaternion(Eigen::Index row) {
+  return row % kSpacePoseSize > 2;
+}
+IsAngle angles_of_states(const NetworkLayout& layout) {
+  return layout.dimension() == Dimension::space ? is_space_gap_angle : is_planar_angle;
+}
+IsAngle angles_of_poses(const NetworkLayout& layout) {
+  return layout.dimension() == Dimension::space ? is_quaternion : is_planar_angle;
 }
 
-/// Least spread of their changes from frame to frame: below that they are rounding.
-float min_change_spread(Eigen::Index row) {
-  return 0.1F * min_pose_spread(row);
-}
-
-/// Of other numbers: any spread counts.
-float no_least_spread(Eigen::Index) {
-  return 0.0F;
-}
+/// Least spread of the numbers of poses: a number that only noise moves would otherwise count as
+/// much as the arm's end. Of their changes from frame to frame a tenth: below that they are
+/// rounding. Of other numbers, which have no angles, any spread counts.
+struct LeastSpread {
+  IsAngle is_angle = nullptr;
+  float share = 1.0F;
+  float of(Eigen::Index row) const {
+    return is_angle == nullptr ? 0.0F
+                               : share * (is_angle(row) ? kMinInputSpread_rad : kMinInputSpread_m);
+  }
+};
+constexpr float kOfChanges = 0.1F;
 
 /// Offset and scale of each row of `columns`.
 Normalisation measure(const Eigen::MatrixXf& columns, Scaling scaling,
-                      float (*min_spread)(Eigen::Index) = no_least_spread) {
+                      LeastSpread least = {}) {
   Normalisation result{Eigen::VectorXf(columns.rows()), Eigen::VectorXf(columns.rows())};
   for (Eigen::Index i = 0; i < columns.rows(); ++i) {
     const auto row = columns.row(i);
@@ -132,7 +156,7 @@ Normalisation measure(const Eigen::MatrixXf& columns, Scaling scaling,
       spread = static_cast<float>(std::sqrt((row.cast<double>().array() - mean).square().mean()));
     }
     result.offset[i] = offset;
-    result.scale[i] = range > kConstantSpread ? 1.0F / std::max(spread, min_spread(i)) : 1.0F;
+    result.scale[i] = range > kConstantSpread ? 1.0F / std::max(spread, least.of(i)) : 1.0F;
   }
   return result;
 }
@@ -166,7 +190,7 @@ Eigen::MatrixXf changes_of(const RawFrames& raw, const std::vector<EpisodeRange>
 /// Scale of the changes from one tracked frame to the next. They are not shifted, so that no change
 /// stays no change.
 Normalisation measure_changes(const RawFrames& raw, const std::vector<EpisodeRange>& episodes,
-                              Scaling scaling) {
+                              const NetworkLayout& layout, Scaling scaling) {
   Eigen::MatrixXf changes = changes_of(raw, episodes);
   for (Eigen::Index t = 0; t < changes.cols() && !raw.tracked.empty(); ++t) {
     const auto at = static_cast<std::size_t>(t);
@@ -174,7 +198,7 @@ Normalisation measure_changes(const RawFrames& raw, const std::vector<EpisodeRan
       changes.col(t).setZero();
     }
   }
-  Normalisation result = measure(changes, scaling, min_change_spread);
+  Normalisation result = measure(changes, scaling, {angles_of_states(layout), kOfChanges});
   result.offset.setZero();
   return result;
 }
@@ -195,12 +219,17 @@ Eigen::VectorXf error_weights(const Normalisation& spread, const TrainingSetting
 FrameError<float> chained_error(const RawFrames& raw, const Normalisation& input,
                                 const NetworkLayout& layout, const TrainingSettings& settings) {
   const Eigen::Index size = layout.backbone_size();
+  const Eigen::Index poses = raw.poses.rows() - pose_size(layout.dimension());
   const Normalisation spread =
-      measure(tracked_only((raw.poses - raw.no_load_poses).bottomRows(size), raw), settings.scaling,
-              min_pose_spread);
-  return FrameError<float>(error_weights(spread, settings),
+      measure(tracked_only((raw.poses - raw.no_load_poses).bottomRows(poses), raw),
+              settings.scaling, {angles_of_poses(layout)});
+  Eigen::VectorXf weights = error_weights(spread, settings);
+  for (Eigen::Index row = 0; raw.lifted && row < poses; ++row) {
+    weights[row] *= is_quaternion(row) ? kLiftedWeight : 1.0F;
+  }
+  return FrameError<float>(weights,
                            input.scale.segment(layout.backbone_row(), size).cwiseInverse(),
-                           input.offset.segment(layout.backbone_row(), size));
+                           input.offset.segment(layout.backbone_row(), size), layout.dimension());
 }
 
 /// Normalisations of state, no-load model and network's answer.
@@ -210,11 +239,10 @@ struct PoseScales {
 
 /// One range for all positions and one for all angles. The columns of the base plate, which never
 /// moves, have no range of their own.
-Normalisation joined_by_unit(const Eigen::MatrixXf& poses) {
+Normalisation joined_by_unit(const Eigen::MatrixXf& poses, IsAngle is_angle) {
   Normalisation result{Eigen::VectorXf(poses.rows()), Eigen::VectorXf(poses.rows())};
   const Eigen::VectorXf low = poses.rowwise().minCoeff();
   const Eigen::VectorXf high = poses.rowwise().maxCoeff();
-  const auto is_angle = [](Eigen::Index row) { return row % kPoseSize == 2; };
   for (const bool angles : {false, true}) {
     float least = std::numeric_limits<float>::infinity();
     float most = -least;
@@ -227,7 +255,7 @@ Normalisation joined_by_unit(const Eigen::MatrixXf& poses) {
     for (Eigen::Index row = 0; row < poses.rows(); ++row) {
       if (is_angle(row) == angles) {
         result.offset[row] = least;
-        result.scale[row] = 1.0F / std::max(most - least, min_pose_spread(row));
+        result.scale[row] = 1.0F / std::max(most - least, LeastSpread{is_angle}.of(row));
       }
     }
   }
@@ -242,15 +270,16 @@ PoseScales measure_poses(const RawFrames& raw, const std::vector<EpisodeRange>& 
     Eigen::MatrixXf both(state.rows(), state.cols() + raw.no_load.cols());
     both << state, raw.no_load;
     const Normalisation shared = scaling == Scaling::shared_range
-                                     ? measure(both, Scaling::unit_range, min_pose_spread)
-                                     : joined_by_unit(both);
+                                     ? measure(both, Scaling::unit_range, {angles_of_states(layout)})
+                                     : joined_by_unit(both, angles_of_states(layout));
     return {shared, shared, {Eigen::VectorXf::Zero(state.rows()), shared.scale}};
   }
-  return {measure(tracked_only(raw.state, raw), scaling, min_pose_spread),
+  const LeastSpread least{angles_of_states(layout)};
+  return {measure(tracked_only(raw.state, raw), scaling, least),
           measure(tracked_only(layout.no_load_input(raw.no_load), raw), scaling),
           settings.form == OutputForm::gated_change
-              ? measure_changes(raw, episodes, scaling)
-              : measure(tracked_only(raw.state - raw.no_load, raw), scaling, min_pose_spread)};
+              ? measure_changes(raw, episodes, layout, scaling)
+              : measure(tracked_only(raw.state - raw.no_load, raw), scaling, least)};
 }
 
 bool counts_base_poses(const NetworkLayout& layout, const TrainingSettings& settings) {
@@ -286,7 +315,7 @@ void normalise(RawFrames raw, const NetworkLayout& layout, const TrainingSetting
                TrainingTables& tables) {
   FrameTable<float>& frames = tables.frames;
   if (counts_base_poses(layout, settings)) {
-    frames.target = raw.poses.bottomRows(layout.backbone_size());
+    frames.target = raw.poses.bottomRows(raw.poses.rows() - pose_size(layout.dimension()));
   }
   if (settings.reads_velocity) {
     frames.change = changes_of(raw, tables.episodes).array().colwise() *
@@ -323,7 +352,7 @@ TrainingTables make_training_tables(const ArmDescription& arm, const std::vector
   const PoseScales poses = measure_poses(raw, tables.episodes, layout, settings);
   tables.input = stack({pressure, pressure, poses.state, poses.no_load});
   if (settings.reads_velocity) {
-    tables.input = stack({tables.input, measure_changes(raw, tables.episodes, settings.scaling)});
+    tables.input = stack({tables.input, measure_changes(raw, tables.episodes, layout, settings.scaling)});
   }
   tables.output = poses.output;
   set_map(raw, layout, settings, tables);
@@ -352,6 +381,8 @@ void set_bounds(TrainingTables& tables, const TrainingSettings& settings, const 
   const Eigen::Index first = 2 * tables.frames.pressure.rows();
   StateBounds<float>& states = tables.map.bounds;
   states.layout = settings.layout;
+  const bool in_space = bounds.max_bend_rad.size() > 0;
+  states.dimension = in_space ? Dimension::space : Dimension::plane;
   states.scale = tables.input.scale.segment(first, size).cwiseInverse();
   states.offset = tables.input.offset.segment(first, size);
   states.gaps.clear();
@@ -360,7 +391,8 @@ void set_bounds(TrainingTables& tables, const TrainingSettings& settings, const 
   }
   for (Eigen::Index i = 0; i < bounds.min_length_m.size(); ++i) {
     states.gaps.push_back(gap_bound(bounds.min_length_m[i], bounds.max_length_m[i],
-                                    bounds.min_turn_rad[i], bounds.max_turn_rad[i]));
+                                    bounds.min_turn_rad[i], bounds.max_turn_rad[i],
+                                    in_space ? bounds.max_bend_rad[i] : 0.0F));
   }
 }
 

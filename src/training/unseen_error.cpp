@@ -207,6 +207,9 @@ void hold_shapes(PredictedRuns all, CompensationModel& model) {
 
 bool RunErrors::add(const ArmDescription& arm, const CompensationModel& model,
                     const std::vector<Episode>& unseen, int jobs) {
+  if (arm.is_spatial()) {
+    return true;  // no tube is made for an arm that can't be planned for yet
+  }
   const PredictedRuns all = predict_error_runs(arm, model, unseen, jobs, 0);
   if (!all.are_finite()) {
     return false;
@@ -225,6 +228,9 @@ std::optional<PredictionError> measure_prediction_error(const ArmDescription& ar
 
 void note_unseen(const ArmDescription& arm, CompensationModel& model,
                  const std::vector<Episode>& unseen, int jobs) {
+  if (arm.is_spatial()) {
+    return;
+  }
   PredictedRuns all = predict_error_runs(arm, model, unseen, jobs, 0);
   model.prediction_error = all.are_finite() ? error_of(arm, all) : std::nullopt;
   if (model.prediction_error) {

@@ -22,6 +22,7 @@ int group_stride(int window_limit, int lanes) {
 template <class Scalar>
 StateBoundsView<Scalar> view_of(const StateBounds<Scalar>& bounds) {
   return {static_cast<int>(bounds.gaps.size()),
+          gap_size(bounds.dimension),
           bounds.layout == BackboneLayout::base_poses,
           bounds.lead_back,
           bounds.gaps.data(),
@@ -59,7 +60,8 @@ WindowGradient<Scalar>::WindowGradient(const ParameterLayout& layout, const Stat
       hidden_.emplace_back(numbers(blocks, layout.outputs(layer)));
     }
   }
-  target_.resize(numbers(blocks, size_));
+  target_size_ = static_cast<int>(map.error.weight().size());
+  target_.resize(numbers(blocks, target_size_));
   uncompensated_.resize(numbers(blocks, size_));
   error_gradient_.resize(numbers(blocks, size_));
   weight_.resize(numbers(blocks, 1));
@@ -118,7 +120,7 @@ void WindowGradient<Scalar>::load_block(const FrameTable<Scalar>& frames, int gr
   gather(frames.pressure, input + segments_ * stride_);
   gather(frames.no_load, input + (2 * segments_ + size_) * stride_);
   gather(frames.uncompensated, at(uncompensated_, size_, block));
-  gather(frames.targets(), at(target_, size_, block));
+  gather(frames.targets(), at(target_, target_size_, block));
 }
 
 template <class Scalar>
@@ -198,7 +200,7 @@ double WindowGradient<Scalar>::forward(const Scalar* parameters) {
       if (map_.reads_velocity() && k + 1 < frames_) {
         note_change(block, state, change(block_of(group, k + 1)));
       }
-      loss += static_cast<double>(map_.error.compute(stride_, state, at(target_, size_, block),
+      loss += static_cast<double>(map_.error.compute(stride_, state, at(target_, target_size_, block),
                                                      at(weight_, 1, block),
                                                      at(error_gradient_, size_, block)));
     }

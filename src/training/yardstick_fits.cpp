@@ -14,10 +14,10 @@ constexpr double kRidge = 1e-6;  // of the mean square of the terms: neighbourin
 
 /// Each over its segment's limit.
 Eigen::VectorXd command_terms(const ArmDescription& arm, const Episode& episode, int t) {
-  Eigen::VectorXd terms(arm.segment_count());
+  Eigen::VectorXd terms(arm.channel_count());
   for (Eigen::Index i = 0; i < terms.size(); ++i) {
     terms[i] = double(episode.pressure_kpa(t, i)) /
-               arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa.largest_kpa();
+               arm.limits_of_channel(static_cast<int>(i)).largest_kpa();
   }
   return terms;
 }
@@ -65,14 +65,14 @@ std::vector<Episode> Folds::training(const std::vector<Episode>& episodes, int f
 
 Eigen::VectorXd step_terms(const ArmDescription& arm, const Episode& episode, int t,
                            const Eigen::VectorXd& before) {
-  Eigen::VectorXd terms(2 * arm.segment_count() + before.size() + 1);
+  Eigen::VectorXd terms(2 * arm.channel_count() + before.size() + 1);
   terms << command_terms(arm, episode, t - 1), command_terms(arm, episode, t), before, 1.0;
   return terms;
 }
 
 Eigen::MatrixXd fit_linear_step(const ArmDescription& arm, const std::vector<Episode>& episodes) {
-  const Eigen::Index size = kPoseSize * arm.point_count();
-  const Eigen::Index count = 2 * arm.segment_count() + size + 1;
+  const Eigen::Index size = pose_size(arm.dimension) * arm.point_count();
+  const Eigen::Index count = 2 * arm.channel_count() + size + 1;
   Eigen::MatrixXd square = Eigen::MatrixXd::Zero(count, count);  // XᵀX
   Eigen::MatrixXd product = Eigen::MatrixXd::Zero(count, size);  // XᵀY
   for (const Episode& episode : episodes) {

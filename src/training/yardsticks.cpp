@@ -12,6 +12,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/statistics.hpp"
+#include "limber/data/space_fit.hpp"
 #include "rollout.hpp"
 #include "yardstick_fits.hpp"
 
@@ -47,6 +48,16 @@ struct Fits {
   }
 };
 
+template <class Model>
+std::vector<FrameMatrix> predict_all(const Model& model, const ArmDescription& arm,
+                                     const std::vector<Episode>& episodes) {
+  std::vector<FrameMatrix> predicted;
+  for (const Episode& episode : episodes) {
+    predicted.push_back(predict(model, arm, episode));
+  }
+  return predicted;
+}
+
 Fits fit_all(const ArmDescription& arm, const std::vector<Episode>& episodes,
              const std::vector<Episode>& fit_to) {
   Fits fits{Folds(episodes, !fit_to.empty()), {}, {}};
@@ -55,11 +66,9 @@ Fits fit_all(const ArmDescription& arm, const std::vector<Episode>& episodes,
     const std::vector<Episode> training =
         fit_to.empty() ? fits.folds.training(episodes, fold) : fit_to;
     fits.linear.push_back(fit_linear_step(arm, training));
-    const SimpleModel simple = fit_simple_model(arm, training).model;
-    std::vector<FrameMatrix>& predicted = fits.simple.emplace_back();
-    for (const Episode& episode : episodes) {
-      predicted.push_back(predict(simple, arm, episode));
-    }
+    fits.simple.push_back(arm.is_spatial()
+                              ? predict_all(fit_space_model(arm, training), arm, episodes)
+                              : predict_all(fit_simple_model(arm, training).model, arm, episodes));
   }
   return fits;
 }

@@ -5,7 +5,7 @@
 
 namespace limber {
 
-/// What one gap's shape stays within.
+/// What one gap's shape stays within. In space a turn is its twist, and its bend has a bound too.
 template <class Scalar>
 struct GapBound {
   Scalar min_length;  ///< [m], > 0
@@ -14,13 +14,14 @@ struct GapBound {
   Scalar max_square;
   Scalar min_turn;  ///< [rad]
   Scalar max_turn;
+  Scalar max_bend;  ///< [rad], in space
 };
 
 template <class Scalar>
 inline GapBound<Scalar> gap_bound(Scalar min_length, Scalar max_length, Scalar min_turn,
-                                  Scalar max_turn) {
+                                  Scalar max_turn, Scalar max_bend = 0) {
   return {min_length, max_length, min_length * min_length, max_length * max_length,
-          min_turn,   max_turn};
+          min_turn,   max_turn,   max_bend};
 }
 
 namespace {

@@ -20,8 +20,8 @@ class ForwardPipeline;
 /// model, or the no-load model compensated by a network. It is a pure function: the whole state is
 /// in its arguments. Of an ensemble, the first network answers.
 ///
-/// Sizes:   n segments, m backbone points; batches of k queries, one per column, a backbone's 3m
-///          numbers in row order.
+/// Sizes:   n channels, m backbone points; batches of k queries, one per column, a backbone's 3m
+///          numbers in row order. Of an arm in space they are 7m, and it has batches alone.
 /// Threads: constant after construction; it moves but is not copied; each thread brings its own
 /// Workspace.
 class ForwardModel {
@@ -46,6 +46,7 @@ class ForwardModel {
 
   int segment_count() const { return no_load_.segment_count(); }
   int channel_count() const { return no_load_.channel_count(); }
+  Dimension dimension() const { return no_load_.dimension(); }
   int point_count() const { return no_load_.point_count(); }
   bool has_network() const { return compensation_.has_value(); }
   const NoLoadModel& no_load() const { return no_load_; }

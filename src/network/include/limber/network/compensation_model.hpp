@@ -51,12 +51,14 @@ struct Layer {
 };
 
 /// What (20) keeps every gap's shape within: one number for each of the m − 1 gaps. A gap's length
-/// is that of the straight line between its plates.
+/// is that of the straight line between its plates. In space a turn is a twist, and the bend has a
+/// bound of its own.
 struct GapBounds {
   Eigen::VectorXf min_length_m;  ///< > 0
   Eigen::VectorXf max_length_m;  ///< ≥ min_length_m
   Eigen::VectorXf min_turn_rad;
   Eigen::VectorXf max_turn_rad;  ///< ≥ min_turn_rad
+  Eigen::VectorXf max_bend_rad{};  ///< > 0, in space; else empty
 };
 
 /// What makes a network one for a family of arms: its first layer reads, beside its other inputs,
@@ -106,7 +108,9 @@ struct CompensationModel {
   std::string arm_name;
   std::string arm_hash;         ///< ArmDescription::hash()
   std::string arm_description;  ///< arm_keys_to_yaml(); empty in files of before it was kept
+  Dimension dimension = Dimension::plane;
   int segment_count = 0;
+  int chamber_count = 0;  ///< of an arm in space: a command each; else 0
   int point_count = 0;
   std::string preset;  ///< "paper" or "best"
   /// Record of the training: data files and hashes, seed, epochs, losses, seconds.
@@ -133,6 +137,10 @@ struct CompensationModel {
   std::optional<ArmFamily> family;
   std::optional<FamilyMember> member_of_family;
 
+  /// Numbers of q_t.
+  int channel_count() const {
+    return dimension == Dimension::space ? chamber_count : segment_count;
+  }
   int member_count() const { return 1 + static_cast<int>(more_members.size()); }
   /// Member `index` as a model of its own, without the training record. @pre index < member_count()
   CompensationModel member(int index) const;

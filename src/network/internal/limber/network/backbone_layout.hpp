@@ -9,7 +9,8 @@
 
 namespace limber {
 
-/// Which numbers a network reads and writes, and where they sit (docs/model.md, (5)).
+/// Which numbers a network reads and writes, and where they sit (docs/model.md, (5)). Of an arm in
+/// space read 7 for the 3 of base poses, and 6 for that of gaps; it has gap poses alone.
 ///
 /// Input, one column per query: q_{t−1} (n), q_t (n), B_{t−1} (backbone_size), B̃_t (no_load_size);
 /// where the network reads velocities, B_{t−1} − B_{t−2} (backbone_size).
@@ -19,7 +20,7 @@ namespace limber {
 ///             is the origin by definition and left out. B̃ is 3 numbers per segment, since all
 ///             gaps of an unloaded segment are alike; the output is taken from it gap by gap:
 ///             60 → 45.
-/// Sizes: n segments, m points, k columns. Threads: constant after construction.
+/// Sizes: n channels, m points, k columns. Threads: constant after construction.
 class NetworkLayout {
  public:
   NetworkLayout(BackboneLayout layout, OutputForm form, const ArmDescription& arm,
@@ -29,6 +30,7 @@ class NetworkLayout {
   OutputForm output_form() const { return form_; }
   int segment_count() const { return static_cast<int>(first_gap_.size()); }
   int point_count() const { return point_count_; }
+  Dimension dimension() const { return dimension_; }
   int backbone_size() const;
   int no_load_size() const;
   bool reads_velocity() const { return reads_velocity_; }
@@ -39,8 +41,8 @@ class NetworkLayout {
 
   /// Rows at which the parts of an input begin.
   int previous_pressure_row() const { return 0; }
-  int pressure_row() const { return segment_count(); }
-  int backbone_row() const { return 2 * segment_count(); }
+  int pressure_row() const { return channel_count_; }
+  int backbone_row() const { return 2 * channel_count_; }
   int no_load_row() const { return backbone_row() + backbone_size(); }
   int change_row() const { return no_load_row() + no_load_size(); }
 
@@ -57,15 +59,19 @@ class NetworkLayout {
   BackboneLayout layout_;
   OutputForm form_;
   bool reads_velocity_;
+  Dimension dimension_;
+  int channel_count_;
   int point_count_;
   std::vector<int> first_gap_;
 };
 
 /// Each plate's pose about the plate before it: columns of 3m base poses to columns of 3(m − 1).
 /// Computed in double; θ is a plain difference, never wrapped.
-Eigen::MatrixXd gap_poses_of(const Eigen::Ref<const Eigen::MatrixXd>& base_poses);
+Eigen::MatrixXd gap_poses_of(const Eigen::Ref<const Eigen::MatrixXd>& base_poses,
+                             Dimension dimension = Dimension::plane);
 
 /// The inverse, with the base plate at the origin: 3(m − 1) rows to 3m.
-Eigen::MatrixXd base_poses_of(const Eigen::Ref<const Eigen::MatrixXd>& gap_poses);
+Eigen::MatrixXd base_poses_of(const Eigen::Ref<const Eigen::MatrixXd>& gap_poses,
+                              Dimension dimension = Dimension::plane);
 
 }  // namespace limber

@@ -11,7 +11,8 @@ namespace limber {
 
 /// @throws InputError beginning with `where` and naming the tensor, unless there is one number for
 /// every gap, all are finite, lengths are > 0 and no smallest exceeds its largest.
-void validate(const GapBounds& bounds, int point_count, const std::string& where);
+void validate(const GapBounds& bounds, Dimension dimension, int point_count,
+              const std::string& where);
 
 /// Bounds that hold both.
 GapBounds joined(const GapBounds& a, const GapBounds& b);

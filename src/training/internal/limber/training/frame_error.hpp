@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include "limber/arm/pose_size.hpp"
+
 namespace limber {
 
 /// Error of a predicted backbone, Σ_j weight_j |predicted_j − recorded_j| (the paper's IV-C), and
@@ -10,6 +12,10 @@ namespace limber {
 /// Entrywise, the state's own D numbers are compared. Chained, for states of gap poses, they are
 /// first decoded and chained to poses about the arm's base. An error at the base then counts for
 /// everything that it moves, as it does when the model is used.
+///
+/// In space gaps have 6 numbers and base poses 7. With p a plate's position and q its quaternion,
+/// both from the base: p_{i+1} = p_i + R(q_i) d_i and q_{i+1} = q_i exp(ω_i). Signs of quaternions
+/// follow from the chain, in what is compared with too.
 template <class Scalar>
 class FrameError {
  public:
@@ -20,7 +26,7 @@ class FrameError {
   explicit FrameError(Vector weight);
   /// Chained: gap poses are state ∘ scale + offset (D = 3(m − 1) numbers each), `weight` counts the
   /// 3(m − 1) base poses behind the base plate.
-  FrameError(Vector weight, Vector scale, Vector offset);
+  FrameError(Vector weight, Vector scale, Vector offset, Dimension dimension = Dimension::plane);
 
   bool is_chained() const { return scale_.size() > 0; }
   const Vector& weight() const { return weight_; }
@@ -32,7 +38,7 @@ class FrameError {
   FrameError<Other> cast() const {
     return is_chained()
                ? FrameError<Other>(weight_.template cast<Other>(), scale_.template cast<Other>(),
-                                   offset_.template cast<Other>())
+                                   offset_.template cast<Other>(), dimension_)
                : FrameError<Other>(weight_.template cast<Other>());
   }
 
@@ -44,6 +50,7 @@ class FrameError {
                  Scalar* gradient);
 
  private:
+  Dimension dimension_ = Dimension::plane;
   Vector weight_;
   Vector scale_;
   Vector offset_;

@@ -23,7 +23,7 @@ struct FrameTable {
   Matrix no_load;                     ///< N×F, B̃ as the network reads it
   Matrix uncompensated;               ///< D×F, the state that a network output of zero would give
   Matrix state;                       ///< D×F, recorded backbones
-  Matrix target;                      ///< D×F, what the frame error compares with; empty: `state`
+  Matrix target;  ///< what the frame error compares with, a pose of each plate; empty: `state`
   std::vector<std::uint8_t> tracked;  ///< F, 0 if the backbone was not tracked; empty: always
   Matrix change = {};  ///< D×F, B_t − B_{t−1} as the network reads it; empty: it does not
   std::vector<int> arm = {};  ///< F, which of a family's arms; empty: they are one
@@ -39,6 +39,7 @@ struct StateBounds {
   Vector scale;                        ///< D
   Vector offset;                       ///< D
   BackboneLayout layout = BackboneLayout::gap_poses;
+  Dimension dimension = Dimension::plane;
   /// Whether gradients lead what is held back within its bound; false: the derivative as it is.
   bool lead_back = true;
 
@@ -46,11 +47,13 @@ struct StateBounds {
   template <class Other>
   StateBounds<Other> cast() const {
     StateBounds<Other> result{
-        {}, scale.template cast<Other>(), offset.template cast<Other>(), layout, lead_back};
+        {},        scale.template cast<Other>(), offset.template cast<Other>(), layout, dimension,
+        lead_back};
     for (const GapBound<Scalar>& gap : gaps) {
       result.gaps.push_back(
           gap_bound(static_cast<Other>(gap.min_length), static_cast<Other>(gap.max_length),
-                    static_cast<Other>(gap.min_turn), static_cast<Other>(gap.max_turn)));
+                    static_cast<Other>(gap.min_turn), static_cast<Other>(gap.max_turn),
+                    static_cast<Other>(gap.max_bend)));
     }
     return result;
   }
@@ -146,8 +149,8 @@ class WindowGradient {
   const WindowKernels<Scalar>& kernels_;
   ParameterLayout layout_;
   StateMap<Scalar> map_;
-  int segments_;
-  int size_;  ///< D
+  int segments_;  ///< n
+  int size_;      ///< D
   int frames_;
   int window_limit_;
   int stride_;
@@ -161,6 +164,7 @@ class WindowGradient {
   std::vector<Storage> hidden_;  ///< outputs of the hidden layers
   std::vector<Storage>
       delta_;  ///< a layer each: ∂loss/∂(its output before ReLU), of `slots_` blocks
+  int target_size_ = 0;
   Storage target_;
   Storage uncompensated_;
   Storage weight_;      ///< of a block's windows: 1 / tracked frames, or 0

@@ -1,0 +1,311 @@
+#include "limber/data/space_fit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Cholesky>
+#include <fmt/format.h>
+
+#include "limber/arm/no_load_model.hpp"
+#include "limber/arm/space_no_load.hpp"
+#include "limber/arm/space_pose.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/statistics.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr int kShapeRows = 3;            // of a segment
+constexpr int kMinFitFrames = 100;     // tracked: fewer tell a fit nothing
+constexpr int kSpacePieces = 10;         // of the jackknife
+constexpr int kRobustRounds = 3;
+constexpr double kSpaceHuber = 2.0;      // medians beyond which a frame counts less
+constexpr double kLongestDead_s = 0.6;
+constexpr std::array<double, 14> kLags_s = {0.0, 0.02, 0.04, 0.06, 0.08, 0.1, 0.13,
+                                            0.17, 0.22, 0.3, 0.4,  0.55, 0.75, 1.0};
+
+/// Commands behind a dead time and a lag, T×n; the first frame's held before.
+Eigen::MatrixXd lagged(const FrameMatrix& commands, double period_s, double dead_time_s,
+                       double lag_s) {
+  const Eigen::Index frames = commands.rows();
+  Eigen::MatrixXd result(frames, commands.cols());
+  const double open = lag_s > 0.0 ? 1.0 - std::exp(-period_s / lag_s) : 1.0;
+  const double late = dead_time_s / period_s;
+  const auto whole = static_cast<Eigen::Index>(std::floor(late));
+  const double part = late - double(whole);
+  const auto at = [&](Eigen::Index t) {
+    return commands.row(std::max(t, Eigen::Index{0})).cast<double>();
+  };
+  Eigen::RowVectorXd now = at(0);
+  for (Eigen::Index t = 0; t < frames; ++t) {
+    const Eigen::RowVectorXd asked = (1.0 - part) * at(t - whole) + part * at(t - whole - 1);
+    now += open * (asked - now);
+    result.row(t) = now;
+  }
+  return result;
+}
+
+/// Bend about y and z and extension of every segment in one frame, 3s numbers.
+Eigen::VectorXd shapes_of(const ArmDescription& arm, const Episode& episode, int t) {
+  Eigen::VectorXd shapes(kShapeRows * arm.segment_count());
+  Eigen::Index plate = 0;
+  for (int i = 0; i < arm.segment_count(); ++i) {
+    const Segment& segment = arm.segments[static_cast<std::size_t>(i)];
+    Eigen::Vector3d turned = Eigen::Vector3d::Zero();
+    double length_m = 0.0;
+    for (int g = 0; g < segment.gaps; ++g, ++plate) {
+      const auto pose = [&](Eigen::Index p) {
+        return space_pose_of(episode.backbone.row(t)
+                                 .segment<kSpacePoseSize>(kSpacePoseSize * p)
+                                 .cast<double>());
+      };
+      const SpacePose step = between(pose(plate), pose(plate + 1));
+      const Eigen::Vector3d omega = rotation_vector(step.rotation);
+      turned += omega;
+      const double half = 0.5 * std::hypot(omega.y(), omega.z());
+      length_m += step.position_m.norm() / sine_over(half);  // the arc over its chord
+    }
+    shapes.segment<kShapeRows>(kShapeRows * i) << turned.y(), turned.z(), length_m / segment.length_m - 1.0;
+  }
+  return shapes;
+}
+
+/// What one unit of each of those moves the tip by, about [m].
+Eigen::VectorXd levers_m(const ArmDescription& arm) {
+  Eigen::VectorXd levers(kShapeRows * arm.segment_count());
+  double beyond_m = 0.0;
+  for (int i = arm.segment_count() - 1; i >= 0; --i) {
+    const double length_m = arm.segments[static_cast<std::size_t>(i)].length_m;
+    const double lever_m = beyond_m + 0.5 * length_m;
+    levers.segment<kShapeRows>(kShapeRows * i) << lever_m, lever_m, length_m;
+    beyond_m += length_m;
+  }
+  return levers;
+}
+
+/// Fits one model after the other to the same frames.
+class SpaceFitter {
+ public:
+  SpaceFitter(const ArmDescription& arm, const std::vector<Episode>& episodes)
+      : arm_(arm), no_load_(arm), episodes_(episodes), levers_m_(levers_m(arm)) {
+    for (std::size_t e = 0; e < episodes.size(); ++e) {
+      for (int t = 0; t < episodes[e].frame_count(); ++t) {
+        if (episodes[e].was_tracked(t)) {
+          frames_.emplace_back(e, t);
+        }
+      }
+    }
+    if (frames_.size() < kMinFitFrames) {
+      throw InputError(fmt::format(
+          "the arm was tracked in {} frames; expected at least {} to fit a model to",
+          frames_.size(), kMinFitFrames));
+    }
+    shapes_.resize(Eigen::Index(frames_.size()), kShapeRows * arm.segment_count());
+    for (std::size_t i = 0; i < frames_.size(); ++i) {
+      shapes_.row(Eigen::Index(i)) =
+          shapes_of(arm, episodes[frames_[i].first], frames_[i].second).transpose();
+    }
+    weights_ = Eigen::VectorXd::Ones(shapes_.rows());
+  }
+
+  SpaceFit run() {
+    SpaceFit fit;
+    double best = std::numeric_limits<double>::infinity();
+    const auto consider = [&](double dead_time_s, double lag_s) {
+      set_terms(dead_time_s, lag_s);
+      const Eigen::MatrixXd shape = solve(-1);
+      if (const double off = mean_off_m(shape); off < best) {
+        best = off;
+        fit = {shape, {}, dead_time_s, lag_s, 0.0, 0.0};
+      }
+    };
+    const double step_s = 0.5 * arm_.frame_period_s();
+    for (int round = 0; round < kRobustRounds; ++round) {
+      const double lag_s = fit.lag_s;
+      for (double dead_s = 0.0; dead_s <= kLongestDead_s; dead_s += step_s) {
+        consider(dead_s, lag_s);
+      }
+      for (const double lag : kLags_s) {
+        for (const double shift : {-step_s, 0.0, step_s}) {
+          consider(std::max(0.0, fit.dead_time_s + shift), lag);
+        }
+      }
+      set_terms(fit.dead_time_s, fit.lag_s);
+      weigh(fit.shape);
+      fit.shape = solve(-1);
+      best = mean_off_m(fit.shape);
+    }
+    fit.shape_sd = deviations();
+    return fit;
+  }
+
+ private:
+  Eigen::Index piece_of(Eigen::Index row) const { return row * kSpacePieces / shapes_.rows(); }
+
+  void set_terms(double dead_time_s, double lag_s) {
+    terms_.resize(shapes_.rows(), arm_.channel_count() + 1);
+    Eigen::Index row = 0;
+    for (std::size_t e = 0; e < episodes_.size(); ++e) {
+      const Eigen::MatrixXd commands =
+          lagged(episodes_[e].pressure_kpa, arm_.frame_period_s(), dead_time_s, lag_s);
+      for (; row < shapes_.rows() && frames_[std::size_t(row)].first == e; ++row) {
+        terms_.row(row) << no_load_.strains(commands.row(frames_[std::size_t(row)].second).transpose())
+                               .transpose(),
+            1.0;
+      }
+    }
+  }
+
+  /// Least squares over all frames but those of piece `left_out`.
+  Eigen::MatrixXd solve(Eigen::Index left_out) const {
+    Eigen::VectorXd weights = weights_;
+    for (Eigen::Index row = 0; left_out >= 0 && row < weights.size(); ++row) {
+      weights[row] *= piece_of(row) == left_out ? 0.0 : 1.0;
+    }
+    const Eigen::MatrixXd weighted = terms_.array().colwise() * weights.array();
+    Eigen::MatrixXd square = weighted.transpose() * terms_;
+    // A chamber that never acts has no share; units of commands differ by orders.
+    constexpr double kRidge = 1e-9;
+    square.diagonal() += kRidge * square.diagonal() +
+                         Eigen::VectorXd::Constant(square.rows(),
+                                                   std::numeric_limits<double>::min());
+    return square.ldlt().solve(weighted.transpose() * shapes_).transpose();
+  }
+
+  /// How far each frame's shape is off, about, at the tip.
+  Eigen::VectorXd off_m(const Eigen::MatrixXd& shape) const {
+    return ((terms_ * shape.transpose() - shapes_) * levers_m_.asDiagonal()).rowwise().norm();
+  }
+  double mean_off_m(const Eigen::MatrixXd& shape) const {
+    return off_m(shape).dot(weights_) / weights_.sum();
+  }
+
+  void weigh(const Eigen::MatrixXd& shape) {
+    const Eigen::VectorXd off = off_m(shape);
+    const double middle = median(std::vector<double>(off.begin(), off.end()));
+    weights_ = off.unaryExpr([&](double one) {
+      return one > kSpaceHuber * middle ? kSpaceHuber * middle / one : 1.0;
+    });
+  }
+
+  Eigen::MatrixXd deviations() const {
+    std::vector<Eigen::MatrixXd> without;
+    Eigen::MatrixXd mean = Eigen::MatrixXd::Zero(shapes_.cols(), terms_.cols());
+    for (Eigen::Index piece = 0; piece < kSpacePieces; ++piece) {
+      without.push_back(solve(piece));
+      mean += without.back() / kSpacePieces;
+    }
+    Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(mean.rows(), mean.cols());
+    for (const Eigen::MatrixXd& one : without) {
+      squares += (one - mean).cwiseAbs2();
+    }
+    return (squares * (double(kSpacePieces - 1) / kSpacePieces)).cwiseSqrt();
+  }
+
+  const ArmDescription& arm_;
+  SpaceNoLoad no_load_;
+  const std::vector<Episode>& episodes_;
+  Eigen::VectorXd levers_m_;
+  std::vector<std::pair<std::size_t, int>> frames_;  // episode and frame
+  Eigen::MatrixXd shapes_;                           // F × 3s
+  Eigen::MatrixXd terms_;                            // F × (n + 1)
+  Eigen::VectorXd weights_;
+};
+
+void measure(const ArmDescription& arm, const std::vector<Episode>& episodes, SpaceFit& fit) {
+  double plates = 0.0;
+  double tips = 0.0;
+  double frames = 0.0;
+  for (const Episode& episode : episodes) {
+    Episode expected = episode;
+    expected.backbone = predict(fit, arm, episode);
+    for (int t = 0; t < episode.frame_count(); ++t) {
+      if (!episode.was_tracked(t)) {
+        continue;
+      }
+      double sum = 0.0;
+      for (int plate = 1; plate < episode.point_count(); ++plate) {
+        const double off =
+            (expected.position_m(t, plate) - episode.position_m(t, plate)).norm();
+        sum += off;
+        tips += plate + 1 == episode.point_count() ? off : 0.0;
+      }
+      plates += sum / (episode.point_count() - 1);
+      frames += 1.0;
+    }
+  }
+  constexpr double kMmPerM = 1e3;
+  fit.plates_mm = kMmPerM * plates / frames;
+  fit.tip_mm = kMmPerM * tips / frames;
+}
+
+double seven_digits(double x) {
+  return std::stod(fmt::format("{:.7g}", x));
+}
+
+}  // namespace
+
+SpaceFit fit_space_model(const ArmDescription& arm, const std::vector<Episode>& episodes) {
+  require_episodes_of(episodes, arm);
+  SpaceFit fit = SpaceFitter(arm, episodes).run();
+  measure(arm, episodes, fit);
+  return fit;
+}
+
+FrameMatrix predict(const SpaceFit& fit, const ArmDescription& arm, const Episode& episode) {
+  const SpaceNoLoad no_load(arm);
+  const Eigen::MatrixXd commands =
+      lagged(episode.pressure_kpa, arm.frame_period_s(), fit.dead_time_s, fit.lag_s);
+  FrameMatrix poses(episode.frame_count(), kSpacePoseSize * arm.point_count());
+  for (int t = 0; t < episode.frame_count(); ++t) {
+    Eigen::VectorXd terms(arm.channel_count() + 1);
+    terms << no_load.strains(commands.row(t).transpose()), 1.0;
+    const Eigen::VectorXd shapes = fit.shape * terms;
+    SpacePose pose;
+    Eigen::Index plate = 0;
+    poses.row(t).head<kSpacePoseSize>() = numbers_of(pose).cast<float>().transpose();
+    for (int i = 0; i < arm.segment_count(); ++i) {
+      const Segment& segment = arm.segments[static_cast<std::size_t>(i)];
+      const Eigen::Vector3d shape = shapes.segment<kShapeRows>(kShapeRows * i);
+      const SpacePose step =
+          element<double>(segment.length_m * (1.0 + shape[2]) / segment.gaps,
+                          Eigen::Vector3d(0.0, shape[0], shape[1]) / segment.gaps);
+      for (int g = 0; g < segment.gaps; ++g) {
+        pose = compose(pose, step);
+        poses.row(t).segment<kSpacePoseSize>(kSpacePoseSize * ++plate) =
+            numbers_of(pose).cast<float>().transpose();
+      }
+    }
+  }
+  return poses;
+}
+
+ArmDescription with_space_fit(ArmDescription arm, const SpaceFit& fit) {
+  arm.no_load = NoLoadKind::fitted;
+  for (int i = 0; i < arm.segment_count(); ++i) {
+    arm.segments[static_cast<std::size_t>(i)].shape_of_strains =
+        fit.shape.block(kShapeRows * i, 0, kShapeRows, arm.channel_count()).unaryExpr(&seven_digits);
+  }
+  return arm;
+}
+
+IdentifiedValves valves_of_shapes(const ArmDescription& arm, const std::vector<Episode>& episodes,
+                                  const std::string& source) {
+  const SpaceFit fit = fit_space_model(arm, episodes);
+  IdentifiedValves valves;
+  valves.findings.source = source;
+  if (fit.dead_time_s <= 0.0 && fit.lag_s <= 0.0) {
+    valves.findings.reason = "shapes follow set points at once";
+    return valves;
+  }
+  const ValveDirection direction{fit.lag_s, std::numeric_limits<double>::infinity()};
+  valves.parameters.has_sides = false;
+  valves.parameters.segments.assign(static_cast<std::size_t>(arm.channel_count()),
+                                    {direction, direction, fit.dead_time_s, 0.0});
+  return valves;
+}
+
+}  // namespace limber
