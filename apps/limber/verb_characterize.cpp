@@ -13,6 +13,7 @@
 #include "limber/common/error.hpp"
 #include "limber/data/recording_inspection.hpp"
 #include "limber/data/simple_model.hpp"
+#include "limber/data/space_fit.hpp"
 #include "limber/data/valve_identification.hpp"
 #include "limber/driver/segment_bench.hpp"
 #include "limber/logs/command_shares.hpp"
@@ -209,6 +210,10 @@ class CharacterizeVerb final : public Verb {
       refuse_to_overwrite(out_, flags.force);
     }
     const std::string arm_file = find_arm_file(arm_);
+    if (const ArmDescription any = load_any_arm(arm_file, PolynomialsOf::characterisation);
+        any.is_spatial()) {
+      return run_recordings_in_space(flags, any);
+    }
     const ArmDescription arm = with_lines_for_missing_polynomials(
         load_asked_arm(arm_file, PolynomialsOf::characterisation));
     std::vector<Episode> episodes;
@@ -233,6 +238,31 @@ class CharacterizeVerb final : public Verb {
           out_, with_strain_polynomials(read_file(arm_file), fitted_arm(arm, fit, episodes)));
       json["out"] = out_;
       text += fmt::format("\narm written to {}", out_);
+    }
+    print_result(flags, json, text);
+    return kExitDone;
+  }
+
+  /// The matrix from chambers' strains to bends, with dead time and lag.
+  int run_recordings_in_space(const CommonFlags& flags, const ArmDescription& arm) const {
+    std::vector<Episode> episodes;
+    RecordingKinds kinds;
+    for (const std::string& path : recordings_) {
+      Recording recording = kinds.read(path, arm);
+      std::ranges::move(recording.episodes, std::back_inserter(episodes));
+    }
+    const EpisodeErrors errors = leave_out_broken(arm, episodes);
+    if (const std::string broken = to_text(errors); !broken.empty()) {
+      say(flags, "warning: left out as broken: {}", broken);
+    }
+    const SpaceFit fit = fit_space_model(arm, episodes);
+    nlohmann::ordered_json json = to_json(fit, arm);
+    json["episode_errors"] = to_json(errors);
+    std::string text = to_text(fit, arm);
+    if (!out_.empty()) {
+      write_file_atomically(out_, arm_to_yaml(with_space_fit(arm, fit)));
+      json["out"] = out_;
+      text += fmt::format("arm written to {}\n", out_);
     }
     print_result(flags, json, text);
     return kExitDone;

@@ -8,6 +8,7 @@
 #include "limber/arm/names.hpp"
 #include "limber/arm/no_load_model.hpp"
 #include "limber/arm/pressure_limits.hpp"
+#include "limber/arm/space_no_load.hpp"
 #include "limber/arm/valve_findings.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
@@ -37,10 +38,47 @@ Finding inspect_recording(const std::string& file, const std::optional<ArmDescri
   return {to_json(recording, inspection), to_text(recording, inspection)};
 }
 
+Finding inspect_arm_in_space(const ArmDescription& arm) {
+  Finding finding;
+  finding.json = {{"kind", "arm"},
+                  {"name", arm.name},
+                  {"hash", arm.hash()},
+                  {"dimension", position_size(arm.dimension)},
+                  {"command", {{"name", arm.command.name}, {"unit", arm.command.unit}}},
+                  {"no_load", to_string(arm.no_load)},
+                  {"segments", arm.segment_count()},
+                  {"chambers", arm.channel_count()},
+                  {"points", arm.point_count()},
+                  {"length_m", arm.length_m()},
+                  {"frame_rate_hz", arm.frame_rate_hz}};
+  finding.text = fmt::format(
+      "arm '{}' in space, hash {}\n  {} segments, {} chambers, {} plates, {:.3f} m long, {} Hz",
+      arm.name, arm.hash(), arm.segment_count(), arm.channel_count(), arm.point_count(),
+      arm.length_m(), arm.frame_rate_hz);
+  const SpaceNoLoad no_load(arm);
+  for (int i = 0; i < arm.channel_count(); ++i) {
+    Eigen::VectorXd commands = Eigen::VectorXd::Zero(arm.channel_count());
+    commands[i] = arm.limits_of_channel(i).largest_kpa();
+    const Eigen::VectorXd strains = no_load.strains(commands);
+    double bend_rad = 0.0;
+    for (int s = 0; s < arm.segment_count(); ++s) {
+      bend_rad += no_load.segment_shape(s, strains).rotation_rad.norm();
+    }
+    finding.json["full_bend_rad"].push_back(bend_rad);
+    finding.json[quantity_key(arm.command, "limits")].push_back(to_json(arm.limits_of_channel(i)));
+    finding.text += fmt::format("\n  {}: {} {} bend the arm by {:.2f} rad", channel_name(arm, i),
+                                commands[i], arm.command.unit, bend_rad);
+  }
+  return finding;
+}
+
 Finding inspect_arm(const YamlReader& root) {
   const ArmDescription arm = read_arm(root);
-  virtual_arm_parameters(arm);  // refuses what is wrong there
   const NoLoadModel model(arm);
+  if (arm.is_spatial()) {
+    return inspect_arm_in_space(arm);
+  }
+  virtual_arm_parameters(arm);  // refuses what is wrong there
   Finding finding;
   finding.json = {{"kind", "arm"},
                   {"name", arm.name},

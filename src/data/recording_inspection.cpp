@@ -16,6 +16,7 @@
 #include "limber/common/error.hpp"
 #include "limber/data/simple_model.hpp"
 #include "limber/data/valve_identification.hpp"
+#include "limber/data/space_fit.hpp"
 #include "suspicions.hpp"
 
 namespace limber {
@@ -91,7 +92,28 @@ class EpisodeInspector {
     }
   }
 
+  /// In space: rotations are quaternions of either sign, and the base says nothing of its start.
+  void look_at_motion_in_space(int t) {
+    const double step_s = episode_.time_s[t] - episode_.time_s[t - 1];
+    for (int i = 0; i < recording_.point_count; ++i) {
+      const double distance_m = (episode_.position_m(t, i) - episode_.position_m(t - 1, i)).norm();
+      if (distance_m > kFastestPlate_m_per_s * step_s) {
+        suspicions_.add("a plate that jumps", index_, t,
+                        fmt::format("{}: {:.3f} m in {:.3f} s", plate_name(i), distance_m, step_s));
+      }
+    }
+    const double base_m = (episode_.position_m(t, 0) - episode_.position_m(0, 0)).norm();
+    if (base_m > kBaseMotion_m) {
+      suspicions_.add("a base that has moved since the episode's start", index_, t,
+                      fmt::format("{:.3f} m away", base_m));
+    }
+  }
+
   void look_at_motion(int t) {
+    if (recording_.dimension == Dimension::space) {
+      look_at_motion_in_space(t);
+      return;
+    }
     const double step_s = episode_.time_s[t] - episode_.time_s[t - 1];
     const auto now = backbone_at(episode_.backbone, t);
     const auto before = backbone_at(episode_.backbone, t - 1);
@@ -150,7 +172,7 @@ class EpisodeInspector {
 };
 
 std::vector<PressureRange> pressure_ranges(const Recording& recording) {
-  std::vector<PressureRange> ranges(static_cast<std::size_t>(recording.segment_count));
+  std::vector<PressureRange> ranges(static_cast<std::size_t>(recording.channel_count()));
   for (std::size_t s = 0; s < ranges.size(); ++s) {
     PressureRange& range = ranges[s];
     const auto column = static_cast<Eigen::Index>(s);
@@ -229,15 +251,30 @@ std::optional<EpisodeErrors> errors_of(const Recording& recording, const ArmDesc
   }
   const ArmDescription own =
       read_arm_keys(recording.arm_description, file + ": attribute 'arm_description'");
-  if (own.segment_count() != recording.segment_count ||
+  if (own.channel_count() != recording.channel_count() || own.dimension != recording.dimension ||
       own.point_count() != recording.point_count) {
     throw InputError(fmt::format(
-        "{}: attribute 'arm_description' is of {} segments and {} points; the recording has {} and "
-        "{}",
-        file, own.segment_count(), own.point_count(), recording.segment_count,
+        "{}: attribute 'arm_description' is of {} commands and {} points; the recording has {} "
+        "and {}",
+        file, own.channel_count(), own.point_count(), recording.channel_count(),
         recording.point_count));
   }
   return errors_of_any(own, recording.episodes);
+}
+
+}  // namespace
+
+namespace {
+
+/// What commands do to shapes: chambers on the wrong side, in another order, or without effect.
+void look_at_chambers(const ArmDescription& arm, const std::vector<Episode>& episodes,
+                      RecordingInspection& inspection) {
+  for (const ChamberFinding& found : chamber_findings(arm, fit_space_model(arm, episodes))) {
+    if (!found.suspicion.empty()) {
+      inspection.suspicions.push_back({"a chamber that does not act as the arm file says", 1, 0, "", 0,
+                                       fmt::format("{} {}", found.name, found.suspicion)});
+    }
+  }
 }
 
 }  // namespace
@@ -268,6 +305,9 @@ RecordingInspection inspect(const Recording& recording, const ArmDescription* ar
   }
   inspection.valves = identify_valves(recording, std::move(largest_kpa));
   inspection.episode_errors = errors_of(recording, arm, file);
+  if (arm != nullptr && arm->is_spatial()) {
+    look_at_chambers(*arm, recording.episodes, inspection);
+  }
   return inspection;
 }
 
@@ -283,7 +323,12 @@ nlohmann::ordered_json to_json(const Recording& recording, const RecordingInspec
   json["rate_hz"] = recording.rate_hz;
   json["command"] = {{"name", recording.command.name}, {"unit", recording.command.unit}};
   json["commands_are"] = commands_are(recording.setpoints_only());
+  json["dimension"] = position_size(recording.dimension);
   json["segments"] = recording.segment_count;
+  if (recording.dimension == Dimension::space) {
+    json["chambers"] = recording.chamber_count;
+    json["rotations"] = recording.lifted() ? "lifted" : "measured";
+  }
   json["points"] = recording.point_count;
   json["episodes"] = recording.episodes.size();
   json["frames"] = recording.frame_count();
@@ -336,12 +381,15 @@ std::string to_text(const Recording& recording, const RecordingInspection& inspe
       "recording of arm '{}' ({}), seed {}, limber {}\n"
       "  {}\n"
       "  {} episodes, {} frames at {} Hz ({:.1f} s), {} not tracked\n"
-      "  {} segments, driven by {} [{}], {} backbone points [m, m, rad]\n",
+      "  {} segments, driven by {} [{}], {} backbone points [{}]\n",
       recording.arm_name, recording.source, recording.seed, recording.program_version,
       recording.settings.empty() ? "no settings stored" : recording.settings,
       recording.episodes.size(), recording.frame_count(), recording.rate_hz, recording.duration_s(),
       recording.untracked_count(), recording.segment_count, recording.command.name,
-      recording.command.unit, recording.point_count);
+      recording.command.unit, recording.point_count,
+      recording.dimension == Dimension::plane ? "m, m, rad"
+      : recording.lifted()                    ? "in space, positions alone"
+                                              : "in space, positions and rotations");
   text += ranges_to_text(recording, inspection.pressures);
   text += transitions_to_text(recording, inspection);
   text += "  " + to_text(inspection.valves, recording.command.unit) + "\n";

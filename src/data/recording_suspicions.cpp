@@ -39,7 +39,7 @@ void look_at_arm(const Recording& recording, const ArmDescription& arm, Suspicio
 
 void look_at_constant_commands(const Recording& recording, const ArmDescription* arm,
                                Suspicions& suspicions) {
-  for (Eigen::Index i = 0; i < recording.segment_count; ++i) {
+  for (Eigen::Index i = 0; i < recording.channel_count(); ++i) {
     float lowest = std::numeric_limits<float>::max();
     float highest = std::numeric_limits<float>::lowest();
     for (const Episode& episode : recording.episodes) {
@@ -47,9 +47,7 @@ void look_at_constant_commands(const Recording& recording, const ArmDescription*
       highest = std::max(highest, episode.pressure_kpa.col(i).maxCoeff());
     }
     const double limit =
-        arm != nullptr
-            ? arm->segments[static_cast<std::size_t>(i)].pressure_limit_kpa.half_width_kpa()
-            : 1.0;
+        arm != nullptr ? arm->limits_of_channel(static_cast<int>(i)).half_width_kpa() : 1.0;
     if (double(highest) - double(lowest) < kConstant * limit) {
       suspicions.add("a segment whose " + recording.command.name +
                          " never changes: nothing can be learnt about it",
@@ -120,11 +118,7 @@ double median_distance_m(const Recording& recording, int plate) {
   std::vector<double> distances;
   for (const Episode& episode : recording.episodes) {
     for (Eigen::Index t = 0; t < episode.backbone.rows(); ++t) {
-      const auto row = episode.backbone.row(t);
-      distances.push_back(
-          (row.segment<2>(kPoseSize * plate + kPoseSize) - row.segment<2>(kPoseSize * plate))
-              .cast<double>()
-              .norm());
+      distances.push_back((episode.position_m(t, plate + 1) - episode.position_m(t, plate)).norm());
     }
   }
   return median(std::move(distances));

@@ -68,5 +68,69 @@ TEST(FrameError, ChainedGradientAgreesWithFiniteDifferences) {
   }
 }
 
+constexpr int kSpaceGaps = 4;
+constexpr Eigen::Index kSpaceStates = kSpaceGapSize * kSpaceGaps;
+constexpr Eigen::Index kSpacePoses = kSpacePoseSize * kSpaceGaps;
+
+FrameError<double> space_error() {
+  return FrameError<double>(random_vector(kSpacePoses, 1.0, 3.0, 3),
+                            random_vector(kSpaceStates, 0.1, 0.9, 1),
+                            random_vector(kSpaceStates, -0.2, 0.2, 2), Dimension::space);
+}
+
+TEST(FrameError, InSpaceItComparesPosesAboutTheBase) {
+  FrameError<double> error = space_error();
+  const Vector state = random_vector(kSpaceStates, -1.0, 1.0, 4);
+  const Vector target = random_vector(kSpacePoses, -1.0, 1.0, 5);
+  Vector gradient(kSpaceStates);
+  const Vector poses =
+      base_poses_of(state.cwiseProduct(error.scale()) + error.offset(), Dimension::space)
+          .bottomRows(kSpacePoses);
+  const double whole = 1.0;
+  EXPECT_NEAR(error.compute(1, state.data(), target.data(), &whole, gradient.data()),
+              error.weight().dot((poses - target).cwiseAbs()), 1e-9);
+}
+
+TEST(FrameError, InSpaceItsGradientAgreesWithFiniteDifferences) {
+  FrameError<double> error = space_error();
+  Vector states = random_vector(2 * kSpaceStates, -1.0, 1.0, 4);
+  const Vector targets = random_vector(2 * kSpacePoses, -1.0, 1.0, 5);
+  Vector gradient(2 * kSpaceStates);
+  Vector unused(2 * kSpaceStates);
+  const Eigen::Vector2d weight(1.0, 0.3);
+  error.compute(2, states.data(), targets.data(), weight.data(), gradient.data());
+  for (Eigen::Index i = 0; i < states.size(); ++i) {
+    const double value = states[i];
+    states[i] = value + kDifferenceStep;
+    const double above =
+        error.compute(2, states.data(), targets.data(), weight.data(), unused.data());
+    states[i] = value - kDifferenceStep;
+    const double below =
+        error.compute(2, states.data(), targets.data(), weight.data(), unused.data());
+    states[i] = value;
+    EXPECT_NEAR(gradient[i], (above - below) / (2.0 * kDifferenceStep), 1e-6);
+  }
+}
+
+TEST(FrameError, InSpaceFloatAgreesWithDouble) {
+  FrameError<double> error = space_error();
+  FrameError<float> fast = error.cast<float>();
+  constexpr int kStride = 32;
+  const Vector states = random_vector(kStride * kSpaceStates, -1.0, 1.0, 4);
+  const Vector targets = random_vector(kStride * kSpacePoses, -1.0, 1.0, 5);
+  const Vector weight = random_vector(kStride, 0.1, 1.0, 6);
+  Vector gradient(states.size());
+  const double expected =
+      error.compute(kStride, states.data(), targets.data(), weight.data(), gradient.data());
+  const Eigen::VectorXf states_f = states.cast<float>();
+  const Eigen::VectorXf targets_f = targets.cast<float>();
+  const Eigen::VectorXf weight_f = weight.cast<float>();
+  Eigen::VectorXf gradient_f(states.size());
+  EXPECT_NEAR(double(fast.compute(kStride, states_f.data(), targets_f.data(), weight_f.data(),
+                                  gradient_f.data())),
+              expected, 1e-4 * expected);
+  EXPECT_LT((gradient_f.cast<double>() - gradient).norm(), 1e-4 * gradient.norm());
+}
+
 }  // namespace
 }  // namespace limber

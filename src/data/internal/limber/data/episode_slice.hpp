@@ -14,6 +14,8 @@ inline Episode slice(const Episode& episode, int first, int count) {
   part.pressure_kpa = episode.pressure_kpa.middleRows(first, count);
   part.setpoint_kpa = episode.setpoint_kpa.middleRows(first, count);
   part.setpoints_only = episode.setpoints_only;
+  part.dimension = episode.dimension;
+  part.lifted = episode.lifted;
   part.physics = episode.physics;
   part.log = episode.log;
   part.backbone = episode.backbone.middleRows(first, count);

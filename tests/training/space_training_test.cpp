@@ -1,0 +1,156 @@
+// Arms in space through training: a toy arm whose answer is known, and its model's file.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "limber/arm/no_load_model.hpp"
+#include "limber/arm/space_pose.hpp"
+#include "limber/common/random_stream.hpp"
+#include "limber/data/space_fit.hpp"
+#include "limber/forward/forward_model.hpp"
+#include "limber/training/evaluation.hpp"
+#include "limber/training/trainer.hpp"
+#include "limber/training/yardsticks.hpp"
+#include "support/space_arm.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace limber {
+namespace {
+
+using testing_support::space_arm;
+
+/// The unloaded arm behind a lag of a fifth of a second and two frames of dead time, its first
+/// segment bent by a tenth more than the file says.
+Episode toy_episode(const ArmDescription& arm, int frames, std::uint64_t seed) {
+  RandomStream random(seed, 1);
+  Episode episode;
+  episode.dimension = Dimension::space;
+  episode.time_s = Eigen::VectorXd::LinSpaced(frames, 0.0, (frames - 1) * arm.frame_period_s());
+  episode.setpoint_kpa.resize(frames, arm.channel_count());
+  episode.backbone.resize(frames, kSpacePoseSize * arm.point_count());
+  episode.motion_index.assign(static_cast<std::size_t>(frames), 0);
+  Eigen::RowVectorXf goal = Eigen::RowVectorXf::Zero(arm.channel_count());
+  Eigen::VectorXf behind = goal.transpose();
+  ArmDescription bent = arm;
+  for (Chamber& chamber : bent.segments[0].chambers) {
+    chamber.strain_polynomial[0] *= 1.1;
+  }
+  const NoLoadModel no_load(bent);
+  const float open = 1.0F - std::exp(-float(arm.frame_period_s()) / 0.2F);
+  for (int t = 0; t < frames; ++t) {
+    if (t % 25 == 1) {
+      goal = Eigen::RowVectorXf::NullaryExpr(arm.channel_count(), [&] {
+        return float(random.uniform(0.0, 80.0));
+      });
+    }
+    episode.setpoint_kpa.row(t) = goal;
+    const Eigen::VectorXf asked = episode.setpoint_kpa.row(std::max(t - 2, 0)).transpose();
+    behind += open * (asked - behind);
+    Eigen::VectorXf poses(episode.backbone.cols());
+    no_load.poses(behind, poses);
+    episode.backbone.row(t) = poses.transpose();
+  }
+  episode.pressure_kpa = episode.setpoint_kpa;
+  return episode;
+}
+
+TEST(SpaceFit, FindsLagDeadTimeAndWhatEveryChamberDoes) {
+  const ArmDescription arm = space_arm();
+  const std::vector<Episode> episodes = {toy_episode(arm, 800, 1)};
+  const SpaceFit fit = fit_space_model(arm, episodes);
+  EXPECT_NEAR(fit.dead_time_s + fit.lag_s, 0.3, 0.05);  // one stands in for the other, a little
+  EXPECT_LT(fit.tip_mm, 3.0);
+  for (const ChamberFinding& found : chamber_findings(arm, fit)) {
+    EXPECT_EQ(found.suspicion, "") << found.name;
+  }
+}
+
+TEST(SpaceFit, NamesColumnsInAnotherOrder) {
+  const ArmDescription arm = space_arm();
+  std::vector<Episode> episodes = {toy_episode(arm, 800, 1)};
+  for (FrameMatrix* commands : {&episodes[0].setpoint_kpa, &episodes[0].pressure_kpa}) {
+    commands->col(0).swap(commands->col(1));
+  }
+  const std::vector<ChamberFinding> findings =
+      chamber_findings(arm, fit_space_model(arm, episodes));
+  EXPECT_NE(findings[0].suspicion.find("another order"), std::string::npos);
+  EXPECT_NE(findings[1].suspicion.find("another order"), std::string::npos);
+  EXPECT_EQ(findings[3].suspicion, "");
+}
+
+TEST(SpaceTraining, ANetworkLearnsWhatTheSimpleModelsLack) {
+  const ArmDescription arm = space_arm();
+  TrainingData data;
+  data.training = {toy_episode(arm, 1500, 1), toy_episode(arm, 1500, 2)};
+  data.validation = {toy_episode(arm, 400, 3)};
+  TrainingSettings settings = best_preset();
+  set_window_frames(settings, {16});
+  set_epoch_count(settings, 60);
+  settings.hidden_units = {40, 40};
+  settings.jobs = 2;
+  const TrainingResult result = train(arm, data, settings);
+  ASSERT_EQ(result.status, TrainingStatus::finished);
+  ASSERT_TRUE(result.model.bounds.has_value());
+  EXPECT_EQ(result.model.bounds->max_bend_rad.size(), arm.point_count() - 1);
+
+  const TemporaryFolder folder;
+  write_model(folder / "m.safetensors", result.model);
+  const CompensationModel read = read_model(folder / "m.safetensors");
+  EXPECT_EQ(read.dimension, Dimension::space);
+  EXPECT_EQ(read.channel_count(), 6);
+
+  const std::vector<Episode> unseen = {toy_episode(arm, 600, 4)};
+  const ForwardModel no_load(arm);
+  const ForwardModel network(arm, read);
+  const Evaluation errors = evaluate(no_load, &network, unseen);
+  EXPECT_LT(errors.network->window_32.position_cm.mean,
+            0.3 * errors.no_load_open_loop.position_cm.mean);
+  EXPECT_TRUE(errors.long_rollout.bounded);
+}
+
+// Column j of a batch is what the query alone gives, to the bit.
+TEST(SpaceForward, ManyQueriesAreAsOne) {
+  const ArmDescription arm = space_arm();
+  TrainingData data;
+  data.training = {toy_episode(arm, 300, 1)};
+  data.validation = {toy_episode(arm, 200, 3)};
+  TrainingSettings settings = best_preset();
+  set_window_frames(settings, {8});
+  set_epoch_count(settings, 2);
+  const ForwardModel model(arm, train(arm, data, settings).model);
+  constexpr Eigen::Index kQueries = 150;
+  const Episode& episode = data.training.front();
+  const Eigen::MatrixXf before_kpa = episode.pressure_kpa.topRows(kQueries).transpose();
+  const Eigen::MatrixXf now_kpa = episode.pressure_kpa.middleRows(1, kQueries).transpose();
+  const Eigen::MatrixXf before = episode.backbone.topRows(kQueries).transpose();
+  const Eigen::MatrixXf previous = episode.backbone.middleRows(1, kQueries).transpose();
+  Eigen::MatrixXf next(previous.rows(), kQueries);
+  ForwardModel::Workspace workspace;
+  model.step_batch(before_kpa, now_kpa, before, previous, next, workspace);
+  for (Eigen::Index j = 0; j < kQueries; ++j) {
+    Eigen::MatrixXf one(previous.rows(), 1);
+    model.step_batch(before_kpa.col(j), now_kpa.col(j), before.col(j), previous.col(j), one,
+                     workspace);
+    ASSERT_EQ(one.col(0), next.col(j)) << j;
+  }
+}
+
+// The batch's no-load kernel shares no code with NoLoadModel::poses.
+TEST(SpaceForward, NoLoadBatchesAgreeWithTheModel) {
+  const ArmDescription arm = space_arm();
+  const ForwardModel model(arm);
+  const Episode episode = toy_episode(arm, 100, 1);
+  const Eigen::MatrixXf commands = episode.pressure_kpa.transpose() * 1.3F;  // beyond limits too
+  const Eigen::MatrixXf shapes = episode.backbone.transpose();
+  Eigen::MatrixXf next(shapes.rows(), shapes.cols());
+  ForwardModel::Workspace workspace;
+  model.step_batch(commands, commands, shapes, next, workspace);
+  for (Eigen::Index j = 0; j < next.cols(); ++j) {
+    Eigen::VectorXf expected(shapes.rows());
+    model.no_load().poses(commands.col(j), expected);
+    EXPECT_LT((next.col(j) - expected).cwiseAbs().maxCoeff(), 2e-6F);
+  }
+}
+
+}  // namespace
+}  // namespace limber
