@@ -54,6 +54,7 @@ class DriverVerb final : public Verb {
     }
     const std::string arm_file = find_arm_file(arm_);
     const ArmDescription arm = load_arm(arm_file, PolynomialsOf::characterisation);
+    require_planar(arm, "limber driver");
     if (action_ == "calibrate") {
       if (wire_.is_calibrated()) {
         throw InputError("--calibration: calibrate finds one; it goes with check");

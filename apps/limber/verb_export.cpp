@@ -144,8 +144,15 @@ class ExportVerb final : public Verb {
     }
   }
 
+  void refuse_in_space(Dimension dimension) const {
+    if (dimension == Dimension::space) {
+      throw InputError(fmt::format("{}: of an arm in space, which can't be exported yet", file_));
+    }
+  }
+
   void export_recording() {
     const Recording recording = read_recording(file_);
+    refuse_in_space(recording.dimension);
     if (!csv_.empty()) {
       add(export_csv(recording, csv_));
     }
@@ -156,6 +163,7 @@ class ExportVerb final : public Verb {
 
   void export_model() {
     const CompensationModel model = read_model_of_one_arm(file_);
+    refuse_in_space(model.dimension);
     if (!onnx_.empty()) {
       write_onnx(onnx_, model);
       add({onnx_});
@@ -203,6 +211,7 @@ class ExportVerb final : public Verb {
 
   void export_arm() {
     const ArmDescription arm = load_arm(file_);
+    require_planar(arm, "limber export");
     require_pressure_driven(arm, "the virtual arm");
     const VirtualArmParameters parameters = virtual_arm_parameters(arm);
     write_file_atomically(mjcf_, chain_mjcf(arm, parameters, parameters.time_step_s));

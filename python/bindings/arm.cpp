@@ -125,7 +125,13 @@ py::array_t<float> pressure_ranges_of(const ArmDescription& arm) {
 
 void bind_arm_functions(py::module_& module) {
   module.def(
-      "load_arm", [](const std::filesystem::path& path) { return load_arm(path); }, py::arg("path"),
+      "load_arm",
+      [](const std::filesystem::path& path) {
+        ArmDescription arm = load_arm(path);
+        require_planar(arm, "limber.load_arm");
+        return arm;
+      },
+      py::arg("path"),
       py::call_guard<OthersMayRun>(),
       "Reads and checks an arm file (YAML). Raises InputError naming file, line and "
       "field, what was found and what is allowed.");

@@ -87,7 +87,9 @@ void bind_characterisation(py::module_& module) {
   module.def(
       "load_arm_to_characterise",
       [](const std::filesystem::path& path) {
-        return load_arm(path, PolynomialsOf::characterisation);
+        ArmDescription arm = load_arm(path, PolynomialsOf::characterisation);
+        require_planar(arm, "limber.load_arm_to_characterise");
+        return arm;
       },
       py::arg("path"), py::call_guard<OthersMayRun>(),
       "An arm file whose strain polynomials may be missing or outdated.");

@@ -26,10 +26,11 @@ Layer random_layer(int inputs, int outputs, RandomStream& random) {
   return layer;
 }
 
-// Largest magnitudes of poses, three numbers a pose.
-Eigen::VectorXf pose_ranges(Eigen::Index size, float metres, float radians) {
-  return Eigen::VectorXf::NullaryExpr(
-      size, [&](Eigen::Index i) { return i % kPoseSize == 2 ? radians : metres; });
+// Largest magnitudes of poses: positions first, then angles.
+Eigen::VectorXf pose_ranges(Dimension dimension, Eigen::Index size, float metres, float radians) {
+  return Eigen::VectorXf::NullaryExpr(size, [&](Eigen::Index i) {
+    return i % gap_size(dimension) < position_size(dimension) ? metres : radians;
+  });
 }
 
 }  // namespace
@@ -61,22 +62,22 @@ CompensationModel untrained_model(const ArmDescription& arm, BackboneLayout layo
   const float turn = kBend_rad * static_cast<float>(arm.segment_count());
   Eigen::VectorXf low(sizes.input_size());
   Eigen::VectorXf high(sizes.input_size());
-  for (int i = 0; i < arm.segment_count(); ++i) {
-    const PressureLimits& limits = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+  for (int i = 0; i < arm.channel_count(); ++i) {
+    const PressureLimits& limits = arm.limits_of_channel(i);
     for (const int row : {sizes.previous_pressure_row() + i, sizes.pressure_row() + i}) {
       low[row] = static_cast<float>(limits.lower_kpa);
       high[row] = static_cast<float>(limits.upper_kpa);
     }
   }
   const int poses = sizes.backbone_size() + sizes.no_load_size();
-  high.segment(sizes.backbone_row(), poses) = pose_ranges(poses, length * share, turn * share);
+  high.segment(sizes.backbone_row(), poses) = pose_ranges(arm.dimension, poses, length * share, turn * share);
   const int changes = sizes.input_size() - sizes.change_row();
-  high.tail(changes) = kChangeShare * pose_ranges(changes, length * share, turn * share);
+  high.tail(changes) = kChangeShare * pose_ranges(arm.dimension, changes, length * share, turn * share);
   low.tail(poses + changes) = -high.tail(poses + changes);
   model.input.offset = low;
   model.input.scale = (high - low).cwiseInverse();
   const Eigen::VectorXf output =
-      pose_ranges(sizes.backbone_size(), kCompensation_m * share, kCompensation_rad * share);
+      pose_ranges(arm.dimension, sizes.backbone_size(), kCompensation_m * share, kCompensation_rad * share);
   if (form == OutputForm::gated_change) {
     model.output.offset = Eigen::VectorXf::Zero(sizes.backbone_size());
     model.output.scale = (kChangeShare * output).cwiseInverse();

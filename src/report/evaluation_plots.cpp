@@ -36,13 +36,15 @@ Predictions predict_both(const ForwardModel& no_load, const ForwardModel* networ
   return predictions;
 }
 
-void draw_backbone(Chart& chart, const char* label, const FrameMatrix& backbones, Eigen::Index t,
+/// Over x, number `across` of each pose: 1, y, or in space 2, z.
+void draw_backbone(Chart& chart, const char* label, const FrameMatrix& backbones,
+                   Dimension dimension, Eigen::Index across, Eigen::Index t,
                    const SeriesStyle& style) {
   std::vector<double> x;
   std::vector<double> y;
-  for (Eigen::Index i = 0; i < backbones.cols(); i += kPoseSize) {
+  for (Eigen::Index i = 0; i < backbones.cols(); i += pose_size(dimension)) {
     x.push_back(backbones(t, i));
-    y.push_back(backbones(t, i + 1));
+    y.push_back(backbones(t, i + across));
   }
   SeriesStyle dots = style;
   dots.radius_px = 2.0;
@@ -50,13 +52,16 @@ void draw_backbone(Chart& chart, const char* label, const FrameMatrix& backbones
 }
 
 Chart backbone_chart(const std::string& title, const Predictions& predictions,
-                     const Episode& episode, Eigen::Index t) {
+                     const Episode& episode, Eigen::Index t, Eigen::Index across = 1) {
   Chart chart(title);
-  chart.x_axis("x [m]").y_axis("y [m]").equal_aspect();
-  draw_backbone(chart, "recorded", episode.backbone, t, style_of(kTrueArmColor));
-  draw_backbone(chart, "no load", predictions.no_load, t, style_of(kNoLoadColor, true));
+  chart.x_axis("x [m]").y_axis(across == 1 ? "y [m]" : "z [m]").equal_aspect();
+  const auto draw = [&](const char* label, const FrameMatrix& poses, const SeriesStyle& style) {
+    draw_backbone(chart, label, poses, episode.dimension, across, t, style);
+  };
+  draw("recorded", episode.backbone, style_of(kTrueArmColor));
+  draw("no load", predictions.no_load, style_of(kNoLoadColor, true));
   if (predictions.network) {
-    draw_backbone(chart, "network", *predictions.network, t, style_of(kNetworkColor));
+    draw("network", *predictions.network, style_of(kNetworkColor));
   }
   return chart;
 }
@@ -120,17 +125,25 @@ EvaluationPlots plot_evaluation(const ForwardModel& no_load, const ForwardModel*
   position.y_axis("position error [cm]").without_legend();
   orientation.y_axis("orientation error [rad]").without_legend();
   position.distribution("no load", no_load_errors.position_cm, style_of(kNoLoadColor));
-  orientation.distribution("no load", no_load_errors.orientation_rad, style_of(kNoLoadColor));
   if (network != nullptr) {
     position.distribution("network", network_errors.position_cm, style_of(kNetworkColor));
+  }
+  if (!episodes.front().lifted) {
+    orientation.distribution("no load", no_load_errors.orientation_rad, style_of(kNoLoadColor));
+  }
+  if (network != nullptr && !episodes.front().lifted) {
     orientation.distribution("network", network_errors.orientation_rad, style_of(kNetworkColor));
   }
   const Episode& shown = longest(episodes);
   const Predictions predictions = predict_both(no_load, network, shown, jobs);
   ChartGrid backbones(3, "Backbones at the ends of motions, open loop");
-  for (const Eigen::Index t : shown_frames(shown)) {
-    backbones.add(
-        backbone_chart(fmt::format("t = {:.1f} s", shown.time_s[t]), predictions, shown, t));
+  for (const Eigen::Index across : {1, 2}) {
+    if (across < position_size(shown.dimension)) {
+      for (const Eigen::Index t : shown_frames(shown)) {
+        backbones.add(backbone_chart(fmt::format("t = {:.1f} s", shown.time_s[t]), predictions,
+                                     shown, t, across));
+      }
+    }
   }
   return {error_over_time(predictions, shown), position.svg(), orientation.svg(), backbones.svg()};
 }

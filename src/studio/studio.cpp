@@ -340,7 +340,9 @@ class Studio::Server {
   }
 
   ArmDescription arm_named(const std::string& name) const {
-    return load_arm(project_.find(ProjectItem::arm, name));
+    ArmDescription arm = load_arm(project_.find(ProjectItem::arm, name));
+    require_planar(arm, "limber studio");
+    return arm;
   }
 
   std::string listen_;

@@ -17,6 +17,7 @@ namespace fs = std::filesystem;
 
 ArmDescription checked_arm(const fs::path& file) {
   ArmDescription arm = load_arm(file);
+  require_planar(arm, "limber studio");
   virtual_arm_parameters(arm);  // refuses what is wrong there
   return arm;
 }

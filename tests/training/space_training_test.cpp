@@ -94,8 +94,8 @@ TEST(SpaceTraining, ANetworkLearnsWhatTheSimpleModelsLack) {
   EXPECT_EQ(result.model.bounds->max_bend_rad.size(), arm.point_count() - 1);
 
   const TemporaryFolder folder;
-  write_model(folder / "m.safetensors", result.model);
-  const CompensationModel read = read_model(folder / "m.safetensors");
+  write_model(folder.path() / "m.safetensors", result.model);
+  const CompensationModel read = read_model(folder.path() / "m.safetensors");
   EXPECT_EQ(read.dimension, Dimension::space);
   EXPECT_EQ(read.channel_count(), 6);
 

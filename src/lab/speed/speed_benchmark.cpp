@@ -79,29 +79,16 @@ Queries random_queries(const ArmDescription& arm, int count, std::uint64_t seed)
   const auto pressures = [&] {
     return MatrixXf(
         MatrixXf::NullaryExpr(arm.channel_count(), count, [&](Eigen::Index i, Eigen::Index) {
-          const PressureLimits& limits =
-              arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+          const PressureLimits& limits = arm.limits_of_channel(static_cast<int>(i));
           return static_cast<float>(random.uniform(limits.lower_kpa, limits.upper_kpa));
         }));
   };
   const MatrixXf before = pressures();
-  const MatrixXf zero = MatrixXf::Zero(kPoseSize * arm.point_count(), count);
+  const MatrixXf zero = MatrixXf::Zero(pose_size(arm.dimension) * arm.point_count(), count);
   Queries queries{pressures(), pressures(), zero, zero};
   ForwardModel::Workspace workspace;
   ForwardModel(arm).step_batch(before, before, queries.next, queries.previous, workspace);
   return queries;
-}
-
-double single_rate(const ForwardModel& model, Queries& queries, std::int64_t count) {
-  ForwardModel::Workspace workspace;
-  const int points = model.point_count();
-  return rate_of(count, queries.next.cols(), [&] {
-    for (Eigen::Index j = 0; j < queries.next.cols(); ++j) {
-      model.step(queries.previous_kpa.col(j), queries.current_kpa.col(j),
-                 Eigen::Map<const Backbone>(queries.previous.col(j).data(), points, kPoseSize),
-                 Eigen::Map<Backbone>(queries.next.col(j).data(), points, kPoseSize), workspace);
-    }
-  });
 }
 
 double batch_rate(const ForwardModel& model, Queries& queries, int size, std::int64_t count) {
@@ -111,6 +98,21 @@ double batch_rate(const ForwardModel& model, Queries& queries, int size, std::in
       model.step_batch(
           queries.previous_kpa.middleCols(j, size), queries.current_kpa.middleCols(j, size),
           queries.previous.middleCols(j, size), queries.next.middleCols(j, size), workspace);
+    }
+  });
+}
+
+double single_rate(const ForwardModel& model, Queries& queries, std::int64_t count) {
+  if (model.dimension() == Dimension::space) {
+    return batch_rate(model, queries, 1, count);
+  }
+  ForwardModel::Workspace workspace;
+  const int points = model.point_count();
+  return rate_of(count, queries.next.cols(), [&] {
+    for (Eigen::Index j = 0; j < queries.next.cols(); ++j) {
+      model.step(queries.previous_kpa.col(j), queries.current_kpa.col(j),
+                 Eigen::Map<const Backbone>(queries.previous.col(j).data(), points, kPoseSize),
+                 Eigen::Map<Backbone>(queries.next.col(j).data(), points, kPoseSize), workspace);
     }
   });
 }
@@ -316,8 +318,12 @@ void SpeedMeasurement::require_agreement(const std::string& peer,
 
 SpeedReport measure_speed(const ArmDescription& arm, const CompensationModel* model,
                           const SpeedSettings& settings) {
+  // In space there are gap poses alone, of the default's form; and no peer that knows them.
   CompensationModel paper =
-      untrained_model(arm, BackboneLayout::base_poses, {100, 100, 100}, settings.seed);
+      arm.is_spatial()
+          ? untrained_model(arm, BackboneLayout::gap_poses, {100, 100, 100}, settings.seed,
+                            OutputForm::gated_change, true)
+          : untrained_model(arm, BackboneLayout::base_poses, {100, 100, 100}, settings.seed);
   const bool model_differs =
       model != nullptr && (model->layout != paper.layout || model->shape() != paper.shape());
   if (model != nullptr && !model_differs) {
@@ -329,7 +335,8 @@ SpeedReport measure_speed(const ArmDescription& arm, const CompensationModel* mo
   report.queries = settings.queries;
   report.lanes = gemm_kernels().lanes;
   report.clock_ghz = clock_ghz();
-  const std::vector<PeerMaker> makers = peer_makers(settings.optional_peers);
+  const std::vector<PeerMaker> makers =
+      arm.is_spatial() ? std::vector<PeerMaker>() : peer_makers(settings.optional_peers);
   SpeedMeasurement measurement(arm, settings, model_differs ? 2 : 1,
                                static_cast<int>(makers.size()));
   measurement.measure_no_load(report);
