@@ -52,7 +52,7 @@ class SpaceImport : public ::testing::Test {
     std::vector<SpacePose> plates(1);
     for (std::size_t i = 0; i < arm_.segments.size(); ++i) {
       const double phase = double(i);
-      const double size = t > 0.0 ? 1.0 : 0.0;
+      const double size = time_s < rests_s_ ? 0.0 : 1.0;
       const Eigen::Vector3d omega = size * Eigen::Vector3d(0.0, 0.8 * std::sin(1.1 * t + phase),
                                                            0.6 * std::cos(0.7 * t - phase));
       const int gaps = arm_.segments[i].gaps;

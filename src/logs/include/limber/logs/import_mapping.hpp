@@ -122,10 +122,10 @@ struct ImportMapping {
 ImportMapping read_import_mapping(const std::filesystem::path& path, const ArmDescription& arm);
 
 /// The mapping if none is given: time_s, and pressure_0_kpa … (command_0 … for another command),
-/// one per segment (in space: per chamber), with setpoint_0_kpa … if there are such columns. A log that
-/// has setpoint_0_kpa … and no other holds set points only; so does one of command_0 … alone. Of an
-/// arm with `commands`, their names, with setpoint_NAME … if there are such columns; a log without
-/// any of them is one of segments' commands.
+/// one per channel, with setpoint_0_kpa … if there are such columns. A log that has
+/// setpoint_0_kpa … and no other holds set points only; so does one of command_0 … alone. Of an arm
+/// with `commands`, their names, with setpoint_NAME … if there are such columns; a log without any
+/// of them is one of segments' commands.
 ImportMapping default_import_mapping(const ArmDescription& arm);
 
 /// Default columns as a log has them: counted from 0, or from 1 if it has no column 0, as limber
