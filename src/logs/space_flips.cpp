@@ -92,7 +92,9 @@ class BodyRotations {
   void note(std::size_t j) {
     const bool first = flips_.hidden_rows + flips_.turned_rows + flips_.jumps == 0;
     flips_.first_s = first ? time_s(j) : std::min(flips_.first_s, time_s(j));
-    flips_.largest_rad = std::max(flips_.largest_rad, turn_rad_[j - 1]);
+    if (j > 0) {
+      flips_.largest_rad = std::max(flips_.largest_rad, turn_rad_[j - 1]);
+    }
   }
 
   void hide_single_rows() {
@@ -140,9 +142,7 @@ class BodyRotations {
     const Eigen::Quaterniond to_usual = backs[usual].conjugate();
     for (std::size_t j = 0; j < rows_.size(); ++j) {
       if (of_row[j] != usual) {
-        if (j > 0) {
-          note(j);
-        }
+        note(j);
         ++flips_.turned_rows;
         tracks_.put(
             rows_[j], point_,
