@@ -129,7 +129,7 @@ std::string arm_commands_to_yaml(const std::vector<ArmCommand>& commands) {
 }
 
 Eigen::MatrixXd command_shares(const ArmDescription& arm) {
-  const int n = arm.segment_count();
+  const int n = arm.channel_count();
   return arm.commands.empty() ? Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n))
                               : shares_of(arm.commands, n);
 }

@@ -103,13 +103,13 @@ void check_commands(const std::string& log, const ImportMapping& mapping, const 
   int constant = 0;
   double max_ratio = 0.0;
   for (Eigen::Index i = 0; i < commands.values.cols(); ++i) {
-    const PressureLimits& limits = arm.segments[std::size_t(i)].pressure_limit_kpa;
+    const PressureLimits& limits = arm.limits_of_channel(static_cast<int>(i));
     const double limit = limits.largest_kpa();
     const std::string name = name_of(mapping.commands, i);
     const ColumnFacts facts = facts_of(commands.values, i, limits);
     if (facts.sizes.empty()) {
       throw InputError(
-          fmt::format("{}: column '{}' ({}) holds no number", log, name, segment_name(i)));
+          fmt::format("{}: column '{}' ({}) holds no number", log, name, channel_name(arm, i)));
     }
     const double high = quantile(facts.sizes, kHigh);
     const auto beyond = facts.sizes.end() - std::upper_bound(facts.sizes.begin(), facts.sizes.end(),
@@ -117,8 +117,8 @@ void check_commands(const std::string& log, const ImportMapping& mapping, const 
     if (double(beyond) > kMaxBeyond * double(facts.sizes.size())) {
       throw InputError(
           fmt::format("{}: '{}' ({}) reaches {:.4g} {}; the limit of arm '{}' is {} {}. {}", log,
-                      name, segment_name(i), facts.farthest, unit, arm.name, limits_to_yaml(limits),
-                      unit, unit_advice(high / limit, mapping)));
+                      name, channel_name(arm, i), facts.farthest, unit, arm.name,
+                      limits_to_yaml(limits), unit, unit_advice(high / limit, mapping)));
     }
     if (facts.sizes.back() > kOvershoot * limit) {
       report.note("a command more than 5 % beyond its limit",
@@ -128,9 +128,9 @@ void check_commands(const std::string& log, const ImportMapping& mapping, const 
     max_ratio = std::max(max_ratio, facts.sizes.back() / limit);
     if (facts.highest - facts.lowest < kConstant * limit) {
       ++constant;
-      report.note("a command that never changes: nothing can be learnt about its segment",
-                  fmt::format("'{}' ({}) stays within {:.4g} … {:.4g} {}", name, segment_name(i),
-                              facts.lowest, facts.highest, unit));
+      report.note("a command that never changes: nothing can be learnt about what it moves",
+                  fmt::format("'{}' ({}) stays within {:.4g} … {:.4g} {}", name,
+                              channel_name(arm, i), facts.lowest, facts.highest, unit));
     }
     const std::int64_t bridged =
         commands.measured

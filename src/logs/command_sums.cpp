@@ -27,7 +27,7 @@ Eigen::MatrixXd summed(const Eigen::MatrixXd& values, const Eigen::MatrixXd& sha
 
 std::vector<std::string> sums_of(const ArmDescription& arm) {
   std::vector<std::string> sums;
-  for (int i = 0; i < arm.segment_count(); ++i) {
+  for (int i = 0; i < arm.channel_count(); ++i) {
     sums.push_back(command_sum(arm, i));
   }
   return sums;
@@ -61,7 +61,7 @@ void sum_commands(const ImportMapping& mapping, const ArmDescription& arm, Comma
   }
   std::vector<std::string> sums = sums_of(arm);
   for (std::size_t i = 0; i < sums.size(); ++i) {
-    sums[i] = fmt::format("{} = {}", segment_name(Eigen::Index(i)), sums[i]);
+    sums[i] = fmt::format("{} = {}", channel_name(arm, Eigen::Index(i)), sums[i]);
   }
   report.note("logs whose commands were summed to those of segments, as the arm file says",
               fmt::format("{}", fmt::join(sums, ", ")));

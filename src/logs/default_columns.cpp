@@ -12,7 +12,7 @@ namespace {
 CommandColumns default_columns(const ArmDescription& arm, int first) {
   CommandColumns columns;
   columns.unit = arm.command.unit;
-  for (int i = first; i < first + arm.segment_count(); ++i) {
+  for (int i = first; i < first + arm.channel_count(); ++i) {
     columns.columns.push_back(quantity_column(arm.command, followed_name(arm.command), i));
     columns.setpoint.push_back(quantity_column(arm.command, "setpoint", i));
   }

@@ -7,7 +7,8 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/yaml_reader.hpp"
-#include "limber/data/log_units.hpp"
+#include "mapping_parts.hpp"
+#include "space_mapping.hpp"
 
 namespace limber {
 
@@ -16,22 +17,16 @@ namespace {
 constexpr const char* kSchema = "limber/import/1";
 constexpr double kLongestGap_s = 10.0;
 
-double factor_to(const YamlReader& node, const std::string& to) {
-  const std::string from = node.text();
-  const std::optional<double> factor = unit_factor(from, to);
-  if (!factor) {
-    node.refuse(fmt::format(
-        "{} found; expected a unit that limber can turn into {}: lengths in m, cm, mm, in; angles "
-        "in rad, deg; times in s, ms, us, ns, min; pressures in kPa, Pa, hPa, mbar, bar, MPa, psi",
-        node.found(), to));
-  }
-  return *factor;
-}
-
 TimeColumn read_time(const YamlReader& node) {
   node.refuse_unknown_keys({"column", "unit", "rate_hz"});
   TimeColumn time;
-  time.column = node.at("column").text();
+  if (!node.has("column") && node.has("rate_hz")) {
+    // Rows that follow each other without a stamp are counted, as a column of frames counts them.
+    node.refuse_unknown_keys({"rate_hz"});
+    time = {"", 1.0, "frame"};
+  } else {
+    time.column = node.at("column").text();
+  }
   if (node.has("unit")) {
     time.unit = node.at("unit").text();
   }
@@ -95,31 +90,62 @@ bool read_summed(const YamlReader& node, const ArmDescription& arm) {
   return of == "commands";
 }
 
+std::string one_for_each(bool summed, const ArmDescription& arm) {
+  if (summed) {
+    return fmt::format("one for each command of arm '{}', in its file's order", arm.name);
+  }
+  return arm.is_spatial()
+             ? fmt::format("one for each chamber of arm '{}', base first", arm.name)
+             : fmt::format(
+                   "one for each segment of arm '{}', base first. If they are commands of the "
+                   "arm's own, limber characterize --commands finds what they act on",
+                   arm.name);
+}
+
+void refuse_sides(const YamlReader& node, bool summed, const ArmDescription& arm) {
+  for (const char* side : {"right", "left"}) {
+    if (summed && node.has(side)) {
+      node.at(side).refuse(
+          "the arm's file has 'commands', which are signed: expected 'columns', one for each");
+    }
+    if (arm.is_spatial() && node.has(side)) {
+      node.at(side).refuse(
+          "chambers of an arm in space have no sides: expected 'columns', one "
+          "for each chamber");
+    }
+  }
+}
+
+/// Such as the pressure of the air around, where gauges are absolute: one number, or one for each.
+std::vector<double> read_offsets(const YamlReader& node, std::size_t count,
+                                 const std::string& each) {
+  const char* const kMeaning = "what is added, in the log's unit";
+  if (!node.is_sequence()) {
+    return {node.number(kMeaning)};
+  }
+  std::vector<double> offsets = node.numbers(kMeaning);
+  if (offsets.size() != count) {
+    node.refuse(fmt::format("{} numbers found; expected one for all, or {}, {}", offsets.size(),
+                            count, each));
+  }
+  return offsets;
+}
+
 CommandColumns read_commands(const YamlReader& node, const std::string& key,
                              const ArmDescription& arm, const TimeColumn& time) {
   node.refuse_unknown_keys(
-      {"unit", "of", "columns", "right", "left", "setpoints", "measured", "time"});
+      {"unit", "offset", "of", "columns", "right", "left", "setpoints", "measured", "time"});
   CommandColumns commands;
   commands.summed = read_summed(node, arm);
-  const std::size_t n = commands.summed ? arm.commands.size() : arm.segments.size();
-  const std::string each =
-      commands.summed
-          ? fmt::format("one for each command of arm '{}', in its file's order", arm.name)
-          : fmt::format(
-                "one for each segment of arm '{}', base first. If they are commands of the "
-                "arm's own, limber characterize --commands finds what they act on",
-                arm.name);
+  const std::size_t n =
+      commands.summed ? arm.commands.size() : static_cast<std::size_t>(arm.channel_count());
+  const std::string each = one_for_each(commands.summed, arm);
   commands.time = node.has("time") ? read_time(node.at("time")) : time;
   commands.unit = node.has("unit") ? node.at("unit").text() : arm.command.unit;
   if (node.has("unit")) {
     commands.factor = factor_to(node.at("unit"), arm.command.unit);
   }
-  for (const char* side : {"right", "left"}) {
-    if (commands.summed && node.has(side)) {
-      node.at(side).refuse(
-          "the arm's file has 'commands', which are signed: expected 'columns', one for each");
-    }
-  }
+  refuse_sides(node, commands.summed, arm);
   const bool sided = node.has("right") && node.has("left");
   const bool setpoints_alone =
       node.has("setpoints") && !node.has("columns") && !node.has("right") && !node.has("left");
@@ -139,6 +165,9 @@ CommandColumns read_commands(const YamlReader& node, const std::string& key,
     commands.setpoint = read_names(node.at("setpoints"), n, each);
   }
   commands.measured = read_measured(node, key, setpoints_alone, !commands.setpoint.empty());
+  if (node.has("offset")) {
+    commands.offsets = read_offsets(node.at("offset"), n, each);
+  }
   return commands;
 }
 
@@ -165,35 +194,6 @@ PointSource read_point(const YamlReader& node) {
   return point;
 }
 
-/// Every point's plate: given, or counted where every plate has a point.
-void number_plates(const YamlReader& node, const std::vector<YamlReader>& elements,
-                   const ArmDescription& arm, std::vector<PointSource>& points) {
-  const int last = arm.point_count() - 1;
-  const bool all = static_cast<int>(points.size()) == arm.point_count();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (elements[i].has("plate")) {
-      points[i].plate = elements[i].at("plate").integer("a plate of the arm, 0 the base", 0, last);
-    } else if (all) {
-      points[i].plate = static_cast<int>(i);
-    } else {
-      node.refuse(
-          fmt::format("{} points found; arm '{}' has {} plates: say which plate each point "
-                      "is, as in {{plate: 0, …}}, 0 the base, {} the end",
-                      points.size(), arm.name, arm.point_count(), last));
-    }
-    if (i > 0 && points[i].plate <= points[i - 1].plate) {
-      elements[i].refuse(fmt::format("{} after {}; expected rising plates, base first",
-                                     plate_name(points[i].plate), plate_name(points[i - 1].plate)));
-    }
-  }
-  if (points.back().plate != last) {
-    node.refuse(
-        fmt::format("the last point is {}; expected {}, the arm's end: what lies beyond the last "
-                    "point can't be interpolated. Describe an arm that ends where it is tracked",
-                    plate_name(points.back().plate), plate_name(last)));
-  }
-}
-
 std::vector<PointSource> read_points(const YamlReader& node, const ArmDescription& arm) {
   std::vector<PointSource> points;
   const std::vector<YamlReader> elements = node.elements();
@@ -213,7 +213,7 @@ std::vector<PointSource> read_points(const YamlReader& node, const ArmDescriptio
   if (points.size() < 2) {
     node.refuse(fmt::format("{} points found; expected at least 2", points.size()));
   }
-  number_plates(node, elements, arm, points);
+  number_plates(node, elements, arm, false, points);
   return points;
 }
 
@@ -272,13 +272,6 @@ void read_layout(const YamlReader& root, ImportMapping& mapping) {
   }
 }
 
-void read_headings(const YamlReader& node, ImportMapping& mapping) {
-  if (node.text() != "measured" && node.text() != "tangent") {
-    node.refuse(fmt::format("{} found; expected measured or tangent", node.found()));
-  }
-  mapping.headings_measured = node.text() == "measured";
-}
-
 void read_backbone(const YamlReader& node, const ArmDescription& arm, ImportMapping& mapping) {
   node.refuse_unknown_keys({"unit", "angle_unit", "headings", "up", "points"});
   if (node.has("unit")) {
@@ -289,7 +282,7 @@ void read_backbone(const YamlReader& node, const ArmDescription& arm, ImportMapp
     mapping.angle_factor = factor_to(node.at("angle_unit"), "rad");
   }
   if (node.has("headings")) {
-    read_headings(node.at("headings"), mapping);
+    mapping.headings_measured = read_headings_measured(node.at("headings"));
   }
   if (node.has("up")) {
     mapping.up = node.at("up").text();
@@ -327,6 +320,13 @@ ImportMapping read_import_mapping(const std::filesystem::path& path, const ArmDe
       mapping.commands = read_commands(root.at(key), key, arm, mapping.time);
     }
   }
+  if (root.has("longest_gap_s")) {
+    mapping.longest_gap_s = root.at("longest_gap_s").number("a time in s", 0.0, kLongestGap_s);
+  }
+  if (arm.is_spatial()) {
+    read_space_mapping(root, arm, mapping);
+    return mapping;
+  }
   if (root.has("backbone")) {
     read_backbone(root.at("backbone"), arm, mapping);
   }
@@ -341,9 +341,6 @@ ImportMapping read_import_mapping(const std::filesystem::path& path, const ArmDe
             "no point is plate 0, the base; add it, or say where the base "
             "is: 'alignment: {x_m, y_m, heading_rad}' in the log's plane, "
             "or 'alignment: none' where the log is in the arm's frame");
-  }
-  if (root.has("longest_gap_s")) {
-    mapping.longest_gap_s = root.at("longest_gap_s").number("a time in s", 0.0, kLongestGap_s);
   }
   return mapping;
 }

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "space_report.hpp"
+
 namespace limber {
 
 namespace {
@@ -26,11 +28,15 @@ nlohmann::ordered_json to_json(const RunReport& run) {
     json["points"].push_back(
         {{"name", point.name}, {"plate", point.plate}, {"tracked", point.tracked_share}});
   }
-  json["base"] = {{"x_m", run.base.x_m},
-                  {"y_m", run.base.y_m},
-                  {"theta_rad", run.base.theta_rad},
-                  {"scatter_m", run.base_scatter_m}};
-  json["length_ratio"] = run.length_ratio;
+  if (run.space) {
+    json.update(to_json(*run.space));
+  } else {
+    json["base"] = {{"x_m", run.base.x_m},
+                    {"y_m", run.base.y_m},
+                    {"theta_rad", run.base.theta_rad},
+                    {"scatter_m", run.base_scatter_m}};
+    json["length_ratio"] = run.length_ratio;
+  }
   json["clock"] = nullptr;
   if (run.clock) {
     json["clock"] = {{"time_offset_s", run.clock->offset_s},
@@ -62,6 +68,14 @@ std::string clock_text(const ClockReport& clock) {
       clock.offset_s, clock.correlation, clock.runner_up, clock.offset_s);
 }
 
+std::string base_text(const RunReport& run) {
+  return fmt::format(
+      "\n  base: the log's ({:.4f}, {:.4f}) m, {:.4f} rad; it scatters by {:.1f} mm; the arm "
+      "measures {:.1f} % of its file's length",
+      run.base.x_m, run.base.y_m, run.base.theta_rad, 1e3 * run.base_scatter_m,
+      100.0 * run.length_ratio);
+}
+
 std::string to_text(const RunReport& run) {
   std::string text = fmt::format("{}: {} rows at {:.4g} Hz, {:.1f} s", run.name, run.rows,
                                  run.rate_hz, run.duration_s);
@@ -74,11 +88,7 @@ std::string to_text(const RunReport& run) {
   }
   text += fmt::format("\n  {} points{}", run.points.size(),
                       rarely.empty() ? ", all tracked throughout" : "; tracked in: " + rarely);
-  text += fmt::format(
-      "\n  base: the log's ({:.4f}, {:.4f}) m, {:.4f} rad; it scatters by {:.1f} mm; the arm "
-      "measures {:.1f} % of its file's length",
-      run.base.x_m, run.base.y_m, run.base.theta_rad, 1e3 * run.base_scatter_m,
-      100.0 * run.length_ratio);
+  text += run.space ? to_text(*run.space) : base_text(run);
   if (run.clock) {
     text += clock_text(*run.clock);
   }
@@ -239,7 +249,7 @@ std::string to_text(const ImportReport& report) {
     text += (many ? one_line(run) : to_text(run)) + "\n";
   }
   text += many ? notes_of_all(report.runs) : std::string();
-  text += to_text(report.columns);
+  text += report.columns.segments.empty() ? "" : to_text(report.columns);
   if (report.episode_errors) {
     text += episodes_to_text(*report.episode_errors);
   }

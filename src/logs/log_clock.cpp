@@ -41,6 +41,9 @@ std::string unit_guess(const TimeColumn& time, double rate_hz, double lowest_hz)
 
 /// What to do about a rate that is no log's.
 std::string advice(const TimeColumn& time, double rate_hz, double lowest_hz) {
+  if (time.column.empty()) {
+    return "Is 'rate_hz' right? It may be the log's or the arm file's frame_rate_hz that is not";
+  }
   if (time.unit == "frame") {
     return "Is it the column of frame numbers, and is 'rate_hz' right?";
   }
@@ -59,6 +62,9 @@ std::string advice(const TimeColumn& time, double rate_hz, double lowest_hz) {
 }
 
 std::string found(const std::string& log, const TimeColumn& time, double rate_hz) {
+  if (time.column.empty()) {
+    return fmt::format("{}: 'time: {{rate_hz}}' gives {:.4g} rows per second", log, rate_hz);
+  }
   return fmt::format("{}: column '{}', read in {}, gives {:.4g} rows per second", log, time.column,
                      time.unit, rate_hz);
 }

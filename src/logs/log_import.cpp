@@ -1,10 +1,8 @@
 #include "limber/logs/log_import.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "backbone_building.hpp"
 #include "clock_match.hpp"
@@ -12,6 +10,7 @@
 #include "column_fit.hpp"
 #include "command_check.hpp"
 #include "command_sums.hpp"
+#include "import_steps.hpp"
 #include "level_correlation.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
@@ -23,6 +22,7 @@
 #include "log_table.hpp"
 #include "motive_csv.hpp"
 #include "motive_points.hpp"
+#include "space_import.hpp"
 
 namespace limber {
 
@@ -40,13 +40,6 @@ void check_clocks(const std::string& log, const std::string& command_log,
     check_clock(command_log, mapping.commands.time, run.commands.time_s, arm);
     check_span(command_log, mapping.commands.time, run.commands.time_s, log, run.points.time_s);
   }
-}
-
-CommandTrack shifted(CommandTrack commands, double offset_s) {
-  for (double& time_s : commands.time_s) {
-    time_s += offset_s;
-  }
-  return commands;
 }
 
 /// Columns of other segments or signs hide the offset, or give a wrong one. At one of the
@@ -100,11 +93,6 @@ void bring_clocks_together(const std::string& log, const std::string& command_lo
   run.report.clock = clock;
 }
 
-/// What messages call a run.
-std::string name_of(const fs::path& log, const RunReport& report) {
-  return log.parent_path().empty() ? report.name : (log.parent_path() / report.name).string();
-}
-
 std::vector<Episode> import_run(const fs::path& log, const std::string& command_log,
                                 const ImportOptions& options, const ArmDescription& arm,
                                 LogRun& run, LevelTable& levels) {
@@ -125,15 +113,6 @@ std::vector<Episode> import_run(const fs::path& log, const std::string& command_
   }
   levels = levels_of(motion, run.commands, arm);
   return resample(name, motion, run.commands, arm, options.mapping.longest_gap_s, run.report);
-}
-
-void require_log_pairs(const std::vector<fs::path>& logs, const ImportOptions& options) {
-  if (!options.command_logs.empty() && options.command_logs.size() != logs.size()) {
-    throw InputError(
-        fmt::format("{} motion logs and {} logs of commands (--pressures); "
-                    "expected one for each, in the same order",
-                    logs.size(), options.command_logs.size()));
-  }
 }
 
 /// Reads every log again for its rate alone, so that one message says what all of them ask for.
@@ -158,19 +137,13 @@ template <class ReadRuns>
 template <class ReadRuns>
 ImportResult import_logs(const std::vector<fs::path>& logs, const ImportOptions& options,
                          const ArmDescription& arm, const char* kind, const ReadRuns& read_runs) {
-  require_log_pairs(logs, options);
-  if (options.time_offset_s && !std::isfinite(*options.time_offset_s)) {
-    throw InputError(
-        fmt::format("time offset {}; expected seconds, a finite number", *options.time_offset_s));
-  }
+  require_options(logs, options);
   ImportResult result{make_recording(arm, "", 0), {}};
-  std::vector<std::string> names;
   std::vector<std::string> run_names;
   std::vector<LevelTable> levels;
   for (std::size_t i = 0; i < logs.size(); ++i) {
     const std::string command_log =
         options.command_logs.empty() ? std::string() : options.command_logs[i].string();
-    names.push_back(logs[i].filename().string());
     for (LogRun& run : read_runs(logs[i], i)) {
       run_names.push_back(name_of(logs[i], run.report));
       LevelTable& own = levels.emplace_back();
@@ -193,27 +166,12 @@ ImportResult import_logs(const std::vector<fs::path>& logs, const ImportOptions&
   if (result.recording.untracked_count() < result.recording.frame_count()) {
     result.report.episode_errors = errors_of_any(arm, result.recording.episodes);
   }
-  result.recording.source = fmt::format("{} {}", kind, fmt::join(names, ", "));
-  std::string clocks;
-  for (const RunReport& run : result.report.runs) {
-    if (run.clock) {
-      clocks += fmt::format("; {}: time offset {:.4f} s {}", run.name, run.clock->offset_s,
-                            run.clock->found ? "found" : "given");
-    }
-  }
-  result.recording.settings =
-      fmt::format("gaps up to {} s bridged{}", options.mapping.longest_gap_s, clocks);
+  describe(kind, logs, options.mapping, result);
   return result;
 }
 
 fs::path first_of(const std::vector<fs::path>& logs) {
   return logs.empty() ? fs::path() : logs.front();
-}
-
-void require_logs(const std::vector<fs::path>& logs) {
-  if (logs.empty()) {
-    throw InputError("no logs; expected at least one. Did the pattern that lists them match any?");
-  }
 }
 
 /// With default columns as the first log of commands counts them; the others are like it.
@@ -232,16 +190,14 @@ ImportResult import_csv(const std::vector<fs::path>& logs, const ImportOptions& 
                         const ArmDescription& arm) {
   require_logs(logs);
   const ImportOptions options = as_counted(first_of(logs), asked, arm);
+  if (arm.is_spatial()) {
+    return import_space_csv(logs, options, arm);
+  }
   return import_logs(logs, options, arm, "csv", [&](const fs::path& log, std::size_t i) {
     const bool inside = options.command_logs.empty();
     std::vector<LogRun> runs = read_csv_runs(log, options.mapping, arm, inside);
-    if (!inside && runs.size() > 1) {
-      throw InputError(
-          fmt::format("{}: {} recordings in one log, and commands in another file; "
-                      "expected one recording per file",
-                      log.string(), runs.size()));
-    }
     if (!inside) {
+      require_one_recording(log, runs.size());
       runs.front().commands =
           read_command_log(options.command_logs[i], options.mapping, arm, runs.front().report);
     }
@@ -258,6 +214,9 @@ ImportResult import_motive(const std::vector<fs::path>& logs, const ImportOption
         logs.front().string(), arm.command.name));
   }
   const ImportOptions options = as_counted(first_of(logs), asked, arm);
+  if (arm.is_spatial()) {
+    return import_space_motive(logs, options, arm);
+  }
   return import_logs(logs, options, arm, "motive", [&](const fs::path& log, std::size_t i) {
     std::vector<LogRun> runs(1);
     LogRun& run = runs.front();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include "limber/common/error.hpp"
 #include "limber/data/median_rate.hpp"
@@ -33,10 +34,12 @@ struct Bracket {
 /// Finds brackets at rising times.
 class RowFinder {
  public:
-  RowFinder(const std::vector<double>& time_s, double longest_gap_s)
+  /// @param usual_step_s  0: the median step
+  RowFinder(const std::vector<double>& time_s, double longest_gap_s, double usual_step_s = 0.0)
       : time_s_(time_s),
         longest_gap_s_(longest_gap_s),
-        longest_step_s_(kMissingRow / median_rate_hz(time_s)) {}
+        longest_step_s_(usual_step_s > 0.0 ? kMissingRow * usual_step_s
+                                           : kMissingRow / median_rate_hz(time_s)) {}
 
   /// Invalid outside of the track and within long gaps.
   Bracket at(double time_s) {
@@ -74,6 +77,18 @@ Eigen::RowVectorXd row_at(const Eigen::MatrixXd& values, const Bracket& bracket)
          bracket.part * (values.row(bracket.after) - values.row(bracket.before));
 }
 
+/// The same of poses, T×7m in space: rotations on the shortest way.
+Eigen::RowVectorXd poses_at(const Eigen::MatrixXd& poses, const Bracket& bracket,
+                            Dimension dimension) {
+  Eigen::RowVectorXd row = row_at(poses, bracket);
+  for (Eigen::Index q = 3; dimension == Dimension::space && q < row.size(); q += kSpacePoseSize) {
+    const Eigen::Quaterniond before(poses.block<1, 4>(bracket.before, q).transpose());
+    const Eigen::Quaterniond after(poses.block<1, 4>(bracket.after, q).transpose());
+    row.segment<4>(q) = before.slerp(bracket.part, after).normalized().coeffs().transpose();
+  }
+  return row;
+}
+
 /// Frames in a row, to become an episode.
 struct Piece {
   std::vector<double> time_s;
@@ -100,7 +115,7 @@ std::vector<int> number_motions(const FrameMatrix& values, const ArmDescription&
   for (Eigen::Index t = 1; t < values.rows(); ++t) {
     bool moves = false;
     for (Eigen::Index i = 0; i < values.cols(); ++i) {
-      const double limit = arm.segments[std::size_t(i)].pressure_limit_kpa.half_width_kpa();
+      const double limit = arm.limits_of_channel(static_cast<int>(i)).half_width_kpa();
       moves |= std::abs(values(t, i) - values(t - 1, i)) > min_change * limit;
     }
     const bool begins = moves && still >= still_frames && t > 1;
@@ -117,7 +132,7 @@ class Resampler {
       : motion_(motion),
         commands_(commands),
         arm_(arm),
-        motion_rows_(motion.time_s, longest_gap_s),
+        motion_rows_(motion.time_s, longest_gap_s, motion.usual_step_s),
         command_rows_(commands.time_s, longest_gap_s),
         report_(report) {}
 
@@ -166,7 +181,7 @@ class Resampler {
       const bool empty = !std::isfinite(motion) && !piece_.motion.empty();
       piece_.motion.push_back(empty ? piece_.motion.back() : motion);
     }
-    piece_.backbone.push_back(row_at(motion_.poses, seen));
+    piece_.backbone.push_back(poses_at(motion_.poses, seen, arm_.dimension));
     const bool filled =
         motion_.bridged[std::size_t(seen.before)] || motion_.bridged[std::size_t(seen.after)];
     piece_.tracked.push_back(!filled && !motion_rows_.has_lost_row(seen) ? 1 : 0);
@@ -200,6 +215,7 @@ class Resampler {
         piece.time_s.data(), static_cast<Eigen::Index>(piece.time_s.size()));
     episode.pressure_kpa = stacked(piece.measured);
     episode.setpoints_only = !commands_.measured;
+    episode.dimension = arm_.dimension;
     const bool has_setpoints = !piece.setpoint.empty() || episode.setpoints_only;
     episode.setpoint_kpa = piece.setpoint.empty() ? episode.pressure_kpa : stacked(piece.setpoint);
     if (!episode.setpoint_kpa.allFinite()) {

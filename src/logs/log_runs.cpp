@@ -1,191 +1,15 @@
 #include "log_runs.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-
 #include <fmt/format.h>
 
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
+#include "log_rows.hpp"
 #include "log_table.hpp"
 
 namespace limber {
 
 namespace {
-
-/// Which rows of a table belong to each recording, in the order of first appearance.
-struct RowGroup {
-  std::string label;
-  std::vector<std::size_t> rows;
-};
-
-std::vector<RowGroup> group_rows(const LogTable& table) {
-  std::vector<RowGroup> groups;
-  std::map<std::string, std::size_t> group_of;
-  for (std::size_t row = 0; row < table.row_count(); ++row) {
-    const std::string label = table.labels.empty() ? std::string() : table.labels[row];
-    const auto [entry, is_new] = group_of.emplace(label, groups.size());
-    if (is_new) {
-      groups.push_back({label, {}});
-    }
-    groups[entry->second].rows.push_back(row);
-  }
-  return groups;
-}
-
-std::vector<double> picked(const std::vector<double>& column, const std::vector<std::size_t>& rows,
-                           double factor) {
-  std::vector<double> values;
-  for (const std::size_t row : rows) {
-    values.push_back(factor * column[row]);
-  }
-  return values;
-}
-
-void append(std::vector<std::string>& names, const std::vector<std::string>& more) {
-  names.insert(names.end(), more.begin(), more.end());
-}
-
-/// Names of the command columns in the order that `fill_commands` reads them.
-void want_commands(const CommandColumns& commands, WantedColumns& wanted) {
-  append(wanted.names, commands.columns);
-  append(wanted.names, commands.right);
-  append(wanted.names, commands.left);
-  append(commands.setpoint_optional ? wanted.optional : wanted.names, commands.setpoint);
-}
-
-/// A pressure on both sides at once has no signed number.
-void require_one_side(const LogTable& table, std::size_t row, const ArmDescription& arm,
-                      Eigen::Index segment, double right, double left) {
-  constexpr double kBothSides = 0.1;  // of the limit; gauges at rest read a little
-  const double limit =
-      arm.segments[static_cast<std::size_t>(segment)].pressure_limit_kpa.largest_kpa();
-  if (std::min(right, left) > kBothSides * limit) {
-    throw InputError(fmt::format(
-        "{}: line {}: {} has {:.4g} {unit} on its right and {:.4g} {unit} on its left; limber's "
-        "arms pressurise one side at a time, and at most {:.4g} {unit} (10 % of the limit) may be "
-        "left on the other. Is the unit right? If your valves overlap, log one signed column",
-        table.file, table.lines[row], segment_name(segment), right, left, kBothSides * limit,
-        fmt::arg("unit", arm.command.unit)));
-  }
-}
-
-CommandTrack commands_of(const LogTable& table, std::size_t first, const RowGroup& group,
-                         const ImportMapping& mapping, const ArmDescription& arm) {
-  const CommandColumns& commands = mapping.commands;
-  const auto rows = static_cast<Eigen::Index>(group.rows.size());
-  const auto n = static_cast<Eigen::Index>(commands.columns.empty() ? arm.segments.size()
-                                                                    : commands.columns.size());
-  CommandTrack track;
-  track.measured = commands.measured;
-  track.values.resize(rows, n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const std::vector<double>& right = table.columns[first + std::size_t(i)];
-    for (Eigen::Index r = 0; r < rows; ++r) {
-      const std::size_t row = group.rows[std::size_t(r)];
-      double value = commands.factor * right[row];
-      if (commands.columns.empty()) {
-        const double left =
-            commands.factor * table.columns[first + std::size_t(n) + std::size_t(i)][row];
-        require_one_side(table, row, arm, i, value, left);
-        value -= left;
-      }
-      track.values(r, i) = value;
-    }
-  }
-  if (commands.setpoint.empty()) {
-    return track;
-  }
-  const std::size_t begin = first + std::size_t(commands.columns.empty() ? 2 * n : n);
-  track.setpoint.resize(rows, n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    for (Eigen::Index r = 0; r < rows; ++r) {
-      track.setpoint(r, i) =
-          commands.factor * table.columns[begin + std::size_t(i)][group.rows[std::size_t(r)]];
-    }
-  }
-  if (commands.setpoint_optional && track.setpoint.array().isNaN().all()) {
-    track.setpoint.resize(0, 0);
-  }
-  return track;
-}
-
-/// Rows as they stand from `next` of each: the order to keep, or why there is none.
-class RowOrder {
- public:
-  RowOrder(std::string log, const std::vector<double>& time_s, RunReport& report)
-      : log_(std::move(log)), time_s_(time_s), report_(report) {}
-
-  std::vector<std::size_t> find() {
-    std::vector<std::size_t> order;
-    for (std::size_t i = 0; i < time_s_.size(); ++i) {
-      if (std::isfinite(time_s_[i])) {
-        order.push_back(i);
-      } else {
-        report_.note("rows left out that have no time", fmt::format("{}: row {}", log_, i));
-      }
-    }
-    sort(order);
-    drop_repeated(order);
-    if (order.size() < 2) {
-      throw InputError(fmt::format(
-          "{}: {} rows with a time of their own; expected a recording of at least a second", log_,
-          order.size()));
-    }
-    return order;
-  }
-
- private:
-  static constexpr double kMaxOutOfOrder = 0.01;
-  static constexpr double kFarthestBack_s = 0.5;
-
-  void sort(std::vector<std::size_t>& order) {
-    std::size_t back = 0;
-    std::size_t first = 0;
-    double farthest_s = 0.0;
-    for (std::size_t i = 1; i < order.size(); ++i) {
-      const double step = time_s_[order[i]] - time_s_[order[i - 1]];
-      if (step < 0.0) {
-        first = back++ == 0 ? i : first;
-        farthest_s = std::max(farthest_s, -step);
-      }
-    }
-    if (back == 0) {
-      return;
-    }
-    const std::string where = fmt::format("row {} at {:.6g} s follows {:.6g} s", first,
-                                          time_s_[order[first]], time_s_[order[first - 1]]);
-    if (double(back) > kMaxOutOfOrder * double(order.size()) || farthest_s > kFarthestBack_s) {
-      throw InputError(fmt::format(
-          "{}: time goes back {} times, by up to {:.3g} s; first, {}. Is the column named in "
-          "'time' the time? Rows that were shuffled have to be sorted; a file that holds several "
-          "recordings needs a column that tells them apart, named in the mapping as 'recording'",
-          log_, back, farthest_s, where));
-    }
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return time_s_[a] < time_s_[b]; });
-    report_.note("rows out of order, sorted by time", fmt::format("{}: {}", log_, where),
-                 static_cast<std::int64_t>(back));
-  }
-
-  void drop_repeated(std::vector<std::size_t>& order) {
-    std::vector<std::size_t> kept;
-    for (const std::size_t row : order) {
-      if (!kept.empty() && time_s_[row] <= time_s_[kept.back()]) {
-        report_.note("rows left out that repeat a time",
-                     fmt::format("{}: row {} at {:.6g} s", log_, row, time_s_[row]));
-      } else {
-        kept.push_back(row);
-      }
-    }
-    order = std::move(kept);
-  }
-
-  std::string log_;
-  const std::vector<double>& time_s_;
-  RunReport& report_;
-};
 
 PointTracks points_of(const LogTable& table, const RowGroup& group, const ImportMapping& mapping) {
   PointTracks tracks;
@@ -248,7 +72,7 @@ std::vector<LogRun> read_csv_runs(const std::filesystem::path& path, const Impor
   wanted.names.push_back(mapping.time.column);
   wanted.label = mapping.recording;
   for (const PointSource& point : mapping.points) {
-    append(wanted.names, {point.x, point.y});
+    wanted.names.insert(wanted.names.end(), {point.x, point.y});
     if (!point.theta.empty()) {
       wanted.names.push_back(point.theta);
     }
@@ -291,21 +115,18 @@ CommandTrack read_command_log(const std::filesystem::path& path, const ImportMap
   wanted.names.push_back(mapping.commands.time.column);
   want_commands(mapping.commands, wanted);
   const LogTable table = read_log_table(path, mapping, wanted, report);
-  RowGroup all;
-  for (std::size_t row = 0; row < table.row_count(); ++row) {
-    all.rows.push_back(row);
-  }
+  const RowGroup all = all_rows(table);
   CommandTrack track = commands_of(table, 1, all, mapping, arm);
   track.time_s = picked(table.columns[0], all.rows, mapping.commands.time.seconds_per_unit);
   return track;
 }
 
 void put_in_order(const std::string& log, PointTracks& tracks, RunReport& report) {
-  keep_rows(tracks, RowOrder(log, tracks.time_s, report).find());
+  keep_rows(tracks, rows_in_order(log, tracks.time_s, report));
 }
 
 void put_in_order(const std::string& log, CommandTrack& track, RunReport& report) {
-  keep_rows(track, RowOrder(log, track.time_s, report).find());
+  keep_rows(track, rows_in_order(log, track.time_s, report));
 }
 
 }  // namespace limber

@@ -82,11 +82,15 @@ class LogFile {
   bool next(std::vector<CsvCell>& row) {
     while (csv_.next(row)) {
       if (!is_comment(row)) {
+        ++rows_read_;
         return true;
       }
     }
     return false;
   }
+
+  /// By `next`, those that can't be read among them.
+  std::size_t rows_read() const { return rows_read_; }
 
   bool parse(std::string_view text, double& value) const {
     if (!mapping_.decimal_comma) {
@@ -125,16 +129,21 @@ class LogFile {
   const ImportMapping& mapping_;
   CsvReader csv_;
   std::vector<std::string> names_;
+  std::size_t rows_read_ = 0;
 };
 
 struct Column {
   std::size_t index = 0;
   double sign = 1.0;
   bool present = true;
+  bool counts_rows = false;
   double largest = std::numeric_limits<float>::max();  // what recordings hold
 };
 
 Column column_of(const LogFile& file, const std::string& name) {
+  if (name.empty()) {
+    return {0, 1.0, false, true};
+  }
   if (!file.has(name) && name.starts_with('-')) {
     return {file.find(name.substr(1)), -1.0, true};
   }
@@ -154,7 +163,7 @@ std::vector<Column> columns_of(const LogFile& file, const WantedColumns& wanted,
   const bool all = std::all_of(wanted.optional.begin(), wanted.optional.end(),
                                [&](const std::string& name) { return file.has(name); });
   for (const std::string& name : wanted.optional) {
-    columns.push_back(all ? column_of(file, name) : Column{0, 1.0, false});
+    columns.push_back(all ? column_of(file, name) : Column{0, 1.0, false, false});
   }
   return columns;
 }
@@ -165,6 +174,9 @@ std::string read_row(const LogFile& file, const std::vector<CsvCell>& row,
   values.clear();
   for (const Column& column : columns) {
     double value = std::numeric_limits<double>::quiet_NaN();
+    if (column.counts_rows) {
+      value = double(file.rows_read() - 1);
+    }
     if (column.present) {
       if (column.index >= row.size()) {
         return fmt::format("line {}: {} cells; expected {}", file.csv().line(), row.size(),

@@ -19,7 +19,8 @@ struct LogTable {
   std::size_t row_count() const { return lines.size(); }
 };
 
-/// Columns of a log by name; "-name" is the column "name" with its sign turned.
+/// Columns of a log by name; "-name" is the column "name" with its sign turned,
+/// and "" is the number of the row, from 0.
 struct WantedColumns {
   std::vector<std::string> names;
   std::string label;                  ///< a column of texts; empty for none

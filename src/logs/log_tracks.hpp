@@ -41,9 +41,11 @@ struct CommandTrack {
 /// The whole backbone on the motion log's clock, every plate of the arm, in frame B. T rows.
 struct BackboneTrack {
   std::vector<double> time_s;  ///< T, increasing
-  Eigen::MatrixXd poses;       ///< T×3m: x_m, y_m, theta_rad of each plate; θ unwrapped
+  Eigen::MatrixXd poses;       ///< T×3m: x_m, y_m, theta_rad of each plate; θ unwrapped; in space
+                               ///< T×7m, quaternions without jumps of sign
   std::vector<bool> tracked;   ///< T; false if a point was missing for too long: poses are NaN
   std::vector<bool> bridged;   ///< T; a point of this row was put between its neighbours in time
+  double usual_step_s = 0.0;   ///< between rows, of clocks that are uneven; 0: the median step
 
   Eigen::Index row_count() const { return static_cast<Eigen::Index>(time_s.size()); }
 };

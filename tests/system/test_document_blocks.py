@@ -44,6 +44,8 @@ ELSEWHERE = {
     ("docs/tracking.md", "tools/track_paths.py"): "test_track.py, with a shorter path",
     ("docs/importing.md", "schema: limber/import/1"): "an excerpt; test_import.py reads mappings",
     ("docs/importing.md", "pressures:"): "an excerpt; test_setpoints.py reads one",
+    ("docs/importing.md", "time: {rate_hz: 40}"):
+        "an excerpt; tests/logs/space_import_test.cpp reads such mappings",
     ("docs/importing.md", "commands:"): "an excerpt; examples/six_motors has it",
     ("docs/importing.md", "cp -r examples/six_motors"): "test_six_motors.py",
     ("docs/importing.md", "limber characterize --arm arm.yaml --commands"): "test_six_motors.py",

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/backbone.hpp"
 
@@ -13,12 +15,13 @@ namespace limber {
 
 /// A log's clock.
 struct TimeColumn {
-  std::string column = "time_s";
+  std::string column = "time_s";  ///< empty: rows follow each other at a nominal rate
   double seconds_per_unit = 1.0;
   std::string unit = "s";  ///< as the mapping has it; "frame" with a rate
 };
 
-/// Where a log holds commands: either `columns`, signed, or one column per side.
+/// Where a log holds commands: either `columns`, signed, or one column per side. In space there are
+/// n channels in place of n segments, and no sides.
 struct CommandColumns {
   TimeColumn time;
   /// True: `columns` and `setpoint` are those of the arm file's M `commands`, and are summed to
@@ -34,6 +37,14 @@ struct CommandColumns {
   bool setpoint_optional = false;     ///< left out if the log has no such columns
   std::string unit = "kPa";
   double factor = 1.0;  ///< to the arm's unit
+  /// Added to what the log holds, in its own unit: one for all columns, one for each, or none.
+  std::vector<double> offsets;
+
+  double offset_of(Eigen::Index column) const {
+    return offsets.empty()       ? 0.0
+           : offsets.size() == 1 ? offsets.front()
+                                 : offsets[static_cast<std::size_t>(column)];
+  }
 };
 
 /// Where a log holds one point of the backbone. Generic CSV names columns; Motive a rigid body
@@ -44,6 +55,8 @@ struct PointSource {
   std::string body;
   std::string marker;
   std::string right, left;
+  std::string z;                           ///< of an arm in space
+  std::vector<std::string> rotation = {};  ///< of one: qx, qy, qz, qw; or Euler angles; or none
 };
 
 /// How frame B is found in the log's plane.
@@ -58,6 +71,29 @@ struct BaseAlignment {
   double straight_from_s = 0.0;  ///< on the motion log's clock
   double straight_to_s = 0.0;
   Pose pose;
+};
+
+/// Turns about the axes named in `order`, each about the axis as the turns before left it
+/// (intrinsic): the rotation is their product from left to right.
+struct EulerAngles {
+  std::string order;    ///< three of x, y and z; empty: rotations are quaternions
+  double factor = 1.0;  ///< to radians
+};
+
+/// How frame B of an arm in space is found in the log's frame.
+struct SpaceAlignment {
+  enum class Kind {
+    base,   ///< the base body's place and rotation; bodies' axes are limber's
+    none,   ///< the log is in frame B, and so are bodies' axes
+    given,  ///< what follows
+  };
+  Kind kind = Kind::base;
+  std::optional<Eigen::Vector3d> position_m;  ///< of the base; none: where plate 0 is tracked
+  std::optional<Eigen::Vector3d> x_axis;      ///< along the straight arm; none: from the rest
+  std::optional<Eigen::Vector3d> y_axis;      ///< to its left; none: any perpendicular
+  /// When the arm hung straight, on the motion log's clock: from and to. Bodies' rotations count
+  /// from what they were then; without it, from the axes of the log.
+  std::optional<Eigen::Vector2d> rest_s;
 };
 
 /// How a log becomes a recording of an arm (docs/importing.md, schema limber/import/1).
@@ -77,17 +113,19 @@ struct ImportMapping {
   std::string up = "y";           ///< Motive's axis out of the plane: x, y, z, -x, -y or -z
   bool headings_measured = true;  ///< false: from the tangent, whatever the log has
   BaseAlignment alignment;
-  double longest_gap_s = 0.25;  ///< bridged in time, and marked as not tracked
+  EulerAngles euler;               ///< of an arm in space
+  SpaceAlignment space_alignment;  ///< of one, in place of `alignment`
+  double longest_gap_s = 0.25;     ///< bridged in time, and marked as not tracked
 };
 
 /// Reads a mapping for `arm`. @throws InputError naming file, line and field.
 ImportMapping read_import_mapping(const std::filesystem::path& path, const ArmDescription& arm);
 
 /// The mapping if none is given: time_s, and pressure_0_kpa … (command_0 … for another command),
-/// one per segment, with setpoint_0_kpa … if there are such columns. A log that has setpoint_0_kpa
-/// … and no other holds set points only; so does one of command_0 … alone. Of an arm with
-/// `commands`, their names, with setpoint_NAME … if there are such columns; a log without any of
-/// them is one of segments' commands.
+/// one per channel, with setpoint_0_kpa … if there are such columns. A log that has
+/// setpoint_0_kpa … and no other holds set points only; so does one of command_0 … alone. Of an arm
+/// with `commands`, their names, with setpoint_NAME … if there are such columns; a log without any
+/// of them is one of segments' commands.
 ImportMapping default_import_mapping(const ArmDescription& arm);
 
 /// Default columns as a log has them: counted from 0, or from 1 if it has no column 0, as limber

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "limber/logs/log_import.hpp"
+#include "log_tracks.hpp"
+
+// What imports of arms in the plane and in space do in the same way.
+namespace limber {
+
+/// @throws InputError where there is none
+void require_logs(const std::vector<std::filesystem::path>& logs);
+
+/// @throws InputError where logs of commands are not as many as motion logs, or the offset is no
+/// number
+void require_options(const std::vector<std::filesystem::path>& logs, const ImportOptions& options);
+
+/// Of a log whose commands are in a file of their own. @throws InputError where it holds several
+void require_one_recording(const std::filesystem::path& log, std::size_t found);
+
+/// What messages call a run.
+std::string name_of(const std::filesystem::path& log, const RunReport& report);
+
+CommandTrack shifted(CommandTrack commands, double offset_s);
+
+/// Says in the recording what it was made from, and how.
+void describe(const std::string& kind, const std::vector<std::filesystem::path>& logs,
+              const ImportMapping& mapping, ImportResult& result);
+
+}  // namespace limber

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "limber/common/yaml_reader.hpp"
+#include "limber/logs/import_mapping.hpp"
+
+// What mappings of arms in the plane and in space say in the same way.
+namespace limber {
+
+/// How many `to` make one of the unit that is written here. @throws InputError for unknown ones.
+double factor_to(const YamlReader& node, const std::string& to);
+
+/// `headings: measured` or `tangent`.
+bool read_headings_measured(const YamlReader& node);
+
+/// Every point's plate: given, or counted where every plate has a point.
+/// @param node      of all points; `elements`, its points, one for each of `points`
+/// @param untracked_base  whether all plates but the base count as every plate, too
+/// @throws InputError where plates do not rise or the last is not the arm's end
+void number_plates(const YamlReader& node, const std::vector<YamlReader>& elements,
+                   const ArmDescription& arm, bool untracked_base,
+                   std::vector<PointSource>& points);
+
+}  // namespace limber

@@ -1,0 +1,248 @@
+#include "space_alignment.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "limber/arm/names.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/statistics.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kStandsStill_m = 0.005;
+constexpr double kMostRows = 0.95;
+constexpr double kAlongSine = 1e-3;           // sine of the least angle between two axes
+constexpr std::size_t kRotationSample = 101;  // rotations compared with all others of the sample
+constexpr double kNearRotation_rad = 0.25;
+
+/// Rows in which a point was tracked, of those from and to these times.
+std::vector<Eigen::Index> rows_of(const SpaceTracks& tracks, Eigen::Index point,
+                                  const std::optional<Eigen::Vector2d>& times_s) {
+  std::vector<Eigen::Index> rows;
+  for (Eigen::Index t = 0; t < tracks.row_count(); ++t) {
+    const double time_s = tracks.time_s[std::size_t(t)];
+    const bool within = !times_s || (time_s >= times_s->x() && time_s <= times_s->y());
+    if (within && tracks.is_tracked(t, point)) {
+      rows.push_back(t);
+    }
+  }
+  return rows;
+}
+
+std::vector<Eigen::Index> required_rows(const std::string& log, const SpaceTracks& tracks,
+                                        Eigen::Index point,
+                                        const std::optional<Eigen::Vector2d>& times_s) {
+  std::vector<Eigen::Index> rows = rows_of(tracks, point, times_s);
+  if (rows.empty()) {
+    throw InputError(fmt::format(
+        "{}: point '{}' ({}) is not tracked in any row{}; the log reaches from {:.6g} s to {:.6g} "
+        "s",
+        log, tracks.names[std::size_t(point)], plate_name(tracks.plates[std::size_t(point)]),
+        times_s ? fmt::format(" from {:.6g} s to {:.6g} s (rest_s)", times_s->x(), times_s->y())
+                : "",
+        tracks.time_s.front(), tracks.time_s.back()));
+  }
+  return rows;
+}
+
+Eigen::Vector3d median_position_m(const SpaceTracks& tracks, Eigen::Index point,
+                                  const std::vector<Eigen::Index>& rows) {
+  Eigen::Vector3d result;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    std::vector<double> values;
+    for (const Eigen::Index t : rows) {
+      values.push_back(tracks.position_m(t, point)[axis]);
+    }
+    result[axis] = median(std::move(values));
+  }
+  return result;
+}
+
+Eigen::Quaterniond mean_rotation_of(const SpaceTracks& tracks, Eigen::Index point,
+                                    const std::vector<Eigen::Index>& rows) {
+  std::vector<Eigen::Quaterniond> rotations;
+  for (const Eigen::Index t : rows) {
+    rotations.push_back(tracks.rotation(t, point));
+  }
+  return mean_rotation(rotations);
+}
+
+/// Axes of frame B as columns.
+Eigen::Quaterniond rotation_of_axes(const std::string& log, const Eigen::Vector3d& along,
+                                    const std::optional<Eigen::Vector3d>& left) {
+  const Eigen::Vector3d x = along.normalized();
+  Eigen::Vector3d y;
+  if (left) {
+    if (x.cross(*left).norm() < kAlongSine) {
+      throw InputError(fmt::format(
+          "{}: y_axis lies along the arm at rest, ({:.4f}, {:.4f}, {:.4f}) in the log's frame; "
+          "expected a direction to the left of it",
+          log, x.x(), x.y(), x.z()));
+    }
+    y = *left;
+  } else {
+    Eigen::Index axis = 0;
+    x.cwiseAbs().minCoeff(&axis);
+    y = Eigen::Vector3d::Unit(axis);
+  }
+  y = (y - x * x.dot(y)).normalized();
+  Eigen::Matrix3d axes;
+  axes << x, y, x.cross(y);
+  return Eigen::Quaterniond(axes);
+}
+
+class FrameFinder {
+ public:
+  FrameFinder(const std::string& log, const SpaceAlignment& alignment, const SpaceTracks& tracks)
+      : log_(log), alignment_(alignment), tracks_(tracks) {}
+
+  SpaceFrame find() const {
+    SpaceFrame frame;
+    frame.body_to_plate.assign(std::size_t(tracks_.point_count()), Eigen::Quaterniond::Identity());
+    if (alignment_.kind == SpaceAlignment::Kind::none) {
+      return frame;
+    }
+    frame.X_LB.position_m = base_m();
+    if (alignment_.kind == SpaceAlignment::Kind::base) {
+      if (!tracks_.tracks_base() || !tracks_.has_rotation.front()) {
+        throw InputError(fmt::format(
+            "{}: plate 0, the base, has no rotation; expected where the arm points, as in "
+            "'alignment: {{x_axis: [x, y, z]}}' or '{{rest_s: [from, to]}}'",
+            log_));
+      }
+      frame.X_LB.rotation =
+          mean_rotation_of(tracks_, 0, required_rows(log_, tracks_, 0, std::nullopt));
+      return frame;
+    }
+    frame.X_LB.rotation = rotation_of_axes(
+        log_, alignment_.x_axis ? *alignment_.x_axis : along_at_rest(frame.X_LB.position_m),
+        alignment_.y_axis);
+    for (Eigen::Index i = 0; i < tracks_.point_count(); ++i) {
+      if (tracks_.has_rotation[std::size_t(i)]) {
+        frame.body_to_plate[std::size_t(i)] = zero(i).conjugate() * frame.X_LB.rotation;
+      }
+    }
+    return frame;
+  }
+
+ private:
+  Eigen::Vector3d base_m() const {
+    return alignment_.position_m
+               ? *alignment_.position_m
+               : median_position_m(tracks_, 0, required_rows(log_, tracks_, 0, std::nullopt));
+  }
+
+  Eigen::Vector3d along_at_rest(const Eigen::Vector3d& base_m) const {
+    const Eigen::Index tip = tracks_.point_count() - 1;
+    return median_position_m(tracks_, tip, required_rows(log_, tracks_, tip, alignment_.rest_s)) -
+           base_m;
+  }
+
+  /// What a body's rotation is when its plate lies along the base.
+  Eigen::Quaterniond zero(Eigen::Index i) const {
+    return alignment_.rest_s
+               ? mean_rotation_of(tracks_, i, required_rows(log_, tracks_, i, alignment_.rest_s))
+               : Eigen::Quaterniond::Identity();
+  }
+
+  const std::string& log_;
+  const SpaceAlignment& alignment_;
+  const SpaceTracks& tracks_;
+};
+
+/// @return 95 % of the distances of a tracked base from its median place
+double base_scatter_m(const SpaceTracks& tracks) {
+  const std::vector<Eigen::Index> rows = rows_of(tracks, 0, std::nullopt);
+  const Eigen::Vector3d middle = median_position_m(tracks, 0, rows);
+  std::vector<double> off_m;
+  for (const Eigen::Index t : rows) {
+    off_m.push_back((tracks.position_m(t, 0) - middle).norm());
+  }
+  return quantile(std::move(off_m), kMostRows);
+}
+
+/// A point without a rotation has none in frame B either.
+void move_into(const SpaceFrame& frame, SpaceTracks& tracks) {
+  for (Eigen::Index i = 0; i < tracks.point_count(); ++i) {
+    for (Eigen::Index t = 0; t < tracks.row_count(); ++t) {
+      SpacePose pose = between(frame.X_LB, tracks.pose(t, i));
+      pose.rotation = tracks.has_rotation[std::size_t(i)]
+                          ? pose.rotation * frame.body_to_plate[std::size_t(i)]
+                          : Eigen::Quaterniond::Identity();
+      if (tracks.is_tracked(t, i)) {
+        tracks.put(t, i, pose);
+      }
+    }
+  }
+}
+
+/// A base that stands still is at the origin, unless the log is in the arm's frame already.
+void settle_base(const std::string& log, const SpaceAlignment& alignment, SpaceTracks& tracks,
+                 RunReport& report) {
+  report.space->base_tracked = tracks.tracks_base();
+  if (!tracks.tracks_base()) {
+    return;
+  }
+  required_rows(log, tracks, 0, std::nullopt);
+  report.space->base_scatter_m = base_scatter_m(tracks);
+  if (report.space->base_scatter_m >= kStandsStill_m) {
+    report.note("the base moves: it is left where it was tracked",
+                fmt::format("95 % within {:.1f} mm of its median place",
+                            1e3 * report.space->base_scatter_m));
+    return;
+  }
+  if (alignment.kind == SpaceAlignment::Kind::none) {
+    return;
+  }
+  for (Eigen::Index t = 0; t < tracks.row_count(); ++t) {
+    tracks.put(t, 0, {});
+  }
+}
+
+}  // namespace
+
+Eigen::Quaterniond mean_rotation(const std::vector<Eigen::Quaterniond>& rotations) {
+  std::vector<Eigen::Quaterniond> sample;
+  const std::size_t step = 1 + rotations.size() / kRotationSample;
+  for (std::size_t i = 0; i < rotations.size(); i += step) {
+    sample.push_back(rotations[i]);
+  }
+  Eigen::Quaterniond middle = sample.front();
+  double least = std::numeric_limits<double>::max();
+  for (const Eigen::Quaterniond& candidate : sample) {
+    double sum = 0.0;
+    for (const Eigen::Quaterniond& other : sample) {
+      sum += candidate.angularDistance(other);
+    }
+    if (sum < least) {
+      least = sum;
+      middle = candidate;
+    }
+  }
+  Eigen::Vector4d mean = Eigen::Vector4d::Zero();
+  for (const Eigen::Quaterniond& rotation : rotations) {
+    if (middle.angularDistance(rotation) < kNearRotation_rad) {
+      mean += rotation.coeffs() * (rotation.dot(middle) < 0.0 ? -1.0 : 1.0);
+    }
+  }
+  return Eigen::Quaterniond(mean).normalized();
+}
+
+void align_in_space(const std::string& log, const SpaceAlignment& alignment, SpaceTracks& tracks,
+                    RunReport& report) {
+  const SpaceFrame frame = FrameFinder(log, alignment, tracks).find();
+  const Eigen::Matrix3d axes = frame.X_LB.rotation.toRotationMatrix();
+  report.space->base_m = frame.X_LB.position_m;
+  report.space->x_axis = axes.col(0);
+  report.space->y_axis = axes.col(1);
+  report.space->y_chosen =
+      alignment.kind == SpaceAlignment::Kind::given && !alignment.y_axis.has_value();
+  move_into(frame, tracks);
+  settle_base(log, alignment, tracks, report);
+}
+
+}  // namespace limber

@@ -1,0 +1,177 @@
+#include "space_backbone.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+#include <Eigen/LU>
+
+#include "limber/arm/names.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/statistics.hpp"
+#include "space_alignment.hpp"
+#include "space_flips.hpp"
+#include "space_gaps.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kStrayShare = 0.95;
+constexpr double kUsualSteps = 0.9;  // of the rows: clocks of space logs are uneven
+
+/// V of exp: the end of a curve of constant strain (v, ω) lies at V(ω) v.
+Eigen::Matrix3d end_of_strain(const Eigen::Vector3d& omega) {
+  Eigen::Matrix3d result;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    // element() is V e_x; another axis is x in a frame turned by a third about (1, 1, 1).
+    const auto turned = [axis](const Eigen::Vector3d& v, Eigen::Index by) {
+      return Eigen::Vector3d(v[by % 3], v[(1 + by) % 3], v[(2 + by) % 3]);
+    };
+    const Eigen::Vector3d end = element(1.0, turned(omega, axis)).position_m;
+    result.col(axis) = turned(end, 3 - axis);
+  }
+  return result;
+}
+
+/// Poses of the points of one row, in frame B; a plate 0 that is no point comes first.
+std::vector<SpacePose> poses_of_points(const SpaceTracks& tracks, Eigen::Index t) {
+  std::vector<SpacePose> poses;
+  if (!tracks.tracks_base()) {
+    poses.emplace_back();
+  }
+  for (Eigen::Index i = 0; i < tracks.point_count(); ++i) {
+    SpacePose pose = tracks.pose(t, i);
+    if (!tracks.has_rotations() && !poses.empty()) {
+      const SpacePose& before = poses.back();
+      pose.rotation = before.rotation * arc_to(between(before, pose).position_m).rotation;
+    }
+    poses.push_back(pose);
+  }
+  return poses;
+}
+
+/// The numbers of every plate in one row.
+Eigen::RowVectorXd row_of_plates(const std::vector<SpacePose>& points,
+                                 const std::vector<int>& plates,
+                                 const std::vector<double>& rest_m) {
+  Eigen::RowVectorXd row(kSpacePoseSize * std::ssize(rest_m));
+  const auto put = [&](int plate, const SpacePose& pose) {
+    row.segment<kSpacePoseSize>(kSpacePoseSize * plate) = numbers_of(pose).transpose();
+  };
+  put(0, points.front());
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double from_m = rest_m[std::size_t(plates[i - 1])];
+    const double length_m = rest_m[std::size_t(plates[i])] - from_m;
+    for (int plate = plates[i - 1] + 1; plate < plates[i]; ++plate) {
+      put(plate, compose(points[i - 1], along(between(points[i - 1], points[i]),
+                                              (rest_m[std::size_t(plate)] - from_m) / length_m)));
+    }
+    put(plates[i], points[i]);
+  }
+  return row;
+}
+
+/// All plates but the base have rotations, or none.
+void leave_out_rotations(bool asked, SpaceTracks& tracks, RunReport& report) {
+  const std::ptrdiff_t first = tracks.tracks_base() ? 1 : 0;
+  const auto begin = tracks.has_rotation.begin() + first;
+  const auto some = std::count(begin, tracks.has_rotation.end(), true);
+  const bool all = some == tracks.point_count() - first;
+  if (some > 0 && (asked || !all)) {
+    report.note(asked ? "logged rotations left out: 'headings: tangent'"
+                      : "some points have a rotation and some have none: all are left out");
+    std::fill(begin, tracks.has_rotation.end(), false);
+  }
+}
+
+double usual_step_s(const std::vector<double>& time_s) {
+  std::vector<double> steps;
+  for (std::size_t t = 1; t < time_s.size(); ++t) {
+    steps.push_back(time_s[t] - time_s[t - 1]);
+  }
+  return quantile(std::move(steps), kUsualSteps);
+}
+
+void measure_strays(const BackboneTrack& track, const std::vector<int>& plates,
+                    SpaceRunReport& report) {
+  for (const int plate : plates) {
+    std::vector<double> places[3];
+    for (Eigen::Index t = 0; t < track.row_count(); ++t) {
+      for (Eigen::Index axis = 0; track.tracked[std::size_t(t)] && axis < 3; ++axis) {
+        places[axis].push_back(track.poses(t, kSpacePoseSize * plate + axis));
+      }
+    }
+    const Eigen::Vector3d middle(median(places[0]), median(places[1]), median(places[2]));
+    std::vector<double> off_m;
+    for (std::size_t i = 0; i < places[0].size(); ++i) {
+      off_m.push_back((Eigen::Vector3d(places[0][i], places[1][i], places[2][i]) - middle).norm());
+    }
+    report.plates.push_back({plate, quantile(std::move(off_m), kStrayShare)});
+  }
+}
+
+}  // namespace
+
+SpacePose arc_to(const Eigen::Vector3d& point) {
+  const double across = std::hypot(point.y(), point.z());
+  const double alpha = std::atan2(across, point.x());
+  // The axis is x × point, and the arc turns by twice its chord's angle.
+  const Eigen::Vector3d omega =
+      across > 0.0
+          ? Eigen::Vector3d(2.0 * alpha / across * Eigen::Vector3d(0.0, -point.z(), point.y()))
+          : Eigen::Vector3d::Zero();
+  return {point, rotation_of_vector(omega)};
+}
+
+SpacePose along(const SpacePose& step, double part) {
+  const Eigen::Vector3d omega = rotation_vector(step.rotation);
+  const Eigen::Vector3d strain = end_of_strain(omega).partialPivLu().solve(step.position_m);
+  const Eigen::Vector3d turned = part * omega;
+  return {end_of_strain(turned) * (part * strain), rotation_of_vector(turned)};
+}
+
+BackboneTrack build_space_backbone(const std::string& log, SpaceTracks tracks,
+                                   const ImportMapping& mapping, const ArmDescription& arm,
+                                   RunReport& report) {
+  SpaceRunReport& space = report.space.emplace();
+  space.repeated_rows = drop_repeated_poses(tracks);
+  leave_out_rotations(!mapping.headings_measured, tracks, report);
+  space.lifted = !tracks.has_rotations();
+  space.flips = settle_rotations(arm.length_m(), mapping.longest_gap_s, tracks);
+  align_in_space(log, mapping.space_alignment, tracks, report);
+  BackboneTrack track;
+  fill_space_gaps(log, mapping.longest_gap_s, tracks, track, report);
+  std::vector<int> plates = tracks.plates;
+  if (!tracks.tracks_base()) {
+    plates.insert(plates.begin(), 0);
+  }
+  const std::vector<double> rest_m = rest_positions_m(arm);
+  track.poses = Eigen::MatrixXd::Constant(tracks.row_count(), kSpacePoseSize * arm.point_count(),
+                                          std::numeric_limits<double>::quiet_NaN());
+  GapMeasurement gaps(plates, rest_m);
+  for (Eigen::Index t = 0; t < tracks.row_count(); ++t) {
+    if (track.tracked[std::size_t(t)]) {
+      const std::vector<SpacePose> points = poses_of_points(tracks, t);
+      gaps.add(points);
+      track.poses.row(t) = row_of_plates(points, plates, rest_m);
+    }
+  }
+  gaps.require_of(log, mapping, arm, tracks);
+  space.gaps = gaps.report();
+  for (Eigen::Index plate = 0; plate < arm.point_count(); ++plate) {
+    make_signs_continuous(track.poses.middleCols(kSpacePoseSize * plate + 3, 4));
+  }
+  if (std::ssize(plates) < arm.point_count()) {
+    report.note("plates without a point of their own, put on the curve between their neighbours",
+                {}, arm.point_count() - std::ssize(plates));
+  }
+  track.time_s = std::move(tracks.time_s);
+  track.usual_step_s = usual_step_s(track.time_s);
+  measure_strays(track, plates, space);
+  return track;
+}
+
+}  // namespace limber

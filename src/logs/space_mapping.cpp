@@ -1,0 +1,263 @@
+#include "space_mapping.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <Eigen/Geometry>
+
+#include "limber/arm/names.hpp"
+#include "mapping_parts.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kParallelAxes = 1e-3;  // sine of the least angle between two axes
+
+/// Where columns of `axes` are missing, none is left out silently.
+bool names_all(const YamlReader& node, std::initializer_list<const char*> keys) {
+  const auto count =
+      std::count_if(keys.begin(), keys.end(), [&](const char* key) { return node.has(key); });
+  if (count != 0 && count != std::ssize(keys)) {
+    node.refuse(fmt::format("{} of the columns {} found; expected all or none of them", count,
+                            fmt::join(keys, ", ")));
+  }
+  return count != 0;
+}
+
+std::vector<std::string> read_rotation(const YamlReader& node, const EulerAngles& euler) {
+  const bool quaternion = names_all(node, {"qx", "qy", "qz", "qw"});
+  if (quaternion && node.has("euler")) {
+    node.refuse("a quaternion and Euler angles found; expected one of both");
+  }
+  std::vector<std::string> columns;
+  if (quaternion) {
+    for (const char* key : {"qx", "qy", "qz", "qw"}) {
+      columns.push_back(node.at(key).text());
+    }
+  }
+  if (node.has("euler")) {
+    for (const YamlReader& column : node.at("euler").elements()) {
+      columns.push_back(column.text());
+    }
+    if (columns.size() != 3) {
+      node.at("euler").refuse(
+          fmt::format("{} columns found; expected 3, one for each turn of 'backbone.euler.order'",
+                      columns.size()));
+    }
+    if (euler.order.empty()) {
+      node.at("euler").refuse(
+          "Euler angles without an order and a unit mean nothing; expected 'euler: {order: zyx, "
+          "unit: deg}' in 'backbone': turns as written, each about the axis as turned before");
+    }
+  }
+  return columns;
+}
+
+EulerAngles read_euler(const YamlReader& node) {
+  node.refuse_unknown_keys({"order", "unit"});
+  EulerAngles euler;
+  const YamlReader order = node.at("order");
+  euler.order = order.text();
+  const std::string& axes = euler.order;
+  const bool valid = axes.size() == 3 && axes.find_first_not_of("xyz") == std::string::npos &&
+                     axes[0] != axes[1] && axes[1] != axes[2];
+  if (!valid) {
+    order.refuse(fmt::format(
+        "{} found; expected three axes in the order of the turns, such as zyx, xyz or zxz",
+        order.found()));
+  }
+  euler.factor = factor_to(node.at("unit"), "rad");
+  return euler;
+}
+
+PointSource read_space_point(const YamlReader& node, const EulerAngles& euler) {
+  node.refuse_unknown_keys(
+      {"plate", "x", "y", "z", "qx", "qy", "qz", "qw", "euler", "body", "marker"});
+  PointSource point;
+  const bool columns = names_all(node, {"x", "y", "z"});
+  if (int(columns) + int(node.has("body")) + int(node.has("marker")) != 1) {
+    node.refuse(
+        "expected one of: x, y and z (columns of a CSV), body, or marker (objects of a Motive "
+        "file)");
+  }
+  if (columns) {
+    point.x = node.at("x").text();
+    point.y = node.at("y").text();
+    point.z = node.at("z").text();
+    point.rotation = read_rotation(node, euler);
+  } else if (node.has("body")) {
+    point.body = node.at("body").text();
+  } else {
+    point.marker = node.at("marker").text();
+  }
+  return point;
+}
+
+bool same_source(const PointSource& a, const PointSource& b) {
+  return a.x == b.x && a.y == b.y && a.z == b.z && a.body == b.body && a.marker == b.marker;
+}
+
+/// All plates but the base have a rotation, or none.
+void require_alike(const std::vector<YamlReader>& elements,
+                   const std::vector<PointSource>& points) {
+  const PointSource& tip = points.back();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].plate > 0 && points[i].rotation.empty() != tip.rotation.empty()) {
+      elements[i].refuse(fmt::format(
+          "{} has {} rotation, {} has {}; expected one of every plate but the base, or of none "
+          "('headings: tangent' leaves all of them out)",
+          plate_name(points[i].plate), points[i].rotation.empty() ? "no" : "a",
+          plate_name(tip.plate), tip.rotation.empty() ? "none" : "one"));
+    }
+  }
+}
+
+std::vector<PointSource> read_space_points(const YamlReader& node, const ArmDescription& arm,
+                                           const ImportMapping& mapping) {
+  std::vector<PointSource> points;
+  const std::vector<YamlReader> elements = node.elements();
+  for (const YamlReader& element : elements) {
+    points.push_back(read_space_point(element, mapping.euler));
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      if (same_source(points[i], points.back())) {
+        element.refuse(fmt::format("the same source as {} before it", point_name(Eigen::Index(i))));
+      }
+    }
+  }
+  if (points.empty()) {
+    node.refuse("no points found; expected at least the arm's end");
+  }
+  number_plates(node, elements, arm, true, points);
+  if (points.back().plate == 0) {
+    node.refuse("plate 0 alone found; expected at least the arm's end");
+  }
+  if (mapping.headings_measured) {
+    require_alike(elements, points);
+  }
+  return points;
+}
+
+void read_space_backbone(const YamlReader& node, const ArmDescription& arm,
+                         ImportMapping& mapping) {
+  node.refuse_unknown_keys({"unit", "euler", "headings", "points"});
+  if (node.has("unit")) {
+    mapping.length_unit = node.at("unit").text();
+    mapping.length_factor = factor_to(node.at("unit"), "m");
+  }
+  if (node.has("euler")) {
+    mapping.euler = read_euler(node.at("euler"));
+  }
+  if (node.has("headings")) {
+    mapping.headings_measured = read_headings_measured(node.at("headings"));
+  }
+  if (node.has("points")) {
+    mapping.points = read_space_points(node.at("points"), arm, mapping);
+  }
+}
+
+Eigen::Vector3d read_three(const YamlReader& node, const char* meaning) {
+  const std::vector<double> numbers = node.numbers(meaning);
+  if (numbers.size() != 3) {
+    node.refuse(
+        fmt::format("{} numbers found; expected 3, x, y and z in the log's frame", numbers.size()));
+  }
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+Eigen::Vector3d read_axis(const YamlReader& node) {
+  const Eigen::Vector3d axis = read_three(node, "a part of a direction");
+  if (!(axis.norm() > 0.0)) {
+    node.refuse("[0, 0, 0] found; expected a direction in the log's frame");
+  }
+  return axis.normalized();
+}
+
+Eigen::Vector2d read_rest(const YamlReader& node) {
+  const std::vector<double> times = node.numbers("a time in s");
+  if (times.size() != 2 || times[1] <= times[0]) {
+    node.refuse("expected [from, to] in s, rising: when the arm hung straight");
+  }
+  return {times[0], times[1]};
+}
+
+SpaceAlignment read_space_alignment(const YamlReader& node) {
+  constexpr const char* kAllowed =
+      "expected base, none, {rest_s: [from, to]} or {x_axis: [x, y, z]}, with position_m where "
+      "the base is not tracked, and y_axis if you like";
+  SpaceAlignment alignment;
+  if (!node.is_mapping()) {
+    if (node.text() != "base" && node.text() != "none") {
+      node.refuse(fmt::format("{} found; {}", node.found(), kAllowed));
+    }
+    alignment.kind =
+        node.text() == "base" ? SpaceAlignment::Kind::base : SpaceAlignment::Kind::none;
+    return alignment;
+  }
+  node.refuse_unknown_keys({"position_m", "x_axis", "y_axis", "rest_s"});
+  alignment.kind = SpaceAlignment::Kind::given;
+  if (node.has("position_m")) {
+    alignment.position_m = read_three(node.at("position_m"), "a place in metres");
+  }
+  if (node.has("x_axis")) {
+    alignment.x_axis = read_axis(node.at("x_axis"));
+  }
+  if (node.has("y_axis")) {
+    alignment.y_axis = read_axis(node.at("y_axis"));
+  }
+  if (node.has("rest_s")) {
+    alignment.rest_s = read_rest(node.at("rest_s"));
+  }
+  if (!alignment.x_axis && !alignment.rest_s) {
+    node.refuse(fmt::format("neither x_axis nor rest_s found; {}", kAllowed));
+  }
+  if (alignment.x_axis && alignment.y_axis &&
+      alignment.x_axis->cross(*alignment.y_axis).norm() < kParallelAxes) {
+    node.at("y_axis").refuse("lies along x_axis; expected a direction to the left of it");
+  }
+  return alignment;
+}
+
+/// What the base can't tell has to be said.
+void require_base(const YamlReader& root, const ImportMapping& mapping) {
+  const SpaceAlignment& alignment = mapping.space_alignment;
+  if (mapping.points.empty() || alignment.kind == SpaceAlignment::Kind::none) {
+    return;
+  }
+  const PointSource& first = mapping.points.front();
+  const bool tracked = first.plate == 0;
+  if (alignment.kind == SpaceAlignment::Kind::given) {
+    if (!tracked && !alignment.position_m) {
+      root.at("alignment")
+          .refuse(
+              "no point is plate 0, the base; expected where it is, in metres of the log's "
+              "frame: 'position_m: [x, y, z]'");
+    }
+    return;
+  }
+  if (!tracked || (first.rotation.empty() && first.body.empty())) {
+    root.at("backbone")
+        .refuse(fmt::format(
+            "{}; expected where the arm points: 'alignment: {{{}x_axis: [x, y, z]}}', the "
+            "direction of the straight arm in the log's frame (y_axis, to its left, is any "
+            "perpendicular unless given), or 'rest_s: [from, to]' in place of x_axis, a time in "
+            "which it hung straight; or 'alignment: none' where the log is in the arm's frame",
+            tracked ? "plate 0, the base, has no rotation" : "no point is plate 0, the base",
+            tracked ? "" : "position_m: [x, y, z], "));
+  }
+}
+
+}  // namespace
+
+void read_space_mapping(const YamlReader& root, const ArmDescription& arm, ImportMapping& mapping) {
+  if (root.has("backbone")) {
+    read_space_backbone(root.at("backbone"), arm, mapping);
+  }
+  if (root.has("alignment")) {
+    mapping.space_alignment = read_space_alignment(root.at("alignment"));
+  }
+  require_base(root, mapping);
+}
+
+}  // namespace limber

@@ -1,0 +1,164 @@
+#include "space_tracks.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "limber/arm/names.hpp"
+#include "limber/common/error.hpp"
+#include "limber/data/median_rate.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kUnitLength = 0.05;     // by which a quaternion's length may miss 1
+constexpr double kRepeatedWithin = 0.5;  // of the median period
+constexpr Eigen::Index kEuler = 3;
+
+/// One cell's rotation, from 4 or 3 numbers of a table's row.
+class RotationReader {
+ public:
+  RotationReader(const LogTable& table, const ImportMapping& mapping)
+      : table_(table), mapping_(mapping) {}
+
+  Eigen::Quaterniond read(const PointSource& point, std::size_t row,
+                          const Eigen::VectorXd& numbers) const {
+    if (numbers.size() == kEuler) {
+      return rotation_of_euler(mapping_.euler.order, mapping_.euler.factor * numbers);
+    }
+    const Eigen::Quaterniond rotation(numbers[3], numbers[0], numbers[1], numbers[2]);
+    if (std::abs(rotation.norm() - 1.0) > kUnitLength) {
+      throw InputError(fmt::format(
+          "{}: line {}: the quaternion of {} has the length {:.4g}; expected 1. Are its columns "
+          "'{}' … '{}' in the order qx, qy, qz, qw? Leave its cells empty where it was not tracked",
+          table_.file, table_.lines[row], plate_name(point.plate), rotation.norm(),
+          point.rotation.front(), point.rotation.back()));
+    }
+    return rotation.normalized();
+  }
+
+ private:
+  const LogTable& table_;
+  const ImportMapping& mapping_;
+};
+
+}  // namespace
+
+void SpaceTracks::hide(Eigen::Index t, Eigen::Index i) {
+  poses.block<1, kSpacePoseSize>(t, kSpacePoseSize * i)
+      .setConstant(std::numeric_limits<double>::quiet_NaN());
+}
+
+void keep_rows(SpaceTracks& tracks, const std::vector<std::size_t>& order) {
+  Eigen::MatrixXd poses(static_cast<Eigen::Index>(order.size()), tracks.poses.cols());
+  std::vector<double> time_s;
+  for (std::size_t row = 0; row < order.size(); ++row) {
+    poses.row(static_cast<Eigen::Index>(row)) =
+        tracks.poses.row(static_cast<Eigen::Index>(order[row]));
+    time_s.push_back(tracks.time_s[order[row]]);
+  }
+  tracks.poses = std::move(poses);
+  tracks.time_s = std::move(time_s);
+}
+
+void want_space_points(const std::string& log, const ImportMapping& mapping,
+                       WantedColumns& wanted) {
+  if (mapping.points.empty()) {
+    throw InputError(fmt::format(
+        "{}: the mapping names no points; expected 'backbone: {{points: [{{x: COLUMN, y: COLUMN, "
+        "z: COLUMN}}, …]}}', base first, with qx, qy, qz, qw or euler where they were logged",
+        log));
+  }
+  for (const PointSource& point : mapping.points) {
+    if (point.x.empty()) {
+      throw InputError(fmt::format(
+          "{}: {} is mapped to an object of a Motive file; expected the columns x, y and z", log,
+          plate_name(point.plate)));
+    }
+    wanted.names.insert(wanted.names.end(), {point.x, point.y, point.z});
+    wanted.names.insert(wanted.names.end(), point.rotation.begin(), point.rotation.end());
+  }
+}
+
+SpaceTracks space_tracks_of(const LogTable& table, const RowGroup& group,
+                            const ImportMapping& mapping, RunReport& report) {
+  SpaceTracks tracks;
+  const auto rows = static_cast<Eigen::Index>(group.rows.size());
+  tracks.poses.resize(rows, kSpacePoseSize * static_cast<Eigen::Index>(mapping.points.size()));
+  tracks.time_s = picked(table.columns[0], group.rows, mapping.time.seconds_per_unit);
+  const RotationReader rotations(table, mapping);
+  std::size_t column = 1;
+  for (Eigen::Index i = 0; i < std::ssize(mapping.points); ++i) {
+    const PointSource& point = mapping.points[std::size_t(i)];
+    const auto turns = static_cast<Eigen::Index>(point.rotation.size());
+    tracks.names.push_back(point.x);
+    tracks.plates.push_back(point.plate);
+    tracks.has_rotation.push_back(turns > 0);
+    Eigen::VectorXd numbers(3 + turns);
+    for (Eigen::Index t = 0; t < rows; ++t) {
+      const std::size_t row = group.rows[std::size_t(t)];
+      for (Eigen::Index c = 0; c < numbers.size(); ++c) {
+        numbers[c] = table.columns[column + std::size_t(c)][row];
+      }
+      const bool zeros = turns > kEuler && numbers.isZero(0.0);
+      if (zeros) {
+        report.note("bodies of zeros alone in a row: not tracked",
+                    fmt::format("line {}, {}", table.lines[row], plate_name(point.plate)));
+      }
+      if (zeros || !numbers.allFinite()) {
+        tracks.hide(t, i);
+        continue;
+      }
+      tracks.put(t, i,
+                 {mapping.length_factor * numbers.head<3>(),
+                  turns > 0 ? rotations.read(point, row, numbers.tail(turns))
+                            : Eigen::Quaterniond::Identity()});
+    }
+    column += static_cast<std::size_t>(numbers.size());
+  }
+  return tracks;
+}
+
+std::int64_t drop_repeated_poses(SpaceTracks& tracks) {
+  const double shortest_s = kRepeatedWithin / median_rate_hz(tracks.time_s);
+  std::vector<std::size_t> kept = {0};
+  for (Eigen::Index t = 1; t < tracks.row_count(); ++t) {
+    const std::size_t before = kept.back();
+    const bool soon = tracks.time_s[std::size_t(t)] - tracks.time_s[before] < shortest_s;
+    if (!soon || tracks.poses.row(t) != tracks.poses.row(static_cast<Eigen::Index>(before))) {
+      kept.push_back(static_cast<std::size_t>(t));
+    }
+  }
+  const auto dropped = static_cast<std::int64_t>(tracks.time_s.size() - kept.size());
+  if (dropped > 0) {
+    keep_rows(tracks, kept);
+  }
+  return dropped;
+}
+
+void make_signs_continuous(Eigen::Ref<Eigen::MatrixXd> quaternions) {
+  Eigen::RowVectorXd before = Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0);
+  for (Eigen::Index t = 0; t < quaternions.rows(); ++t) {
+    if (!quaternions.row(t).allFinite()) {
+      continue;
+    }
+    if (quaternions.row(t).dot(before) < 0.0) {
+      quaternions.row(t) *= -1.0;
+    }
+    before = quaternions.row(t);
+  }
+}
+
+Eigen::Quaterniond rotation_of_euler(const std::string& order, const Eigen::Vector3d& angles_rad) {
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+  for (std::size_t turn = 0; turn < order.size(); ++turn) {
+    const Eigen::Vector3d axis = Eigen::Vector3d::Unit(order[turn] - 'x');
+    rotation =
+        rotation * rotation_of_vector<double>(angles_rad[static_cast<Eigen::Index>(turn)] * axis);
+  }
+  return rotation;
+}
+
+}  // namespace limber
