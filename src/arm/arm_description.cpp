@@ -56,16 +56,14 @@ NoLoadKind read_no_load(const YamlReader& root, Dimension dimension) {
     return kinds.front();
   }
   const YamlReader node = root.at("no_load");
-  std::vector<const char*> words;
   for (const NoLoadKind kind : kinds) {
     if (node.text() == to_string(kind)) {
       return kind;
     }
-    words.push_back(to_string(kind));
   }
-  node.refuse(fmt::format("{} found; expected {} for an arm {}", node.found(),
-                          fmt::join(words, " or "),
-                          dimension == Dimension::space ? "in space" : "in a plane"));
+  node.refuse(fmt::format("{} found; expected {}, {} or {}{}", node.found(), to_string(kinds[0]),
+                          to_string(kinds[1]), to_string(kinds[2]),
+                          dimension == Dimension::space ? " for an arm in space" : ""));
 }
 
 /// Reads segments of one arm: what a segment may say depends on the arm's command.

@@ -263,13 +263,13 @@ void require_sizes_of(const Recording& recording, const ArmDescription& arm,
     };
     refuse(in_words(recording.dimension), in_words(arm.dimension));
   }
-  if (recording.channel_count() != arm.channel_count()) {
-    refuse(fmt::format("{} commands", recording.channel_count()),
-           fmt::format("{}", arm.channel_count()));
-  }
   if (recording.segment_count != arm.segment_count()) {
     refuse(fmt::format("{} segments", recording.segment_count),
            fmt::format("{}", arm.segment_count()));
+  }
+  if (recording.channel_count() != arm.channel_count()) {
+    refuse(fmt::format("{} commands", recording.channel_count()),
+           fmt::format("{}", arm.channel_count()));
   }
   if (recording.point_count != arm.point_count()) {
     refuse(fmt::format("{} backbone points", recording.point_count),

@@ -78,7 +78,7 @@ class EpisodeInspector {
       const double limit_kpa = limits_kpa_[s].largest_kpa();
       if (limits_kpa_[s].size_kpa(setpoint_kpa) > kSetpointOvershoot * limit_kpa) {
         suspicions_.add("a set point beyond the segment's limit", index_, t,
-                        fmt::format("{}: {:.1f} {}, limit {:.1f}", segment_name(s), setpoint_kpa,
+                        fmt::format("{}: {:.1f} {}, limit {:.1f}", channel_name(recording_.dimension, s), setpoint_kpa,
                                     recording_.command.unit, limit_of(s, setpoint_kpa)));
       }
       if (!episode_.setpoints_only &&
@@ -86,7 +86,7 @@ class EpisodeInspector {
         suspicions_.add(
             "a measured " + recording_.command.name + " more than 10 % beyond the segment's limit",
             index_, t,
-            fmt::format("{}: {:.1f} {}, limit {:.1f}", segment_name(s), pressure_kpa,
+            fmt::format("{}: {:.1f} {}, limit {:.1f}", channel_name(recording_.dimension, s), pressure_kpa,
                         recording_.command.unit, limit_of(s, pressure_kpa)));
       }
     }
@@ -157,7 +157,7 @@ class EpisodeInspector {
             "a backbone that stands still to the bit while " + recording_.command.name + "s change",
             index_, t,
             fmt::format("{} frames, the {} of {} changes by {:.1f} {}", equal_frames_,
-                        recording_.command.name, segment_name(s), own, recording_.command.unit));
+                        recording_.command.name, channel_name(recording_.dimension, s), own, recording_.command.unit));
         return;
       }
     }
@@ -198,7 +198,7 @@ std::vector<PressureLimits> limits_of(const ArmDescription* arm,
   std::vector<PressureLimits> limits_kpa;
   for (std::size_t s = 0; s < pressures.size(); ++s) {
     limits_kpa.push_back(
-        arm != nullptr ? arm->segments[s].pressure_limit_kpa
+        arm != nullptr ? arm->limits_of_channel(static_cast<int>(s))
                        : PressureLimits(std::max(std::abs(pressures[s].lowest_setpoint_kpa),
                                                  std::abs(pressures[s].highest_setpoint_kpa))));
   }
@@ -214,7 +214,7 @@ std::string ranges_to_text(const Recording& recording, const std::vector<Pressur
   for (std::size_t s = 0; s < ranges.size(); ++s) {
     const PressureRange& range = ranges[s];
     text +=
-        fmt::format("  {}: {}set {:.1f} … {:.1f} {}\n", segment_name(static_cast<Eigen::Index>(s)),
+        fmt::format("  {}: {}set {:.1f} … {:.1f} {}\n", channel_name(recording.dimension, Eigen::Index(s)),
                     measured ? fmt::format("measured {:.1f} … {:.1f} {}, ", range.lowest_kpa,
                                            range.highest_kpa, unit)
                              : "",

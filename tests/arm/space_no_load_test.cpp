@@ -58,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(
     Each, BrokenSpaceArm,
     ::testing::Values(
         SpaceBreakage{"dimension: 3", "dimension: 4", "2, in a plane, or 3, in space"},
-        SpaceBreakage{"no_load: chambers", "no_load: curvature", "chambers or fitted or straight"},
+        SpaceBreakage{"no_load: chambers", "no_load: curvature", "chambers, fitted or straight for an arm in space"},
         SpaceBreakage{"no_load: chambers", "no_load: fitted", "shape_of_strains"},
         SpaceBreakage{"gravity: [1, 0, 0]", "gravity: [1, 0]", "2 numbers found; expected 3"},
         SpaceBreakage{"gravity: [1, 0, 0]", "gravity: [0, 0, 0]", "expected a direction"},

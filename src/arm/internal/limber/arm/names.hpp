@@ -18,6 +18,11 @@ inline std::string segment_name(Eigen::Index segment) {
   return fmt::format("segment {}", segment);
 }
 
+/// The same where no arm says which segment's: "segment 1", or in space "chamber 4" of the arm.
+inline std::string channel_name(Dimension dimension, Eigen::Index channel) {
+  return dimension == Dimension::space ? fmt::format("chamber {}", channel) : segment_name(channel);
+}
+
 /// What a command moves: "segment 1", or of an arm in space "chamber 2 of segment 1".
 inline std::string channel_name(const ArmDescription& arm, Eigen::Index channel) {
   if (!arm.is_spatial()) {
