@@ -331,8 +331,8 @@ IdentifiedValves identify_valves(const std::vector<Episode>& episodes, const Arm
   recording.episodes = episodes;
   validate(recording, source);
   std::vector<double> limits;
-  for (const Segment& segment : arm.segments) {
-    limits.push_back(segment.pressure_limit_kpa.largest_kpa());
+  for (int channel = 0; channel < arm.channel_count(); ++channel) {
+    limits.push_back(arm.limits_of_channel(channel).largest_kpa());
   }
   return identify_valves(recording, std::move(limits));
 }
