@@ -19,7 +19,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-constexpr double kGravity = 9.81;  // [m/s²]
+constexpr double kGravity = 25.0;  // [m/s²], so that a short rod sags a lot
 
 Eigen::Vector3d tip_m(const VirtualArm& arm) {
   return arm.true_plates().bottomRows<1>().leftCols<3>().transpose();
@@ -35,7 +35,8 @@ Pressures random_setpoints(const ArmDescription& arm, RandomStream& random) {
 }
 
 TEST(SpacePhysics, FreeSegmentTakesTheShapeOfConstantStrain) {
-  constexpr double kTolerance = 0.001;  // of the length; hinges are no arcs
+  constexpr double kTolerance =
+      0.006;  // of the length; an extended gap has its hinge off its middle
   const ArmDescription arm = ideal_segment(12);
   const NoLoadModel model(arm);
   VirtualArm virtual_arm(arm);
@@ -90,6 +91,7 @@ TEST(SpacePhysics, SagsUnderItsOwnWeightAsACosseratRod) {
   for (const Eigen::Vector3d& down : {Eigen::Vector3d(0, 0, -1), Eigen::Vector3d(0, 0.6, -0.8)}) {
     ArmDescription arm = ideal_segment(kGaps);
     arm.gravity = down;
+    change_virtual_arm(arm, [](VirtualArmParameters& p) { p.gravity_m_per_s2 = kGravity; });
     const VirtualArmParameters physics = virtual_arm_parameters(arm);
     const double ei = physics.side_elasticity_n * 1.5 * 0.02 * 0.02;  // sum of K y²
     const Eigen::Vector2d expected =
@@ -106,10 +108,15 @@ TEST(SpacePhysics, SagsUnderItsOwnWeightAsACosseratRod) {
 
 // A side in the plane is a chamber at 0 or 180 degrees, strengths included.
 TEST(SpacePhysics, PlanarArmInSpaceMovesAsThePlanarArm) {
-  constexpr double kTolerance_m = 0.001;
+  constexpr double kTolerance_m = 1e-4;  // what is left of the motion; there is no history
   ArmDescription planar =
       load_arm(std::filesystem::path(LIMBER_SOURCE_DIR) / "arms" / "three_segment.yaml");
-  change_virtual_arm(planar, [](VirtualArmParameters& p) { p.friction_coefficient = 0.0; });
+  change_virtual_arm(planar, [](VirtualArmParameters& p) {
+    p.friction_coefficient = 0.0;
+    p.hysteresis_fraction = 0.0;
+    p.hysteresis_floor_n = 0.0;
+    p.pressure_dead_band_kpa = 0.0;
+  });
   ArmDescription spatial = planar;
   spatial.dimension = Dimension::space;
   spatial.no_load = NoLoadKind::chambers;
@@ -123,11 +130,11 @@ TEST(SpacePhysics, PlanarArmInSpaceMovesAsThePlanarArm) {
   VirtualArm in_plane(planar);
   VirtualArm in_space(spatial);
   for (const auto& [a, b, c] : {std::array{80.0F, -60.0F, 30.0F}, {-20.0F, 0.0F, 90.0F}}) {
-    in_plane.settle(Eigen::Vector3f(a, b, c), 6.0);
+    in_plane.settle(Eigen::Vector3f(a, b, c), 15.0);
     Pressures sides(6);  // left, right of each segment; positive is right
     sides << std::max(-a, 0.0F), std::max(a, 0.0F), std::max(-b, 0.0F), std::max(b, 0.0F),
         std::max(-c, 0.0F), std::max(c, 0.0F);
-    in_space.settle(sides, 6.0);
+    in_space.settle(sides, 15.0);
     const BackboneD expected = in_plane.true_backbone();
     const SpaceBackboneD plates = in_space.true_plates();
     EXPECT_LT((plates.leftCols<2>() - expected.leftCols<2>()).rowwise().norm().maxCoeff(),

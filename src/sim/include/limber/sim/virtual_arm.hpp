@@ -66,8 +66,8 @@ struct VirtualArmState {
 /// Called after every simulator step with the time [s] and the true backbone (m×3).
 using StepObserver = std::function<void(double time_s, const BackboneD& backbone)>;
 
-/// A soft arm, simulated (docs/virtual-arm.md): one serial chain in MuJoCo, driven by actuators with
-/// the hysteresis of their braids, and by valves with their pressure controller. In a plane it lies
+/// A soft arm, simulated (docs/virtual-arm.md): one serial chain in MuJoCo, driven by actuators
+/// with the hysteresis of their braids, and by valves with their pressure controller. In a plane it lies
 /// on a table with friction, with a slide and a hinge per gap. In space it hangs or stands, with a
 /// slide, two bending hinges and a twist per gap, and with friction in these.
 ///
