@@ -34,16 +34,16 @@ void add_arm_flag(CLI::App& app, std::string& arm) {
 }
 
 std::string find_arm_file(const std::string& name_or_path) {
-  return find_own_file(name_or_path, "arms", ".yaml",
-                       "--arm {}: no such file, and none of limber's own arms has that name "
-                       "(three_segment, two_segment, five_segment, motor_driven, uneven_limits)");
+  return find_own_file(
+      name_or_path, "arms", ".yaml",
+      "--arm {}: no such file, and none of limber's own arms has that name "
+      "(three_segment, two_segment, five_segment, motor_driven, uneven_limits, hanging_3x2, "
+      "hanging_3x3, upright_4x2)");
 }
 
 ArmDescription load_any_arm(const std::string& name_or_path, PolynomialsOf polynomials) {
   ArmDescription arm = load_arm(find_arm_file(name_or_path), polynomials);
-  if (!arm.is_spatial()) {
-    virtual_arm_parameters(arm);  // refuses what is wrong there, whoever needs it
-  }
+  virtual_arm_parameters(arm);  // refuses what is wrong there, whoever needs it
   return arm;
 }
 

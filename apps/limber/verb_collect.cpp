@@ -31,7 +31,8 @@ class CollectVerb final : public Verb {
     add_arm_flag(app, arm_);
     app.add_option(
            "--schedule", schedule_name_,
-           "transitions: every ordered pair of fully left, off, fully right per segment; "
+           "transitions: every ordered pair of fully left, off, fully right per segment, in space "
+           "of off, half and full per chamber; "
            "random: uniform set points within the limits; identify: the minute that tells "
            "most about an arm (limber adapt), with its own --count, --approach and holds; plans: "
            "what --model plans in random environments, one plan after another")
@@ -75,7 +76,13 @@ class CollectVerb final : public Verb {
   int run(const CommonFlags& flags) override {
     driver_.check();
     const std::string arm_file = find_arm_file(arm_);
-    const ArmDescription arm = load_asked_arm(arm_file, PolynomialsOf::characterisation);
+    const ArmDescription arm = load_any_arm(arm_file, PolynomialsOf::characterisation);
+    if (schedule_name_ == kPlans) {
+      require_planar(arm, "--schedule plans");
+    }
+    if (!driver_.is_virtual()) {
+      require_planar(arm, "a driver");
+    }
     options_.seed = flags.seed;
     set_schedule();
     schedule_.limit_scale = driver_.limit_scale();

@@ -73,7 +73,7 @@ class VirtualArmVerb final : public Verb {
       refuse_to_overwrite(settings_.device_log, flags.force);
     }
     const ArmDescription arm = load_arm(find_arm_file(arm_), PolynomialsOf::characterisation);
-    require_planar(arm, "limber virtual-arm");
+    require_planar(arm, "virtual-arm --serve");
     const DisturbedArm served = disturb(arm, flags.seed);
     settings_.arm = served.options;
     misassemble(served.arm, flags);

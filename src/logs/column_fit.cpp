@@ -20,10 +20,9 @@ double bends_left(const ArmDescription& arm, Eigen::Index segment) {
       return -1.0;
     case NoLoadKind::curvature:
       return arm.segments[static_cast<std::size_t>(segment)].curvature_per_unit > 0.0 ? 1.0 : -1.0;
-    case NoLoadKind::straight:
-      break;
+    default:
+      return 0.0;
   }
-  return 0.0;
 }
 
 /// Correlation as the arm file expects it: positive where it agrees. Without a sign of its own a

@@ -10,19 +10,13 @@
 
 namespace limber {
 
-namespace {
-
-constexpr double kReferencePressureKpa = 1.0;
-
-}  // namespace
-
 ArmPhysics::ArmPhysics(const ArmDescription& arm, const VirtualArmParameters& parameters,
                        double time_step_s)
     : parameters_(parameters),
       time_step_s_(time_step_s),
       gravity_m_per_s2_(gravity_m_per_s2(parameters)),
       links_(chain_links(arm, parameters)),
-      actuator_(parameters_),
+      side_law_(parameters_, time_step_s),
       friction_(parameters_),
       pneumatics_(parameters_, time_step_s),
       chain_(arm, parameters, time_step_s),
@@ -36,10 +30,9 @@ ArmPhysics::ArmPhysics(const ArmDescription& arm, const VirtualArmParameters& pa
       const bool is_weak = 2 * link.segment + static_cast<int>(side) == parameters_.weak_side;
       const double left = is_weak ? 1.0 - parameters_.weak_side_loss : 1.0;
       const double strength = parameters_.actuators_per_side * (1.0 + spread) * left;
-      sides_.push_back(
-          {kSides[side] * 0.5 * link.width_m, strength,
-           strength * actuator_.tension_n(0.0, kReferencePressureKpa),
-           arm.segments[static_cast<std::size_t>(link.segment)].pressure_limit_kpa.largest_kpa()});
+      sides_.push_back({kSides[side] * 0.5 * link.width_m,
+                        side_law_.side(link.length_m, strength, false,
+                                       arm.limits_of_channel(link.segment).largest_kpa())});
     }
   }
   restore(rest());
@@ -75,12 +68,7 @@ void ArmPhysics::save(VirtualArmState& state) const {
   state.position.assign(chain_.position(), chain_.position() + joints);
   state.velocity.assign(chain_.velocity(), chain_.velocity() + joints);
   state.warm_start.assign(chain_.warm_start(), chain_.warm_start() + joints);
-  state.pressure_kpa.clear();
-  state.flow_kpa_per_s.clear();
-  for (const SegmentAir& air : air_) {
-    state.pressure_kpa.push_back(air.pressure_kpa);
-    state.flow_kpa_per_s.push_back(air.flow_kpa_per_s);
-  }
+  save_air(air_, state);
   state.braid_anchor_m = braid_anchor_m_;
   state.creep_m = creep_m_;
   state.table_anchor_m = table_anchor_m_;
@@ -90,10 +78,7 @@ void ArmPhysics::save(VirtualArmState& state) const {
 void ArmPhysics::restore(const VirtualArmState& state) {
   chain_.set_state(state.position, state.velocity, state.warm_start,
                    static_cast<double>(state.step) * time_step_s_);
-  air_.clear();
-  for (std::size_t i = 0; i < state.pressure_kpa.size(); ++i) {
-    air_.push_back({state.pressure_kpa[i], state.flow_kpa_per_s[i]});
-  }
+  air_ = saved_air(state);
   braid_anchor_m_ = state.braid_anchor_m;
   creep_m_ = state.creep_m;
   table_anchor_m_ = state.table_anchor_m;
@@ -126,30 +111,6 @@ double ArmPhysics::side_length_change_m(std::size_t gap, double lever_m) const {
   return chain_.position()[2 * gap] - lever_m * bend;
 }
 
-// (V3)–(V7), (V10)
-double ArmPhysics::side_tension_n(std::size_t side, double stretch_m, double rate_m_per_s,
-                                  double pressure_kpa) {
-  const double length = links_[side / kSides.size()].length_m;
-  const double strain = stretch_m / length;
-  const double bowed_kpa =
-      pressure_kpa *
-      (1.0 + parameters_.actuator_bow * (1.0 - pressure_kpa / sides_[side].full_pressure_kpa));
-  const double actuators = sides_[side].strength * actuator_.tension_n(strain, bowed_kpa);
-  const double elastic = parameters_.side_elasticity_n * strain;
-  const SpringSlider braid{
-      parameters_.hysteresis_stiffness_n_per_m, parameters_.hysteresis_damping_n_s_per_m,
-      parameters_.hysteresis_fraction * sides_[side].full_tension_n_per_kpa * pressure_kpa +
-          parameters_.hysteresis_floor_n};
-  const double hysteresis = braid.force(stretch_m, rate_m_per_s, braid_anchor_m_[side]);
-  double creep = 0.0;
-  if (parameters_.creep_fraction > 0.0) {
-    creep_m_[side] += time_step_s_ / parameters_.creep_time_s * (stretch_m - creep_m_[side]);
-    creep = parameters_.creep_fraction * parameters_.side_elasticity_n *
-            (stretch_m - creep_m_[side]) / length;
-  }
-  return actuators + elastic + creep - hysteresis;
-}
-
 void ArmPhysics::apply_side_forces() {
   double* joint_force = chain_.applied_force();
   const double* velocity = chain_.velocity();
@@ -163,7 +124,8 @@ void ArmPhysics::apply_side_forces() {
       const double lever = sides_[side].lever_m;
       const double rate = velocity[2 * gap] - lever * velocity[2 * gap + 1];
       const double tension =
-          side_tension_n(side, side_length_change_m(gap, lever), rate, pressures[k]);
+          side_law_.tension_n(sides_[side].law, side_length_change_m(gap, lever), rate,
+                              pressures[k], {braid_anchor_m_[side], creep_m_[side]});
       joint_force[2 * gap] -= tension;
       joint_force[2 * gap + 1] += lever * tension;
     }
@@ -216,14 +178,8 @@ double ArmPhysics::energy_j() const {
               link.mass_kg * gravity_m_per_s2_.head<2>().dot(plate.position);
     for (std::size_t side = 2 * gap; side < 2 * gap + 2; ++side) {
       const double stretch = side_length_change_m(gap, sides_[side].lever_m);
-      const double strain = stretch / link.length_m;
-      const double relaxing = stretch - creep_m_[side];
-      const double elasticity = parameters_.side_elasticity_n;
-      energy += link.length_m * (sides_[side].strength * actuator_.passive_energy_n(strain) +
-                                 0.5 * elasticity * strain * strain) +
-                0.5 * parameters_.creep_fraction * elasticity / link.length_m * relaxing * relaxing;
-      const double offset = stretch - braid_anchor_m_[side];
-      energy += 0.5 * parameters_.hysteresis_stiffness_n_per_m * offset * offset;
+      energy +=
+          side_law_.energy_j(sides_[side].law, stretch, braid_anchor_m_[side], creep_m_[side]);
     }
   }
   return energy;

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "actuator_law.hpp"
 #include "limber/arm/arm_description.hpp"
 #include "limber/sim/mjcf.hpp"
 #include "limber/sim/virtual_arm.hpp"
@@ -12,6 +11,7 @@
 #include "mujoco_chain.hpp"
 #include "plane_kinematics.hpp"
 #include "pneumatics.hpp"
+#include "side_law.hpp"
 #include "spring_slider.hpp"
 #include "table_friction.hpp"
 
@@ -42,17 +42,12 @@ class ArmPhysics {
  private:
   static constexpr std::array kSides = {1.0, -1.0};  // y of the side: left, right
 
-  /// What never changes of one side of one gap.
   struct Side {
-    double lever_m = 0.0;   ///< ± w/2
-    double strength = 1.0;  ///< × actuators per side
-    double full_tension_n_per_kpa = 0.0;
-    double full_pressure_kpa = 0.0;  ///< larger limit of the segment
+    double lever_m = 0.0;  ///< ± w/2
+    SideLaw::Side law;
   };
 
   double side_length_change_m(std::size_t gap, double lever_m) const;
-  double side_tension_n(std::size_t side, double stretch_m, double rate_m_per_s,
-                        double pressure_kpa);
   void apply_side_forces();
   void apply_table_forces();
   SpringSlider table_slider(const ChainLink& link, double speed_m_per_s) const;
@@ -63,7 +58,7 @@ class ArmPhysics {
   Eigen::Vector3d gravity_m_per_s2_;
   std::vector<ChainLink> links_;
   std::vector<Side> sides_;  // left and right of each gap
-  ActuatorLaw actuator_;
+  SideLaw side_law_;
   TableFriction friction_;
   Pneumatics pneumatics_;
   MujocoChain chain_;

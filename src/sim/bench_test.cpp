@@ -4,11 +4,10 @@
 
 #include <fmt/format.h>
 
+#include "bench_rest.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
-#include "limber/sim/virtual_arm.hpp"
-#include "limber/sim/virtual_arm_parameters.hpp"
 
 namespace limber {
 
@@ -29,44 +28,50 @@ ArmDescription bench_arm(const ArmDescription& arm, int segment) {
   limits = limits.largest_kpa();
   bench.name = fmt::format("{}, {} on the bench", arm.name, segment_name(segment));
   VirtualArmParameters parameters = virtual_arm_parameters(arm);
+  make_ideal(parameters);
+  set_virtual_arm_parameters(bench, parameters);
+  return bench;
+}
+
+}  // namespace
+
+void make_ideal(VirtualArmParameters& parameters) {
   parameters.strength_spread = 0.0;
   parameters.hysteresis_fraction = 0.0;
   parameters.hysteresis_floor_n = 0.0;
   parameters.friction_coefficient = 0.0;
+  parameters.joint_friction_n_m = 0.0;
   parameters.table_tilt_rad = 0.0;
   parameters.gap_length_spread = 0.0;
   parameters.creep_fraction = 0.0;
   parameters.plate_offset_rad = 0.0;
   parameters.base_misalignment_rad = 0.0;
   parameters.pressure_dead_band_kpa = 0.0;
-  set_virtual_arm_parameters(bench, parameters);
-  return bench;
 }
 
-/// Holds the right side's pressure until nothing moves.
-BenchPoint settled_point(VirtualArm& arm, double pressure_kpa) {
-  const Pressures setpoint = Pressures::Constant(1, static_cast<float>(pressure_kpa));
+BenchPoint settled_point(VirtualArm& arm, const Pressures& setpoint_kpa, Eigen::Index channel,
+                         const std::function<double()>& strain) {
+  const double wanted_kpa = double(setpoint_kpa[channel]);
   const double end_s = arm.state().time_s + kLongestRestS;
   double before = 0.0;
-  double strain = arm.right_strain(0);
+  double now = strain();
   do {
     throw_if_interrupted();
-    before = strain;
-    arm.command(setpoint);
-    strain = arm.right_strain(0);
+    before = now;
+    arm.command(setpoint_kpa);
+    now = strain();
     if (arm.state().time_s > end_s) {
       throw SystemFault(fmt::format(
           "bench test: the segment still moves after {} s at {} kPa; check virtual_arm's damping",
-          kLongestRestS, pressure_kpa));
+          kLongestRestS, wanted_kpa));
     }
-  } while (std::abs(strain - before) > kStillStrain ||
-           std::abs(arm.true_pressure_kpa()[0] - pressure_kpa) > 1e-3);
-  return {arm.true_pressure_kpa()[0], strain};
+  } while (std::abs(now - before) > kStillStrain ||
+           std::abs(arm.true_pressure_kpa()[channel] - wanted_kpa) > 1e-3);
+  return {arm.true_pressure_kpa()[channel], now};
 }
 
-}  // namespace
-
 std::vector<BenchPoint> bench_test(const ArmDescription& arm, int segment, int steps) {
+  require_planar(arm, "the bench test of a side");
   if (segment < 0 || segment >= arm.segment_count()) {
     throw InputError(fmt::format("bench test: {}; arm '{}' has segments 0 to {}",
                                  segment_name(segment), arm.name, arm.segment_count() - 1));
@@ -79,7 +84,8 @@ std::vector<BenchPoint> bench_test(const ArmDescription& arm, int segment, int s
       arm.segments[static_cast<std::size_t>(segment)].pressure_limit_kpa.largest_kpa();
   std::vector<BenchPoint> points = {{0.0, 0.0}};
   for (int step = 1; step <= steps; ++step) {
-    points.push_back(settled_point(bench, limit * step / steps));
+    const Pressures setpoint = Pressures::Constant(1, static_cast<float>(limit * step / steps));
+    points.push_back(settled_point(bench, setpoint, 0, [&] { return bench.right_strain(0); }));
   }
   return points;
 }

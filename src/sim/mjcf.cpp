@@ -7,6 +7,7 @@
 #include "limber/common/printable.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
+#include "space_chain.hpp"
 
 namespace limber {
 
@@ -37,8 +38,13 @@ std::string escape_xml(const std::string& text) {
   return escaped;
 }
 
-std::string link_mjcf(const ChainLink& link, const VirtualArmParameters& p, std::size_t number,
-                      const std::string& margin) {
+/// Of the body of plate `number`, which lies within those before.
+std::string margin_of(std::size_t number) {
+  constexpr std::size_t kFirst = 5;
+  return std::string(kFirst + number, ' ');
+}
+
+std::string link_mjcf(const ChainLink& link, const VirtualArmParameters& p, std::size_t number) {
   return fmt::format(
       "{0}<body name=\"plate_{1}\" pos=\"{2} 0 0\">\n"
       "{0}  <inertial pos=\"0 0 0\" mass=\"{3}\" diaginertia=\"{4} {4} {4}\"/>\n"
@@ -46,9 +52,26 @@ std::string link_mjcf(const ChainLink& link, const VirtualArmParameters& p, std:
       "axis=\"1 0 0\" damping=\"{5}\" armature=\"{6}\"/>\n"
       "{0}  <joint name=\"hinge_{1}\" type=\"hinge\" axis=\"0 0 1\" pos=\"{7} 0 0\" "
       "stiffness=\"{8}\" springref=\"{9}\" damping=\"{10}\" armature=\"{11}\"/>\n",
-      margin, number, link.length_m, link.mass_kg, link.inertia_kg_m2, p.slide_damping_n_s_per_m,
-      p.slide_armature_kg, -0.5 * link.length_m, p.hinge_stiffness_n_m_per_rad, link.rest_angle_rad,
-      link.hinge_damping_n_m_s_per_rad, p.hinge_armature_kg_m2);
+      margin_of(number), number, link.length_m, link.mass_kg, link.inertia_kg_m2,
+      p.slide_damping_n_s_per_m, p.slide_armature_kg, -0.5 * link.length_m,
+      p.hinge_stiffness_n_m_per_rad, link.rest_angle_rad, link.hinge_damping_n_m_s_per_rad,
+      p.hinge_armature_kg_m2);
+}
+
+/// Of every plate but the base, not closed.
+std::vector<std::string> body_texts(const ArmDescription& arm, const VirtualArmParameters& p) {
+  std::vector<std::string> texts;
+  if (arm.is_spatial()) {
+    for (const SpaceLink& link : space_chain_links(arm, p)) {
+      const std::size_t number = texts.size() + 1;
+      texts.push_back(space_link_mjcf(link, p, number, margin_of(number)));
+    }
+  } else {
+    for (const ChainLink& link : chain_links(arm, p)) {
+      texts.push_back(link_mjcf(link, p, texts.size() + 1));
+    }
+  }
+  return texts;
 }
 
 }  // namespace
@@ -87,8 +110,9 @@ Eigen::Vector3d gravity_m_per_s2(const VirtualArmParameters& p) {
 
 std::string chain_mjcf(const ArmDescription& arm, const VirtualArmParameters& p,
                        double time_step_s) {
-  const std::vector<ChainLink> links = chain_links(arm, p);
-  const Eigen::Vector3d gravity = gravity_m_per_s2(p);
+  const std::vector<std::string> links = body_texts(arm, p);
+  const Eigen::Vector3d gravity =
+      arm.is_spatial() ? Eigen::Vector3d(p.gravity_m_per_s2 * arm.gravity) : gravity_m_per_s2(p);
   std::string text = fmt::format(
       "<mujoco model=\"{}\">\n"
       "  <compiler angle=\"radian\"/>\n"
@@ -99,14 +123,11 @@ std::string chain_mjcf(const ArmDescription& arm, const VirtualArmParameters& p,
       "    <body name=\"base\" euler=\"0 0 {}\">\n",
       escape_xml(arm.name), time_step_s, gravity.x(), gravity.y(), gravity.z(),
       p.base_misalignment_rad);
-  std::string margin(6, ' ');
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    text += link_mjcf(links[i], p, i + 1, margin);
-    margin += ' ';
+  for (const std::string& link : links) {
+    text += link;
   }
   for (std::size_t i = links.size(); i > 0; --i) {
-    margin.pop_back();
-    text += fmt::format("{}</body>\n", margin);
+    text += fmt::format("{}</body>\n", margin_of(i));
   }
   return text + "    </body>\n  </worldbody>\n</mujoco>\n";
 }

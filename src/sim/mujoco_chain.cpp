@@ -59,7 +59,8 @@ mjModel* load_model(const std::string& xml) {
 }  // namespace
 
 MujocoChain::MujocoChain(const ArmDescription& arm, const VirtualArmParameters& parameters,
-                         double time_step_s) {
+                         double time_step_s)
+    : time_step_s_(time_step_s) {
   install_handlers();
   model_.reset(load_model(chain_mjcf(arm, parameters, time_step_s)));
   // MuJoCo's Euler solves (M + h D) a = f − D v for implicit damping, with a second factorisation
@@ -80,6 +81,17 @@ void MujocoChain::set_state(const std::vector<double>& position,
   std::copy(velocity.begin(), velocity.end(), data_->qvel);
   std::copy(warm_start.begin(), warm_start.end(), data_->qacc_warmstart);
   data_->time = time_s;
+}
+
+double MujocoChain::kinetic_energy_j() const {
+  std::vector<double> momentum(static_cast<std::size_t>(size()));
+  mj_mulM(model_.get(), data_.get(), momentum.data(), data_->qvel);
+  double energy = 0.0;
+  for (std::size_t dof = 0; dof < momentum.size(); ++dof) {
+    const double rate = data_->qvel[dof];
+    energy += 0.5 * rate * (momentum[dof] - time_step_s_ * damping_[dof] * rate);
+  }
+  return energy;
 }
 
 std::string MujocoChain::step() {

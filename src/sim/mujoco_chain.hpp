@@ -13,7 +13,8 @@ namespace limber {
 struct VirtualArmParameters;
 
 /// The chain of chain_mjcf in MuJoCo, advanced under generalised forces; the only place that calls
-/// MuJoCo. Generalised coordinates: slide [m] and hinge [rad] of each gap in turn, 2(m − 1) in all.
+/// MuJoCo. Generalised coordinates of each gap in turn: slide [m] and hinge [rad]; in space slide,
+/// bend about y, bend about z and twist.
 ///
 /// Threads: one object, one thread.
 class MujocoChain {
@@ -29,6 +30,9 @@ class MujocoChain {
   /// Overwrites the state; sizes are `size()` each.
   void set_state(const std::vector<double>& position, const std::vector<double>& velocity,
                  const std::vector<double>& warm_start, double time_s);
+
+  /// Of the last step's mass matrix, at this velocity; with the joints' armature.
+  double kinetic_energy_j() const;
 
   /// Forces of the next step, N and N m; write all of them before each `step`.
   double* applied_force() { return data_->qfrc_applied; }
@@ -48,6 +52,7 @@ class MujocoChain {
 
   std::unique_ptr<mjModel, DeleteModel> model_;
   std::unique_ptr<mjData, DeleteData> data_;
+  double time_step_s_;
   std::vector<double> damping_;
 };
 

@@ -2,18 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
+#include "limber/sim/virtual_arm.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
 
 namespace limber {
 
-/// Pressure of one segment (that of its right side if positive) and the flow of its valves.
+/// Pressure of one segment (that of its right side if positive), in space of one chamber, and the
+/// flow of its valves.
 struct SegmentAir {
   double pressure_kpa = 0.0;
   double flow_kpa_per_s = 0.0;
 };
 
-/// Valves of one segment and the PD controller that drives them: docs/virtual-arm.md, (V8), (V9).
+/// Valves of one segment, in space of one chamber, and the PD controller that drives them:
+/// docs/virtual-arm.md, (V8), (V9).
 ///
 /// One signed pressure stands for both sides, so they are never pressurised together: a set point
 /// of the other sign vents one side and then inflates the other.
@@ -58,5 +62,22 @@ class Pneumatics {
   double inflate_limit_kpa_per_s_;
   double vent_limit_kpa_per_s_;
 };
+
+inline void save_air(const std::vector<SegmentAir>& air, VirtualArmState& state) {
+  state.pressure_kpa.clear();
+  state.flow_kpa_per_s.clear();
+  for (const SegmentAir& one : air) {
+    state.pressure_kpa.push_back(one.pressure_kpa);
+    state.flow_kpa_per_s.push_back(one.flow_kpa_per_s);
+  }
+}
+
+inline std::vector<SegmentAir> saved_air(const VirtualArmState& state) {
+  std::vector<SegmentAir> air;
+  for (std::size_t i = 0; i < state.pressure_kpa.size(); ++i) {
+    air.push_back({state.pressure_kpa[i], state.flow_kpa_per_s[i]});
+  }
+  return air;
+}
 
 }  // namespace limber

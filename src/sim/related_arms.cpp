@@ -68,6 +68,20 @@ void multiply(double& value, double factor, double power, RandomStream& random) 
   value *= std::pow(factor, power * random.uniform(-1.0, 1.0));
 }
 
+/// Of an arm in space; table and plane have no place in it.
+constexpr std::array kWideRangesInSpace = {
+    Range{&Parameters::tip_load_kg, 0.0, 0.08},
+    Range{&Parameters::actuator_strain_scale, 0.75, 1.3},
+    Range{&Parameters::actuator_bow, -0.4, 0.4},
+    Range{&Parameters::inflate_time_constant_s, 0.05, 0.25, true},
+    Range{&Parameters::vent_time_constant_s, 0.05, 0.25, true},
+    Range{&Parameters::valve_dead_time_s, 0.0, 0.2},
+    Range{&Parameters::creep_fraction, 0.0, 0.15},
+    Range{&Parameters::hysteresis_fraction, 0.0, 0.08},
+};
+constexpr double kWideFactorInSpace =
+    2.0;  // of joint friction and payload, whatever the arm's size
+
 void multiply_materials(Parameters& physics, double factor, RandomStream& random) {
   multiply(physics.side_elasticity_n, factor, kMaterial, random);
   multiply(physics.hinge_stiffness_n_m_per_rad, factor, kMaterial, random);
@@ -87,9 +101,30 @@ void draw(Parameters& physics, const PhysicsFactor& of, RandomStream& random) {
   physics.strength_spread = std::max(physics.strength_spread, kLeastStrengthSpread);
 }
 
+void multiply_in_space(Parameters& physics, double factor, RandomStream& random) {
+  multiply(physics.side_elasticity_n, factor, kMaterial, random);
+  multiply(physics.hinge_stiffness_n_m_per_rad, factor, kMaterial, random);
+  multiply(physics.hinge_damping_n_m_s_per_rad, factor, kMaterial, random);
+  multiply(physics.twist_stiffness_n_m_per_rad, factor, kMaterial, random);
+}
+
+void draw_in_space(Parameters& physics, const PhysicsFactor& of, RandomStream& random) {
+  multiply(physics.joint_friction_n_m, of.factor, kFriction, random);
+  multiply(physics.plate_payload_kg, of.factor, kFriction, random);
+  multiply(physics.hysteresis_fraction, of.factor, kFriction, random);
+  multiply_in_space(physics, of.factor, random);
+  multiply(physics.inflate_time_constant_s, of.factor, kValves, random);
+  multiply(physics.vent_time_constant_s, of.factor, kValves, random);
+  multiply(physics.actuator_gain, of.factor, kStrength, random);
+  multiply(physics.chamber_area_m2, of.factor, kStrength, random);
+  multiply(physics.actuator_strain_scale, of.factor, kStrength, random);
+  physics.strength_spread = std::max(physics.strength_spread, kLeastStrengthSpread);
+}
+
 /// Ranges are widened to hold the arm file's own value.
-void draw(Parameters& physics, const WidePhysics&, RandomStream& random) {
-  for (const Range& range : kWideRanges) {
+template <std::size_t n>
+void draw_ranges(Parameters& physics, const std::array<Range, n>& ranges, RandomStream& random) {
+  for (const Range& range : ranges) {
     double& value = physics.*(range.member);
     const double low = std::min(range.low, value);
     const double high = std::max(range.high, value);
@@ -97,6 +132,21 @@ void draw(Parameters& physics, const WidePhysics&, RandomStream& random) {
                 ? std::exp(random.uniform(std::log(low), std::log(high)))
                 : random.uniform(low, high);
   }
+}
+
+void draw_in_space(Parameters& physics, const WidePhysics&, RandomStream& random) {
+  draw_ranges(physics, kWideRangesInSpace, random);
+  multiply(physics.joint_friction_n_m, kWideFactorInSpace, kFriction, random);
+  multiply(physics.plate_payload_kg, kWideFactorInSpace, kFriction, random);
+  multiply_in_space(physics, kWideMaterialFactor, random);
+  physics.actuator_gain *= 1.0 + random.uniform(-kWideGain, kWideGain);
+  physics.chamber_area_m2 *= 1.0 + random.uniform(-kWideGain, kWideGain);
+  physics.strength_spread = std::max(physics.strength_spread, kWideStrengthSpread);
+  physics.gap_length_spread = std::max(physics.gap_length_spread, kWideGapLengthSpread);
+}
+
+void draw(Parameters& physics, const WidePhysics&, RandomStream& random) {
+  draw_ranges(physics, kWideRanges, random);
   multiply_materials(physics, kWideMaterialFactor, random);
   physics.actuator_gain *= 1.0 + random.uniform(-kWideGain, kWideGain);
   physics.strength_spread = std::max(physics.strength_spread, kWideStrengthSpread);
@@ -124,10 +174,18 @@ std::string describe(const PhysicsVariation& variation) {
 
 VirtualArmParameters related_physics(const VirtualArmParameters& of,
                                      const PhysicsVariation& variation, std::uint64_t seed,
-                                     std::uint64_t number) {
+                                     std::uint64_t number, Dimension dimension) {
   RandomStream random(seed, kPhysicsStream + number);
   VirtualArmParameters physics = of;
-  std::visit([&](const auto& how) { draw(physics, how, random); }, variation);
+  std::visit(
+      [&](const auto& how) {
+        if (dimension == Dimension::space) {
+          draw_in_space(physics, how, random);
+        } else {
+          draw(physics, how, random);
+        }
+      },
+      variation);
   physics.strength_seed = random.index(kStrengthSeeds);
   return physics;
 }
@@ -136,7 +194,7 @@ ArmDescription with_related_physics(const ArmDescription& arm, const PhysicsVari
                                     std::uint64_t seed, std::uint64_t number) {
   ArmDescription relative = arm;
   change_virtual_arm(relative, [&](VirtualArmParameters& physics) {
-    physics = related_physics(physics, variation, seed, number);
+    physics = related_physics(physics, variation, seed, number, arm.dimension);
   });
   return relative;
 }
@@ -157,9 +215,10 @@ CollectionSettings related_collection(const ArmDescription& arm, const ScheduleS
                                       const PhysicsVariation& variation) {
   CollectionSettings settings = virtual_collection(arm, schedule, options);
   settings.driver += fmt::format(", varied {}", describe(variation));
-  settings.physics = [of = virtual_arm_parameters(arm), variation, seed = options.seed](int index) {
+  settings.physics = [of = virtual_arm_parameters(arm), variation, seed = options.seed,
+                      dimension = arm.dimension](int index) {
     const auto number = static_cast<std::uint64_t>(index);
-    return physics_differences(of, related_physics(of, variation, seed, number));
+    return physics_differences(of, related_physics(of, variation, seed, number, dimension));
   };
   return settings;
 }

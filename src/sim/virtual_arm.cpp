@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,35 +12,15 @@
 #include "arm_physics.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
-#include "limber/common/random_stream.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
+#include "measurement.hpp"
+#include "space_physics.hpp"
 
 namespace limber {
 
 namespace {
 
 constexpr double kMaxClampedKpa = 1e-3;  // excess of a set point that is clamped, not refused
-
-void check_option(const char* name, double value, double high) {
-  if (!(value >= 0.0 && value <= high)) {
-    throw InputError(
-        fmt::format("virtual arm: {} = {}; expected a number from 0 to {}", name, value, high));
-  }
-}
-
-void check_options(const VirtualArmOptions& options) {
-  constexpr double kLongestLatencyS = 10.0;
-  constexpr double kLongestLossS = 1e6;
-  constexpr double kMaxNoise = 1e3;
-  check_option("noise_m", options.noise_m, kMaxNoise);
-  check_option("noise_rad", options.noise_rad, kMaxNoise);
-  check_option("noise_kpa", options.noise_kpa, kMaxNoise);
-  check_option("drop_rate", options.drop_rate, 1.0);
-  check_option("latency_s", options.latency_s, kLongestLatencyS);
-  check_option("lost_from_s", options.lost_from_s, kLongestLossS);
-  check_option("lost_for_s", options.lost_for_s, kLongestLossS);
-  check_option("later_from_s", options.later_from_s, kLongestLossS);
-}
 
 /// Simulator steps per frame: the fewest that keep the step within the arm's `time_step_s`.
 int steps_per_frame(const ArmDescription& arm, const VirtualArmParameters& parameters) {
@@ -48,9 +29,33 @@ int steps_per_frame(const ArmDescription& arm, const VirtualArmParameters& param
       1, static_cast<int>(std::ceil(arm.frame_period_s() / parameters.time_step_s - kRounding)));
 }
 
+/// The simulator behind either kind of arm; both are asked the same.
+using Physics = std::variant<std::monostate, ArmPhysics, SpacePhysics>;
+
+void write_shape(const ArmPhysics& physics, BackboneD& backbone) {
+  const auto& plates = physics.kinematics().plates();
+  backbone.resize(static_cast<Eigen::Index>(plates.size()), kPoseSize);
+  for (std::size_t i = 0; i < plates.size(); ++i) {
+    backbone.row(static_cast<Eigen::Index>(i)) << plates[i].position.x(), plates[i].position.y(),
+        plates[i].theta_rad;
+  }
+}
+
 }  // namespace
 
 class VirtualArm::Simulation {
+  /// What `question` answers of the physics, of whichever kind it is.
+  template <class Question>
+  decltype(auto) ask(Question&& question) const {
+    return arm_.is_spatial() ? question(std::get<SpacePhysics>(physics_))
+                             : question(std::get<ArmPhysics>(physics_));
+  }
+  template <class Question>
+  decltype(auto) ask(Question&& question) {
+    return arm_.is_spatial() ? question(std::get<SpacePhysics>(physics_))
+                             : question(std::get<ArmPhysics>(physics_));
+  }
+
  public:
   Simulation(const ArmDescription& arm, const VirtualArmOptions& options)
       : arm_(arm),
@@ -58,9 +63,9 @@ class VirtualArm::Simulation {
         parameters_(virtual_arm_parameters(arm)),
         steps_per_frame_(steps_per_frame(arm, parameters_)),
         time_step_s_(arm.frame_period_s() / steps_per_frame_),
-        physics_(std::make_unique<ArmPhysics>(arm, parameters_, time_step_s_)),
-        noise_(options.seed, options.stream),
-        setpoint_kpa_(arm.segments.size()) {
+        measurement_(options),
+        setpoint_kpa_(static_cast<std::size_t>(arm.channel_count())) {
+    be(arm);
     check_options(options);
     check_weak_side();
     dead_steps_ = std::llround(parameters_.valve_dead_time_s / time_step_s_);
@@ -100,12 +105,12 @@ class VirtualArm::Simulation {
 
   VirtualArmState save() const {
     VirtualArmState state;
-    physics_->save(state);
+    ask([&](const auto& physics) { physics.save(state); });
     state.step = step_;
     state.setpoint_kpa = setpoint_kpa_;
     state.pending_setpoints = pending_;
     state.vented = vented_;
-    state.noise_position = noise_.position();
+    state.noise_position = measurement_.position();
     state.delayed = delayed_;
     state.delivered = delivered_;
     return state;
@@ -124,33 +129,50 @@ class VirtualArm::Simulation {
     }
     step_ = state.step;
     become_later();
-    physics_->restore(state);
+    ask([&](auto& physics) { physics.restore(state); });
     setpoint_kpa_ = state.setpoint_kpa;
     pending_ = state.pending_setpoints;
     vented_ = state.vented;
-    noise_.seek(state.noise_position);
+    measurement_.seek(state.noise_position);
     delayed_ = state.delayed;
     delivered_ = state.delivered;
     fault_.clear();
   }
 
-  void write_backbone(BackboneD& backbone) const {
-    const auto& plates = physics_->kinematics().plates();
-    backbone.resize(static_cast<Eigen::Index>(plates.size()), kPoseSize);
-    for (std::size_t i = 0; i < plates.size(); ++i) {
-      backbone.row(static_cast<Eigen::Index>(i)) << plates[i].position.x(), plates[i].position.y(),
-          plates[i].theta_rad;
-    }
-  }
-
   double time_s() const { return static_cast<double>(step_) * time_step_s_; }
   double time_step_s() const { return time_step_s_; }
   double frame_period_s() const { return arm_.frame_period_s(); }
-  const ArmPhysics& physics() const { return *physics_; }
+  /// @throws InputError for an arm of the other kind.
+  const ArmPhysics& in_plane(const char* what) const {
+    require_planar(arm_, what);
+    return std::get<ArmPhysics>(physics_);
+  }
+  const SpacePhysics& in_space(const char* what) const {
+    if (!arm_.is_spatial()) {
+      throw InputError(fmt::format("{} is of arms in space; '{}' is in a plane", what, arm_.name));
+    }
+    return std::get<SpacePhysics>(physics_);
+  }
+  const std::vector<SegmentAir>& air() const {
+    return ask([](const auto& physics) -> const auto& { return physics.air(); });
+  }
+  double energy_j() const {
+    return ask([](const auto& physics) { return physics.energy_j(); });
+  }
   const ArmState& delivered() const { return delivered_; }
   void set_observer(StepObserver observer) { observer_ = std::move(observer); }
 
  private:
+  /// From rest.
+  void be(const ArmDescription& arm) {
+    const VirtualArmParameters parameters = virtual_arm_parameters(arm);
+    if (arm.is_spatial()) {
+      physics_.emplace<SpacePhysics>(arm, parameters, time_step_s_);
+    } else {
+      physics_.emplace<ArmPhysics>(arm, parameters, time_step_s_);
+    }
+  }
+
   void check_weak_side() const {
     if (parameters_.weak_side_loss > 0.0 && parameters_.weak_side >= 2 * arm_.segment_count()) {
       throw InputError(
@@ -163,17 +185,18 @@ class VirtualArm::Simulation {
   /// Set points within the arm's limits. Changes nothing if it throws.
   std::vector<double> checked(const Eigen::Ref<const Pressures>& setpoint_kpa) const {
     if (setpoint_kpa.size() != arm_.channel_count()) {
-      throw InputError(fmt::format("{} set points; arm '{}' has {} segments", setpoint_kpa.size(),
-                                   arm_.name, arm_.channel_count()));
+      throw InputError(fmt::format("{} set points; arm '{}' has {} {}", setpoint_kpa.size(),
+                                   arm_.name, arm_.channel_count(),
+                                   arm_.is_spatial() ? "chambers" : "segments"));
     }
     std::vector<double> result;
     for (int s = 0; s < arm_.channel_count(); ++s) {
-      const PressureLimits& limits = arm_.segments[static_cast<std::size_t>(s)].pressure_limit_kpa;
+      const PressureLimits& limits = arm_.limits_of_channel(s);
       const double value = setpoint_kpa[s];
       if (!(value >= limits.lower_kpa - kMaxClampedKpa &&
             value <= limits.upper_kpa + kMaxClampedKpa)) {
         throw InputError(fmt::format("set point of {} is {} kPa; expected {} to {} kPa",
-                                     segment_name(s), setpoint_kpa[s], limits.lower_kpa,
+                                     channel_name(arm_, s), setpoint_kpa[s], limits.lower_kpa,
                                      limits.upper_kpa));
       }
       result.push_back(limits.clamped(value));
@@ -196,29 +219,29 @@ class VirtualArm::Simulation {
       return;
     }
     VirtualArmState state;
-    physics_->save(state);
-    const ArmDescription& arm = is_later ? *options_.later : arm_;
-    physics_ = std::make_unique<ArmPhysics>(arm, virtual_arm_parameters(arm), time_step_s_);
-    physics_->restore(state);
+    ask([&](const auto& physics) { physics.save(state); });
+    be(is_later ? *options_.later : arm_);
+    ask([&](auto& physics) { physics.restore(state); });
   }
 
   void advance() {
     become_later();
     take_arrived_setpoints();
-    const std::string complaint = physics_->step(setpoint_kpa_, vented_);
+    const std::string complaint =
+        ask([&](auto& physics) { return physics.step(setpoint_kpa_, vented_); });
     ++step_;
     if (!complaint.empty()) {
       fail(complaint);
     }
     if (observer_) {
-      write_backbone(seen_);
+      write_shape(in_plane("an observer"), seen_);
       observer_(time_s(), seen_);
     }
   }
 
   [[noreturn]] void fail(const std::string& complaint) {
     std::vector<double> pressures;
-    for (const SegmentAir& air : physics_->air()) {
+    for (const SegmentAir& air : this->air()) {
       pressures.push_back(air.pressure_kpa);
     }
     fault_ = fmt::format(
@@ -231,45 +254,26 @@ class VirtualArm::Simulation {
     throw SystemFault(fault_);
   }
 
-  /// The true state at this moment with the options' noise and drops; always the same number of
-  /// samples.
+  /// The state at this moment, as sensors see it.
   ArmState measure() {
+    if (arm_.is_spatial()) {
+      SpaceBackboneD plates;
+      std::get<SpacePhysics>(physics_).write_plates(plates);
+      return measurement_.of(time_s(), air(), std::move(plates));
+    }
     BackboneD backbone;
-    write_backbone(backbone);
-    ArmState state;
-    state.time_s = time_s();
-    state.pressure_kpa.resize(arm_.channel_count());
-    for (int s = 0; s < arm_.channel_count(); ++s) {
-      state.pressure_kpa[s] = static_cast<float>(
-          physics_->air()[static_cast<std::size_t>(s)].pressure_kpa + noise(options_.noise_kpa));
-    }
-    for (Eigen::Index row = 0; row < backbone.rows(); ++row) {
-      backbone(row, 0) += noise(options_.noise_m);
-      backbone(row, 1) += noise(options_.noise_m);
-      backbone(row, 2) += noise(options_.noise_rad);
-    }
-    const bool lost = options_.drop_rate > 0.0 && noise_.uniform() < options_.drop_rate;
-    if (!lost && !is_in_outage()) {
-      state.backbone = backbone.cast<float>();
-    }
-    return state;
+    write_shape(std::get<ArmPhysics>(physics_), backbone);
+    return measurement_.of(time_s(), air(), std::move(backbone));
   }
-
-  bool is_in_outage() const {
-    const double since_s = time_s() - options_.lost_from_s;
-    return since_s >= 0.0 && since_s < options_.lost_for_s;
-  }
-
-  double noise(double deviation) { return deviation > 0.0 ? deviation * noise_.normal() : 0.0; }
 
   ArmDescription arm_;
   VirtualArmOptions options_;
   VirtualArmParameters parameters_;
   int steps_per_frame_;
   double time_step_s_;
-  std::unique_ptr<ArmPhysics> physics_;
+  Physics physics_;
   bool is_later_ = false;  // of `options_.later`
-  RandomStream noise_;
+  Measurement measurement_;
   int frames_late_ = 0;
   int steps_late_ = 0;
   std::int64_t dead_steps_ = 0;
@@ -328,12 +332,18 @@ void VirtualArm::set_observer(StepObserver observer) {
 
 BackboneD VirtualArm::true_backbone() const {
   BackboneD backbone;
-  simulation_->write_backbone(backbone);
+  write_shape(simulation_->in_plane("true_backbone"), backbone);
   return backbone;
 }
 
+SpaceBackboneD VirtualArm::true_plates() const {
+  SpaceBackboneD plates;
+  simulation_->in_space("true_plates").write_plates(plates);
+  return plates;
+}
+
 Eigen::VectorXd VirtualArm::true_pressure_kpa() const {
-  const auto& air = simulation_->physics().air();
+  const auto& air = simulation_->air();
   Eigen::VectorXd pressures(static_cast<Eigen::Index>(air.size()));
   for (std::size_t s = 0; s < air.size(); ++s) {
     pressures[static_cast<Eigen::Index>(s)] = air[s].pressure_kpa;
@@ -342,15 +352,19 @@ Eigen::VectorXd VirtualArm::true_pressure_kpa() const {
 }
 
 double VirtualArm::left_strain(int segment) const {
-  return simulation_->physics().side_strain(segment, 1.0);
+  return simulation_->in_plane("left_strain").side_strain(segment, 1.0);
 }
 
 double VirtualArm::right_strain(int segment) const {
-  return simulation_->physics().side_strain(segment, -1.0);
+  return simulation_->in_plane("right_strain").side_strain(segment, -1.0);
+}
+
+double VirtualArm::chamber_strain(int channel) const {
+  return simulation_->in_space("chamber_strain").chamber_strain(channel);
 }
 
 double VirtualArm::energy_j() const {
-  return simulation_->physics().energy_j();
+  return simulation_->energy_j();
 }
 
 double VirtualArm::time_step_s() const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +21,9 @@ using Parameters = VirtualArmParameters;
 
 constexpr double kUnlimited = std::numeric_limits<double>::max();
 
+/// Which arms have a parameter.
+enum class Of { both, plane, space };
+
 /// Name, member and smallest value of every parameter that is a plain number: one table serves
 /// reading and writing.
 struct Field {
@@ -30,7 +34,12 @@ struct Field {
   /// Came later: not written while as by default, so that arms without it keep their text and its
   /// hash.
   bool optional = false;
+  Of of = Of::both;
 };
+
+constexpr bool belongs(Of of, Dimension dimension) {
+  return of == Of::both || (of == Of::space) == (dimension == Dimension::space);
+}
 
 constexpr double kAboveZero = 1e-12;
 constexpr double kAnySign = -std::numeric_limits<double>::max();
@@ -58,10 +67,14 @@ constexpr std::array kFields = {
     Field{"plate_offset_rad", &Parameters::plate_offset_rad, 0.0},
     Field{"base_misalignment_rad", &Parameters::base_misalignment_rad, kAnySign},
     Field{"gravity_m_per_s2", &Parameters::gravity_m_per_s2, 0.0},
-    Field{"friction_coefficient", &Parameters::friction_coefficient, 0.0},
-    Field{"friction_stiffness_n_per_m", &Parameters::friction_stiffness_n_per_m, kAboveZero},
-    Field{"friction_damping_n_s_per_m", &Parameters::friction_damping_n_s_per_m, 0.0},
-    Field{"friction_torsion_arm", &Parameters::friction_torsion_arm, 0.0},
+    Field{"friction_coefficient", &Parameters::friction_coefficient, 0.0, kUnlimited, false,
+          Of::plane},
+    Field{"friction_stiffness_n_per_m", &Parameters::friction_stiffness_n_per_m, kAboveZero,
+          kUnlimited, false, Of::plane},
+    Field{"friction_damping_n_s_per_m", &Parameters::friction_damping_n_s_per_m, 0.0, kUnlimited,
+          false, Of::plane},
+    Field{"friction_torsion_arm", &Parameters::friction_torsion_arm, 0.0, kUnlimited, false,
+          Of::plane},
     Field{"pressure_rate_limit_kpa_per_s", &Parameters::pressure_rate_limit_kpa_per_s, kAboveZero},
     Field{"inflate_time_constant_s", &Parameters::inflate_time_constant_s, kAboveZero},
     Field{"vent_time_constant_s", &Parameters::vent_time_constant_s, kAboveZero},
@@ -75,17 +88,32 @@ constexpr std::array kFields = {
           kUnlimited, true},
     Field{"valve_dead_time_s", &Parameters::valve_dead_time_s, 0.0, 5.0, true},
     Field{"tip_load_kg", &Parameters::tip_load_kg, 0.0, 100.0, true},
-    Field{"weak_side_loss", &Parameters::weak_side_loss, 0.0, 1.0, true},
+    Field{"weak_side_loss", &Parameters::weak_side_loss, 0.0, 1.0, true, Of::plane},
     Field{"actuator_strain_scale", &Parameters::actuator_strain_scale, kAboveZero, kUnlimited,
           true},
     Field{"actuator_bow", &Parameters::actuator_bow, -1.0, 1.0, true},
     Field{"gap_length_spread", &Parameters::gap_length_spread, 0.0, 0.5, true},
-    Field{"table_tilt_rad", &Parameters::table_tilt_rad, 0.0, 1.5, true},
-    Field{"table_downhill_rad", &Parameters::table_downhill_rad, kAnySign, kUnlimited, true},
-    Field{"friction_static_excess", &Parameters::friction_static_excess, 0.0, kUnlimited, true},
+    Field{"table_tilt_rad", &Parameters::table_tilt_rad, 0.0, 1.5, true, Of::plane},
+    Field{"table_downhill_rad", &Parameters::table_downhill_rad, kAnySign, kUnlimited, true,
+          Of::plane},
+    Field{"friction_static_excess", &Parameters::friction_static_excess, 0.0, kUnlimited, true,
+          Of::plane},
     Field{"friction_stribeck_m_per_s", &Parameters::friction_stribeck_m_per_s, kAboveZero,
-          kUnlimited, true},
-    Field{"friction_viscous_s_per_m", &Parameters::friction_viscous_s_per_m, 0.0, kUnlimited, true},
+          kUnlimited, true, Of::plane},
+    Field{"friction_viscous_s_per_m", &Parameters::friction_viscous_s_per_m, 0.0, kUnlimited, true,
+          Of::plane},
+    Field{"chamber_area_m2", &Parameters::chamber_area_m2, kAboveZero, kUnlimited, false,
+          Of::space},
+    Field{"wall_stiffening", &Parameters::wall_stiffening, 0.0, kUnlimited, false, Of::space},
+    Field{"twist_stiffness_n_m_per_rad", &Parameters::twist_stiffness_n_m_per_rad, 0.0, kUnlimited,
+          false, Of::space},
+    Field{"twist_damping_n_m_s_per_rad", &Parameters::twist_damping_n_m_s_per_rad, 0.0, kUnlimited,
+          false, Of::space},
+    Field{"joint_friction_n_m", &Parameters::joint_friction_n_m, 0.0, kUnlimited, false, Of::space},
+    Field{"joint_friction_stiffness_n_m_per_rad", &Parameters::joint_friction_stiffness_n_m_per_rad,
+          kAboveZero, kUnlimited, false, Of::space},
+    Field{"joint_friction_damping_n_m_s_per_rad", &Parameters::joint_friction_damping_n_m_s_per_rad,
+          0.0, kUnlimited, false, Of::space},
     Field{"time_step_s", &Parameters::time_step_s, 1e-5, 0.01},
 };
 
@@ -126,7 +154,17 @@ QuarticCoefficients read_quartic(const YamlReader& value) {
   return coefficients;
 }
 
-VirtualArmParameters read_parameters(const YamlReader& node) {
+void require_belonging(const YamlReader& value, Of of, Dimension dimension) {
+  if (!belongs(of, dimension)) {
+    const bool in_space = dimension == Dimension::space;
+    value.refuse(
+        fmt::format("belongs to the virtual arm in {}, and this arm is in {}; expected no "
+                    "such key here",
+                    in_space ? "a plane" : "space", in_space ? "space" : "a plane"));
+  }
+}
+
+VirtualArmParameters read_parameters(const YamlReader& node, Dimension dimension) {
   VirtualArmParameters parameters;
   for (const std::string& key : node.keys()) {
     const YamlReader value = node.at(key);
@@ -134,9 +172,11 @@ VirtualArmParameters read_parameters(const YamlReader& node) {
       parameters.strength_seed =
           static_cast<std::uint64_t>(value.integer("a seed", 0, 1'000'000'000));
     } else if (key == kWeakSide) {
+      require_belonging(value, Of::plane, dimension);
       parameters.weak_side = static_cast<int>(
           value.integer("2 x segment, + 1 for its right side", 0, 2 * kMaxSegments - 1));
     } else if (const Field* field = find_field(kFields, key)) {
+      require_belonging(value, field->of, dimension);
       parameters.*(field->member) = value.number(kParameter, field->low, field->high);
     } else if (const QuarticField* quartic = find_field(kQuarticFields, key)) {
       parameters.*(quartic->member) = read_quartic(value);
@@ -150,9 +190,13 @@ VirtualArmParameters read_parameters(const YamlReader& node) {
 /// Key and value of each.
 using Texts = std::vector<std::pair<std::string, std::string>>;
 
-Texts texts_of(const VirtualArmParameters& parameters) {
+/// @param of  the arms whose parameters are wanted; none: all
+Texts texts_of(const VirtualArmParameters& parameters, std::optional<Dimension> of = {}) {
   Texts texts;
   for (const Field& field : kFields) {
+    if (of && !belongs(field.of, *of)) {
+      continue;
+    }
     if (field.optional && parameters.*(field.member) == Parameters{}.*(field.member)) {
       continue;
     }
@@ -168,9 +212,9 @@ Texts texts_of(const VirtualArmParameters& parameters) {
   return texts;
 }
 
-std::string to_yaml(const VirtualArmParameters& parameters) {
+std::string to_yaml(const VirtualArmParameters& parameters, Dimension dimension) {
   std::string text = std::string(kSection) + ":\n";
-  for (const auto& [key, value] : texts_of(parameters)) {
+  for (const auto& [key, value] : texts_of(parameters, dimension)) {
     text += fmt::format("  {}: {}\n", key, value);
   }
   return text;
@@ -183,11 +227,12 @@ VirtualArmParameters virtual_arm_parameters(const ArmDescription& arm) {
     return {};
   }
   return read_parameters(
-      YamlReader::from_text(arm.virtual_arm.yaml, arm.virtual_arm.file).at(kSection));
+      YamlReader::from_text(arm.virtual_arm.yaml, arm.virtual_arm.file).at(kSection),
+      arm.dimension);
 }
 
 void set_virtual_arm_parameters(ArmDescription& arm, const VirtualArmParameters& parameters) {
-  arm.virtual_arm.yaml = to_yaml(parameters);
+  arm.virtual_arm.yaml = to_yaml(parameters, arm.dimension);
 }
 
 std::string physics_differences(const VirtualArmParameters& of,

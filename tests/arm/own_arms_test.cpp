@@ -10,11 +10,9 @@ namespace {
 
 TEST(OwnArms, LoadAndAreWhatTheirNamesSay) {
   const std::filesystem::path folder = std::filesystem::path(LIMBER_SOURCE_DIR) / "arms";
-  const std::pair<const char*, int> arms[] = {{"two_segment", 2},
-                                              {"three_segment", 3},
-                                              {"five_segment", 5},
-                                              {"motor_driven", 2},
-                                              {"uneven_limits", 2}};
+  const std::pair<const char*, int> arms[] = {
+      {"two_segment", 2},   {"three_segment", 3}, {"five_segment", 5}, {"motor_driven", 2},
+      {"uneven_limits", 2}, {"hanging_3x2", 2},   {"hanging_3x3", 3},  {"upright_4x2", 2}};
   for (const auto& [name, segments] : arms) {
     const ArmDescription arm = load_arm(folder / (std::string(name) + ".yaml"));
     EXPECT_EQ(arm.name, name);

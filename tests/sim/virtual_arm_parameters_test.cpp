@@ -12,6 +12,7 @@
 namespace limber {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
@@ -120,6 +121,48 @@ TEST(VirtualArmParameters, DifferencesAreJsonOfWhatDiffersAlone) {
   EXPECT_EQ(physics_differences(of, varied),
             "{\"friction_coefficient\": 0.31, \"tip_load_kg\": 1e-07, "
             "\"actuator_extension_n\": [62.596, 2.5, 89998, 0], \"strength_seed\": 12}");
+}
+
+/// The same of an arm in space.
+std::string in_space_with_entry(const std::string& entry) {
+  return R"(schema: limber/arm/1
+name: small
+dimension: 3
+no_load: straight
+frame_rate_hz: 20
+pressure_rate_limit_kpa_per_s: 100
+actuator_radius_m: 0.006
+segments:
+  - length_m: 0.2
+    width_m: 0.05
+    gaps: 4
+    chambers: [{pressure_limit_kpa: [0, 80]}]
+virtual_arm:
+  )" + entry +
+         "\n";
+}
+
+TEST(VirtualArmParameters, KeysOfTheOtherKindOfArmAreRefusedByName) {
+  EXPECT_THAT(
+      [] { virtual_arm_parameters(read(in_space_with_entry("friction_coefficient: 0.2"))); },
+      ThrowsMessage<InputError>(
+          AllOf(HasSubstr("a.yaml:14"), HasSubstr("friction_coefficient"),
+                HasSubstr("belongs to the virtual arm in a plane, and this arm is in space"))));
+  EXPECT_THAT([] { virtual_arm_parameters(read(in_space_with_entry("weak_side: 1"))); },
+              ThrowsMessage<InputError>(HasSubstr("belongs to the virtual arm in a plane")));
+  EXPECT_THAT([] { virtual_arm_parameters(read(with_entry("joint_friction_n_m: 0.2"))); },
+              ThrowsMessage<InputError>(
+                  HasSubstr("belongs to the virtual arm in space, and this arm is in a plane")));
+}
+
+TEST(VirtualArmParameters, OfAnArmInSpaceSurviveTheRoundTrip) {
+  ArmDescription arm = read(in_space_with_entry("joint_friction_n_m: 0.25"));
+  EXPECT_EQ(virtual_arm_parameters(arm).joint_friction_n_m, 0.25);
+  change_virtual_arm(arm, [](VirtualArmParameters& p) { p.wall_stiffening = 1.0 / 3.0; });
+  EXPECT_EQ(arm.virtual_arm.yaml.find("table_tilt_rad"), std::string::npos);
+  const VirtualArmParameters back = virtual_arm_parameters(read(arm_to_yaml(arm)));
+  EXPECT_EQ(back.joint_friction_n_m, 0.25);
+  EXPECT_EQ(back.wall_stiffening, 1.0 / 3.0);
 }
 
 }  // namespace

@@ -118,14 +118,13 @@ class EpisodeRun {
     }
   }
 
-  double tolerance_kpa(Eigen::Index segment) const {
-    return kReachTolerance *
-           arm_.segments[static_cast<std::size_t>(segment)].pressure_limit_kpa.largest_kpa();
+  double tolerance_kpa(Eigen::Index channel) const {
+    return kReachTolerance * arm_.limits_of_channel(static_cast<int>(channel)).largest_kpa();
   }
 
-  double distance_kpa(Eigen::Index segment, const Pressures& setpoint_kpa) const {
-    return std::abs(static_cast<double>(driver_.state().pressure_kpa[segment]) -
-                    static_cast<double>(setpoint_kpa[segment]));
+  double distance_kpa(Eigen::Index channel, const Pressures& setpoint_kpa) const {
+    return std::abs(static_cast<double>(driver_.state().pressure_kpa[channel]) -
+                    static_cast<double>(setpoint_kpa[channel]));
   }
 
   bool reached(const Pressures& setpoint_kpa) const {
@@ -147,7 +146,7 @@ class EpisodeRun {
     throw SystemFault(fmt::format(
         "{}: {} is at {:.1f} {unit} after {} s at set point {:.1f} {unit}; expected to be within "
         "{:.1f} {unit}{}",
-        motion_name(motion_index_), segment_name(worst), driver_.state().pressure_kpa[worst],
+        motion_name(motion_index_), channel_name(arm_, worst), driver_.state().pressure_kpa[worst],
         waited_s, motion.setpoint_kpa[worst], tolerance_kpa(worst),
         arm_.command.is_pressure_kpa() ? ". Check supply pressure and leaks" : "",
         fmt::arg("unit", arm_.command.unit)));

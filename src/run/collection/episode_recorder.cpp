@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <iterator>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -9,19 +12,38 @@
 
 namespace limber {
 
+namespace {
+
+/// The numbers of the shape that was seen; none where it was not.
+std::span<const float> shape_of(const ArmState& state, Dimension dimension) {
+  const auto numbers = [](const auto& shape) -> std::span<const float> {
+    return shape ? std::span(shape->data(), static_cast<std::size_t>(shape->size()))
+                 : std::span<const float>();
+  };
+  return dimension == Dimension::space ? numbers(state.space_backbone) : numbers(state.backbone);
+}
+
+}  // namespace
+
 EpisodeRecorder::EpisodeRecorder(const ArmDescription& arm)
-    : channels_(arm.channel_count()), points_(arm.point_count()), period_s_(arm.frame_period_s()) {}
+    : channels_(arm.channel_count()),
+      points_(arm.point_count()),
+      dimension_(arm.dimension),
+      period_s_(arm.frame_period_s()) {}
 
 void EpisodeRecorder::add(const ArmState& state, const Pressures& setpoint_kpa, int motion_index) {
   assert(setpoint_kpa.size() == channels_);
-  if (state.pressure_kpa.size() != channels_ ||
-      (state.backbone && state.backbone->rows() != points_)) {
+  const std::span<const float> shape = shape_of(state, dimension_);
+  const auto size = static_cast<std::size_t>(pose_size(dimension_) * points_);
+  if (state.pressure_kpa.size() != channels_ || (!shape.empty() && shape.size() != size)) {
     throw SystemFault(fmt::format(
         "the arm returned {} pressures and {} backbone points at {:.3f} s; expected {} and {}",
-        state.pressure_kpa.size(), state.backbone ? state.backbone->rows() : points_, state.time_s,
+        state.pressure_kpa.size(),
+        shape.empty() ? points_ : std::ssize(shape) / pose_size(dimension_), state.time_s,
         channels_, points_));
   }
-  if (!state.pressure_kpa.allFinite() || (state.backbone && !state.backbone->allFinite())) {
+  if (!state.pressure_kpa.allFinite() ||
+      !std::all_of(shape.begin(), shape.end(), [](float value) { return std::isfinite(value); })) {
     throw SystemFault(
         fmt::format("the arm returned a number that is not finite at {:.3f} s", state.time_s));
   }
@@ -30,14 +52,10 @@ void EpisodeRecorder::add(const ArmState& state, const Pressures& setpoint_kpa, 
   pressure_kpa_.insert(pressure_kpa_.end(), state.pressure_kpa.begin(), state.pressure_kpa.end());
   const Pressures& in_force_kpa = state.setpoint_kpa ? *state.setpoint_kpa : setpoint_kpa;
   setpoint_kpa_.insert(setpoint_kpa_.end(), in_force_kpa.begin(), in_force_kpa.end());
-  if (state.backbone) {
-    backbone_.insert(backbone_.end(), state.backbone->data(),
-                     state.backbone->data() + state.backbone->size());
-  } else {
-    backbone_.resize(backbone_.size() + static_cast<std::size_t>(kPoseSize * points_), 0.0F);
-  }
+  backbone_.insert(backbone_.end(), shape.begin(), shape.end());
+  backbone_.resize(pressure_kpa_.size() / static_cast<std::size_t>(channels_) * size, 0.0F);
   motion_index_.push_back(motion_index);
-  tracked_.push_back(state.backbone && is_new ? 1 : 0);
+  tracked_.push_back(!shape.empty() && is_new ? 1 : 0);
 }
 
 /// Frames that repeat a sample lie evenly between it and the next.
@@ -71,8 +89,13 @@ Episode EpisodeRecorder::finish() {
   episode.time_s = Eigen::Map<const Eigen::VectorXd>(times_s.data(), frames).array() - times_s[0];
   episode.pressure_kpa = Eigen::Map<const FrameMatrix>(pressure_kpa_.data(), frames, channels_);
   episode.setpoint_kpa = Eigen::Map<const FrameMatrix>(setpoint_kpa_.data(), frames, channels_);
-  episode.backbone = Eigen::Map<const FrameMatrix>(backbone_.data(), frames, kPoseSize * points_);
+  episode.dimension = dimension_;
+  episode.backbone =
+      Eigen::Map<const FrameMatrix>(backbone_.data(), frames, pose_size(dimension_) * points_);
   fill_missing_rows(times_s, tracked_, episode.backbone);
+  if (dimension_ == Dimension::space) {
+    normalise_filled_rotations(tracked_, episode.backbone);
+  }
   episode.motion_index = std::move(motion_index_);
   episode.tracked = std::move(tracked_);
   time_s_.clear();
@@ -82,6 +105,18 @@ Episode EpisodeRecorder::finish() {
   motion_index_.clear();
   tracked_.clear();
   return episode;
+}
+
+void normalise_filled_rotations(const std::vector<std::uint8_t>& tracked, FrameMatrix& poses) {
+  constexpr Eigen::Index kFirst = 3;
+  for (Eigen::Index t = 0; t < poses.rows(); ++t) {
+    if (tracked[static_cast<std::size_t>(t)] != 0) {
+      continue;
+    }
+    for (Eigen::Index at = kFirst; at < poses.cols(); at += kSpacePoseSize) {
+      poses.row(t).segment<4>(at).normalize();
+    }
+  }
 }
 
 void fill_missing_rows(const std::vector<double>& time_s, const std::vector<std::uint8_t>& tracked,

@@ -16,8 +16,8 @@ namespace limber {
 namespace {
 
 constexpr int kTransitionEpisodes = 16;
-constexpr int kMaxFullSchedule = 3;  // segments; 729 transitions
-constexpr int kMaxWalk = 6;          // segments; 531 441 edges held in memory
+constexpr int kMaxFullSchedule = 3;  // channels; 729 transitions
+constexpr int kMaxWalk = 6;          // channels; 531 441 edges held in memory
 constexpr int kMaxCount = 10'000'000;
 constexpr double kLongestHold_s = 3600.0;
 constexpr std::uint64_t kScheduleStream = 0x7363'6865'6475'6c65;  // apart from a driver's streams
@@ -100,9 +100,10 @@ int transition_count(const ArmDescription& arm, const ScheduleSettings& settings
   const double all = std::pow(static_cast<double>(kCornerStates), 2 * n);
   if (settings.count == 0) {
     require(n <= kMaxFullSchedule,
-            fmt::format("--schedule transitions: arm '{}' has {} segments, so {:.0f} ordered "
+            fmt::format("--schedule transitions: arm '{}' has {} {}, so {:.0f} ordered "
                         "transitions, {:.1f} h at {} s each; give --count N to take N of them",
-                        arm.name, n, all, all * settings.hold_s / 3600.0, settings.hold_s));
+                        arm.name, n, arm.is_spatial() ? "chambers" : "segments", all,
+                        all * settings.hold_s / 3600.0, settings.hold_s));
     return static_cast<int>(all);
   }
   require(settings.count <= all,
@@ -147,7 +148,7 @@ std::vector<EpisodeSchedule> random_schedule(const ArmDescription& arm,
     for (int i = 0; i < settings.count; ++i) {
       Pressures setpoint_kpa(arm.channel_count());
       for (Eigen::Index s = 0; s < setpoint_kpa.size(); ++s) {
-        const PressureLimits& limits = arm.segments[static_cast<std::size_t>(s)].pressure_limit_kpa;
+        const PressureLimits& limits = arm.limits_of_channel(static_cast<int>(s));
         setpoint_kpa[s] = static_cast<float>(random.uniform(limits.lower_kpa, limits.upper_kpa));
       }
       result[e].motions.push_back(make_motion(settings, std::move(setpoint_kpa), random));
@@ -203,7 +204,7 @@ std::string describe(const ScheduleSettings& settings) {
 Pressures corner_configuration(const ArmDescription& arm, int index) {
   Pressures result(arm.channel_count());
   for (Eigen::Index s = 0; s < result.size(); ++s) {
-    const PressureLimits& limits = arm.segments[static_cast<std::size_t>(s)].pressure_limit_kpa;
+    const PressureLimits& limits = arm.limits_of_channel(static_cast<int>(s));
     result[s] = static_cast<float>(corner_kpa(limits, index % kCornerStates));
     index /= kCornerStates;
   }

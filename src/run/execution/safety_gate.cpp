@@ -64,14 +64,14 @@ std::string SafetyGate::check_command(const Eigen::Ref<const Pressures>& setpoin
       return fmt::format(
           "set point of {} is {:.2f} {unit}; its limit is {:.2f} {unit}. It was not "
           "sent",
-          segment_name(s), value, limit_of(limits, value), fmt::arg("unit", unit));
+          channel_name(arm_, s), value, limit_of(limits, value), fmt::arg("unit", unit));
     }
     const double change_kpa = value - static_cast<double>(setpoint_kpa_[s]);
     if (check_rate_ && !(std::abs(change_kpa) <= step_kpa + kRoundingKpa)) {
       return fmt::format(
           "set point of {} goes from {:.2f} to {:.2f} {unit} in a frame; the arm's rate limit "
           "allows {:.2f} {unit}. It was not sent",
-          segment_name(s), setpoint_kpa_[s], value, step_kpa, fmt::arg("unit", unit));
+          channel_name(arm_, s), setpoint_kpa_[s], value, step_kpa, fmt::arg("unit", unit));
     }
   }
   setpoint_kpa_ = setpoint_kpa;
@@ -114,9 +114,8 @@ std::string SafetyGate::over_limit(const Pressures& kpa, const char* what) const
   return "";
 }
 
-double SafetyGate::excess_kpa(int segment) const {
-  return settings_.over_limit_percent / 100.0 *
-         arm_.segments[static_cast<std::size_t>(segment)].pressure_limit_kpa.largest_kpa();
+double SafetyGate::excess_kpa(int channel) const {
+  return settings_.over_limit_percent / 100.0 * arm_.limits_of_channel(channel).largest_kpa();
 }
 
 std::string SafetyGate::check_shape(const ArmState& state) {

@@ -69,6 +69,9 @@ ArmDescription with_scaled_limits(const ArmDescription& arm, double scale) {
   ArmDescription scaled = arm;
   for (Segment& segment : scaled.segments) {
     segment.pressure_limit_kpa *= scale;
+    for (Chamber& chamber : segment.chambers) {
+      chamber.limit_kpa *= scale;
+    }
   }
   return scaled;
 }

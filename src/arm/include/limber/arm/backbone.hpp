@@ -17,6 +17,12 @@ using BackboneOf = Eigen::Matrix<Scalar, Eigen::Dynamic, kPoseSize, Eigen::RowMa
 using Backbone = BackboneOf<float>;
 using BackboneD = BackboneOf<double>;
 
+/// The same of an arm in space: one row (x_m, y_m, z_m, qx, qy, qz, qw) each; z up.
+template <class Scalar>
+using SpaceBackboneOf = Eigen::Matrix<Scalar, Eigen::Dynamic, kSpacePoseSize, Eigen::RowMajor>;
+using SpaceBackbone = SpaceBackboneOf<float>;
+using SpaceBackboneD = SpaceBackboneOf<double>;
+
 /// One number per segment, gauge, signed: positive pressurises the right side and bends toward −y.
 using Pressures = Eigen::VectorXf;
 

@@ -16,6 +16,8 @@ struct ArmState {
   /// In force when this was measured, where the arm says so; else the one last commanded.
   std::optional<Pressures> setpoint_kpa;
   std::optional<Backbone> backbone;  ///< m×3; none where nothing tracks it or the frame was lost
+  /// The same of an arm in space, m×7, in place of `backbone`.
+  std::optional<SpaceBackbone> space_backbone = std::nullopt;
   /// When the shape was seen, on the tracker's own clock, where that is told.
   std::optional<double> tracker_s = std::nullopt;
 };

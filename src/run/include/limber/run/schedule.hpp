@@ -58,7 +58,7 @@ struct EpisodeSchedule {
 
 /// Transitions: all (3^n)² ordered ones, each exactly once, as an Eulerian walk of the complete
 /// directed graph with self-loops. `seed` decides its order, and it is cut into episodes. With
-/// `count`, the first ones of that walk (above 6 segments, where the walk would be huge, a random
+/// `count`, the first ones of that walk (above 6 channels, where the walk would be huge, a random
 /// walk).
 /// Random: `count` motions in each of `episodes` episodes, from rest.
 /// @throws InputError if a number is out of its range, or where n > 3 and no count is given
@@ -71,7 +71,7 @@ std::vector<EpisodeSchedule> make_schedule(const ArmDescription& arm,
 std::string describe(const ScheduleSettings& settings);
 
 /// Configuration `index` in {0, …, 3^n − 1}: base-3 digits, 0 off, 1 fully right, 2 fully left. A
-/// segment whose limits leave it one side takes half of that one instead of the other.
+/// segment or chamber whose limits leave it one side takes half of that one instead of the other.
 Pressures corner_configuration(const ArmDescription& arm, int index);
 
 }  // namespace limber

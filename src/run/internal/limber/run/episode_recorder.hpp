@@ -37,6 +37,7 @@ class EpisodeRecorder {
 
   Eigen::Index channels_;
   Eigen::Index points_;
+  Dimension dimension_;
   double period_s_;
   std::vector<double> time_s_;  // of samples; a repeated one has the same
   std::vector<float> pressure_kpa_;
@@ -45,6 +46,10 @@ class EpisodeRecorder {
   std::vector<int> motion_index_;
   std::vector<std::uint8_t> tracked_;
 };
+
+/// Makes the quaternions of filled rows unit again: `poses` in space, T×7m. Rows that were tracked
+/// stay as they are.
+void normalise_filled_rotations(const std::vector<std::uint8_t>& tracked, FrameMatrix& poses);
 
 /// Fills the rows of `values` whose `tracked` is 0: linearly between the tracked rows around them,
 /// with the nearest at the ends. @pre one row is tracked.

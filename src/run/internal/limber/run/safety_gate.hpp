@@ -57,7 +57,7 @@ class SafetyGate {
   /// A set point in force that is none of those sent in the following time, nor between them.
   std::string never_sent(const ArmState& state) const;
   std::size_t first_recent() const;      // of history_, within the following time
-  double excess_kpa(int segment) const;  // that is allowed beyond a limit
+  double excess_kpa(int channel) const;  // that is allowed beyond a limit
 
   ArmDescription arm_;
   std::vector<PressureLimits> limits_kpa_;

@@ -19,4 +19,12 @@ std::vector<BenchPoint> bench_test(const ArmDescription& arm, int segment, int s
 /// `bench_test` of every segment, base first.
 std::vector<std::vector<BenchPoint>> bench_test_all(const ArmDescription& arm, int steps = 20);
 
+/// The same of a chamber of an arm in space: its segment alone, without gravity, and the others of
+/// its chambers vented. The strain is the chamber's own, (25): what its place is strained by over
+/// its share in (26); it is negated where the chamber extends, as polynomials hold its size.
+/// @throws InputError for an arm in a plane, or if `channel` or `steps` is out of range;
+/// SystemFault as above.
+std::vector<BenchPoint> bench_test_of_chamber(const ArmDescription& arm, int channel,
+                                              int steps = 20);
+
 }  // namespace limber

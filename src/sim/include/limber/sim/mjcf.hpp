@@ -27,11 +27,13 @@ struct VirtualArmParameters;
 std::vector<ChainLink> chain_links(const ArmDescription& arm,
                                    const VirtualArmParameters& parameters);
 
-/// In frame B, whose z is normal to the table; a tilted table has a part in the plane.
+/// Of an arm in a plane: in frame B, whose z is normal to the table; a tilted table has a part in
+/// the plane.
 Eigen::Vector3d gravity_m_per_s2(const VirtualArmParameters& parameters);
 
 /// The chain as MuJoCo's XML: per gap a body with a slide along the arm and a hinge about z at the
-/// middle of the gap, in this order (docs/virtual-arm.md, (V1)). Actuators, friction and pneumatics
+/// middle of the gap, in this order (docs/virtual-arm.md, (V1)); in space with hinges about y, z
+/// and x there (V12). Actuators, friction and pneumatics
 /// are not MuJoCo's and are not in it.
 std::string chain_mjcf(const ArmDescription& arm, const VirtualArmParameters& parameters,
                        double time_step_s);

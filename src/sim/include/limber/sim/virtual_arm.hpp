@@ -18,8 +18,8 @@ namespace limber {
 
 /// Faults of a real laboratory, all off by default; the same seed gives the same faults.
 struct VirtualArmOptions {
-  double noise_m = 0.0;      ///< standard deviation of every measured x and y, ≥ 0
-  double noise_rad = 0.0;    ///< of every measured θ, ≥ 0
+  double noise_m = 0.0;      ///< standard deviation of every measured x, y and z, ≥ 0
+  double noise_rad = 0.0;    ///< of every measured θ, in space about each axis, ≥ 0
   double noise_kpa = 0.0;    ///< of every measured pressure, ≥ 0
   double drop_rate = 0.0;    ///< probability that a frame has no backbone, in [0, 1]
   double latency_s = 0.0;    ///< what is measured was true this long ago, ≥ 0
@@ -44,18 +44,20 @@ struct PendingSetpoint {
 /// should use its members.
 struct VirtualArmState {
   std::int64_t step = 0;               ///< simulator steps since rest
-  std::vector<double> position;        ///< MuJoCo's qpos: slide [m] and hinge [rad] of each gap
+  std::vector<double> position;        ///< MuJoCo's qpos: slide [m], hinge(s) [rad] of each gap
   std::vector<double> velocity;        ///< qvel
   std::vector<double> warm_start;      ///< qacc_warmstart
-  std::vector<double> pressure_kpa;    ///< true, signed, one per segment
+  std::vector<double> pressure_kpa;    ///< true, signed, one per channel
   std::vector<double> flow_kpa_per_s;  ///< what the valves let through
   std::vector<double> setpoint_kpa;    ///< set points that the pressure controller follows
   std::deque<PendingSetpoint> pending_setpoints;  ///< commanded, but still delayed (dead time)
   bool vented = false;                            ///< `vent` was the last command
-  std::vector<double> braid_anchor_m;  ///< spring-sliders of the braids, left and right of each gap
-  std::vector<double> creep_m;         ///< relaxed part of each side's stretch, left and right
-  std::vector<double> table_anchor_m;  ///< spring-sliders of the plates, x and y of each
+  std::vector<double>
+      braid_anchor_m;           ///< spring-sliders of the braids, each side or chamber of each gap
+  std::vector<double> creep_m;  ///< relaxed part of each side's stretch, left and right
+  std::vector<double> table_anchor_m;    ///< spring-sliders of the plates, x and y of each
   std::vector<double> table_anchor_rad;  ///< their torsional ones
+  std::vector<double> joint_anchor_rad;  ///< in space: of each gap's two bends and its twist
   std::uint64_t noise_position = 0;      ///< of the random stream
   std::deque<ArmState> delayed;          ///< frames measured but not yet delivered (latency)
   ArmState delivered;                    ///< what `state()` returns
@@ -64,11 +66,12 @@ struct VirtualArmState {
 /// Called after every simulator step with the time [s] and the true backbone (m×3).
 using StepObserver = std::function<void(double time_s, const BackboneD& backbone)>;
 
-/// A soft arm lying on a table, simulated (docs/virtual-arm.md): one serial chain in MuJoCo, a
-/// slide and a hinge per gap, driven by McKibben actuators, braid hysteresis, table friction and
-/// valves with their pressure controller.
+/// A soft arm, simulated (docs/virtual-arm.md): one serial chain in MuJoCo, driven by actuators
+/// with the hysteresis of their braids, and by valves with their pressure controller. In a plane it lies
+/// on a table with friction, with a slide and a hinge per gap. In space it hangs or stands, with a
+/// slide, two bending hinges and a twist per gap, and with friction in these.
 ///
-/// Frame:   B, the arm's base; θ is the sum of the hinge angles, never wrapped.
+/// Frame:   B, the arm's base; in a plane θ is the sum of the hinge angles, never wrapped.
 /// Step:    the largest one that divides the frame period and does not exceed
 ///          `virtual_arm.time_step_s`.
 /// Threads: one object, one thread; objects share nothing.
@@ -102,17 +105,21 @@ class VirtualArm final : public ArmDriver {
   /// not part of the state; an empty function ends it.
   void set_observer(StepObserver observer);
 
-  /// m×3, without noise, drops or latency.
+  /// m×3, without noise, drops or latency. @throws InputError for an arm in space.
   BackboneD true_backbone() const;
-  /// Signed, one per segment, without noise or latency.
+  /// The same of an arm in space, m×7. @throws InputError for one in a plane.
+  SpaceBackboneD true_plates() const;
+  /// Signed, one per channel, without noise or latency.
   Eigen::VectorXd true_pressure_kpa() const;
   /// Change of a side's length over its unpressurised length, negative where it has contracted.
   /// @pre 0 ≤ segment < n.
   double left_strain(int segment) const;
   double right_strain(int segment) const;
+  /// Of an arm in space: the same of a chamber, at its place. @pre 0 ≤ channel < n.
+  double chamber_strain(int channel) const;
   /// Kinetic plus elastic energy [J], including that of the springs of friction and hysteresis, and
-  /// that of height on a tilted table (0 at the base). Only the work of pressurised actuators
-  /// increases it.
+  /// that of height on a tilted table or in space (0 at the base). Only the work of pressurised
+  /// actuators increases it.
   double energy_j() const;
   double time_step_s() const;
 

@@ -13,7 +13,8 @@ namespace limber {
 using QuarticCoefficients = std::array<double, 4>;
 
 /// Physics of the virtual arm; docs/virtual-arm.md gives each parameter's source and meaning, and
-/// says which were fitted. Every one is a key of the arm file's `virtual_arm` mapping.
+/// says which were fitted. Every one is a key of the arm file's `virtual_arm` mapping. A side is in
+/// space a chamber; the table is of arms in a plane alone.
 struct VirtualArmParameters {
   // Chain: per gap a slide along the arm and a hinge at its middle. w is the segment's width.
   double slide_damping_n_s_per_m = 2.0;
@@ -45,6 +46,15 @@ struct VirtualArmParameters {
   double hysteresis_floor_n = 0.05;
   double hysteresis_stiffness_n_per_m = 2e4;
   double hysteresis_damping_n_s_per_m = 0.0;
+
+  // Of arms in space alone.
+  double chamber_area_m2 = 3e-4;             ///< effective, of a chamber that extends
+  double wall_stiffening = 0.0;              ///< of side_elasticity_n there, × strain²; ≥ 0
+  double twist_stiffness_n_m_per_rad = 2.0;  ///< of a gap
+  double twist_damping_n_m_s_per_rad = 0.02;
+  double joint_friction_n_m = 0.0;  ///< Coulomb's, of a gap's bend and of its twist
+  double joint_friction_stiffness_n_m_per_rad = 10.0;
+  double joint_friction_damping_n_m_s_per_rad = 0.0;
 
   // What is worn or added; off while 0.
   double tip_load_kg = 0.0;     ///< on the last plate
@@ -86,7 +96,8 @@ struct VirtualArmParameters {
   double time_step_s = 0.001;
 };
 
-/// Of the arm's file; what it leaves out is as above. @throws InputError naming file, line and key.
+/// Of the arm's file; what it leaves out is as above. @throws InputError naming file, line and key,
+/// also where a key is of arms in a plane and the arm is in space, or the other way round.
 VirtualArmParameters virtual_arm_parameters(const ArmDescription& arm);
 
 /// Puts `parameters` in place of what the arm's file says.

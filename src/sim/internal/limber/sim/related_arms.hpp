@@ -15,7 +15,8 @@ inline constexpr double kMaxPhysicsFactor = 10.0;
 
 /// What is seldom known of an arm is drawn again, evenly in its logarithm. Friction on the table
 /// and in the braid, and payload, are up to `factor` times more or less; elasticity, stiffness and
-/// damping up to its power 0.6; valves 0.4; strength 0.2.
+/// damping up to its power 0.6; valves 0.4; strength 0.2. In space joints stand for the table, and
+/// the strain of actuators, 0.2, varies too.
 struct PhysicsFactor {
   double factor = 1.0;  ///< 1 to kMaxPhysicsFactor
 };
@@ -33,7 +34,7 @@ std::string describe(const PhysicsVariation& variation);
 /// Physics of a related arm. @param number  of the relative among those of `seed`
 VirtualArmParameters related_physics(const VirtualArmParameters& of,
                                      const PhysicsVariation& variation, std::uint64_t seed,
-                                     std::uint64_t number);
+                                     std::uint64_t number, Dimension dimension = Dimension::plane);
 
 /// `arm` with that physics among its virtual arm's parameters.
 ArmDescription with_related_physics(const ArmDescription& arm, const PhysicsVariation& variation,
