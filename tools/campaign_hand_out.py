@@ -15,8 +15,8 @@ import pathlib
 import random
 
 LOOK_S = 0.3e-3  # kLook of src/lab/campaign/mpi_ranks.cpp
-SERVICE_S = 5e-6  # of one question: probe, receive, send
-LATENCY_S = 5e-6  # of a message; 50e-6 over Ethernet
+SERVICE_S = 9e-6  # of one question: probe, receive, send; measured after a look's sleep, 0.4e-6 without
+LATENCY_S = 0.5e-6  # of a message, measured within one machine; about 50e-6 over Ethernet
 
 
 def measured_times(folder):
@@ -24,17 +24,17 @@ def measured_times(folder):
                   for path in pathlib.Path(folder).glob("units/*/*/done_*.json"))
 
 
-def handed_out(times, ranks, look_s, service_s):
+def handed_out(times, ranks, look_s, service_s, latency_s):
     """(when the last unit ends, mean wait for a unit, share of the time that rank 0 answers)"""
     free = [(0.0, rank) for rank in range(ranks)]
     server_free, waits = 0.0, 0.0
     for time_s in times:
         asked, rank = heapq.heappop(free)
-        arrived = asked + LATENCY_S
+        arrived = asked + latency_s
         # A busy server goes on; one that sleeps looks up at a multiple of its look.
         looked = arrived if server_free >= arrived else -(-arrived // look_s) * look_s
         server_free = max(looked, server_free) + service_s
-        begin = server_free + LATENCY_S
+        begin = server_free + latency_s
         waits += begin - asked
         heapq.heappush(free, (begin + time_s, rank))
     end = max(free)[0]
@@ -58,10 +58,12 @@ def main():
     parser.add_argument("--estimate-error", type=float, default=0.3, help="of the costs that sort them, relative")
     parser.add_argument("--look-s", type=float, default=LOOK_S)
     parser.add_argument("--service-s", type=float, default=SERVICE_S)
+    parser.add_argument("--latency-s", type=float, default=LATENCY_S)
     parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args()
     chance = random.Random(options.seed)
     known = measured_times(options.folder)
+    waiting = (options.look_s, options.service_s, options.latency_s)
     drawn = [chance.choice(known) for _ in range(options.units)]
     print(f"{len(known)} units measured: {min(known):.3f} to {max(known):.3f} s")
     print("| ranks | mean unit [s] | dearest first | wait [ms] | rank 0 answers | tail [units] | any order | shards | lock step |")
@@ -72,8 +74,8 @@ def main():
             ideal = sum(times) / ranks
             mean = sum(times) / len(times)
             by_cost = sorted(times, key=lambda t: -t * (1 + chance.gauss(0, options.estimate_error)))
-            end, wait, busy = handed_out(by_cost, ranks, options.look_s, options.service_s)
-            other, _, _ = handed_out(times, ranks, options.look_s, options.service_s)
+            end, wait, busy = handed_out(by_cost, ranks, *waiting)
+            other, _, _ = handed_out(times, ranks, *waiting)
             print(f"| {ranks} | {mean:.4g} | {ideal / end:.1%} | {1e3 * wait:.3f} | {busy:.1%} | {(end - ideal) / mean:.2f} "
                   f"| {ideal / other:.1%} | {ideal / in_shards(times, ranks):.1%} | {ideal / in_lock_step(times, ranks):.1%} |")
 

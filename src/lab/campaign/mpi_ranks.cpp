@@ -67,7 +67,10 @@ void answer(Queue& queue, int others, const std::atomic<bool>& own_done) {
   while (others > 0 || !own_done) {
     int there = 0;
     MPI_Status status;
-    MPI_Iprobe(MPI_ANY_SOURCE, kAsk, MPI_COMM_WORLD, &there, &status);
+    // Open MPI looks for new messages only after it has looked among the known ones: so twice.
+    for (int look = 0; look < 2 && there == 0; ++look) {
+      MPI_Iprobe(MPI_ANY_SOURCE, kAsk, MPI_COMM_WORLD, &there, &status);
+    }
     if (there == 0) {
       std::this_thread::sleep_for(others > 0 ? std::chrono::microseconds(kLook) : kEndLook);
       continue;
