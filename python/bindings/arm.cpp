@@ -131,8 +131,7 @@ void bind_arm_functions(py::module_& module) {
         require_planar(arm, "limber.load_arm");
         return arm;
       },
-      py::arg("path"),
-      py::call_guard<OthersMayRun>(),
+      py::arg("path"), py::call_guard<OthersMayRun>(),
       "Reads and checks an arm file (YAML). Raises InputError naming file, line and "
       "field, what was found and what is allowed.");
   module.def("arm_to_yaml", &arm_to_yaml, py::arg("arm"), py::call_guard<OthersMayRun>(),

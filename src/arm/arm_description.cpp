@@ -41,8 +41,8 @@ StrainPolynomial read_strain_polynomial(const YamlReader& node, double pressure_
 }
 
 Dimension read_dimension(const YamlReader& root) {
-  return root.has("dimension") && root.at("dimension").integer("2, in a plane, or 3, in space", 2,
-                                                               3) == 3
+  return root.has("dimension") &&
+                 root.at("dimension").integer("2, in a plane, or 3, in space", 2, 3) == 3
              ? Dimension::space
              : Dimension::plane;
 }
@@ -190,7 +190,8 @@ std::string segment_to_yaml(const Segment& s, const ArmDescription& arm) {
 }
 
 bool is_plain(const ArmDescription& arm) {
-  return !arm.is_spatial() && arm.command.is_pressure_kpa() && arm.no_load == NoLoadKind::strain_polynomial;
+  return !arm.is_spatial() && arm.command.is_pressure_kpa() &&
+         arm.no_load == NoLoadKind::strain_polynomial;
 }
 
 void read_command_and_rate(const YamlReader& root, ArmDescription& arm) {
@@ -386,10 +387,10 @@ std::string arm_keys_to_yaml(const ArmDescription& arm) {
     text += "dimension: 3\n";
   }
   if (!pressures) {
-    text += fmt::format("command: {{name: {}, unit: {}, limit: {}, rate_limit_per_s: {}}}\n",
-                        yaml_text(arm.command.name), yaml_text(arm.command.unit),
-                        limits_to_yaml(arm.limits_of_channel(0)),
-                        arm.pressure_rate_limit_kpa_per_s);
+    text +=
+        fmt::format("command: {{name: {}, unit: {}, limit: {}, rate_limit_per_s: {}}}\n",
+                    yaml_text(arm.command.name), yaml_text(arm.command.unit),
+                    limits_to_yaml(arm.limits_of_channel(0)), arm.pressure_rate_limit_kpa_per_s);
   }
   if (arm.no_load != NoLoadKind::strain_polynomial) {
     text += fmt::format("no_load: {}\n", to_string(arm.no_load));

@@ -41,7 +41,8 @@ SpaceNoLoad::SpaceNoLoad(const ArmDescription& arm) : arm_(arm) {
     const Segment& segment = arm.segments[static_cast<std::size_t>(i)];
     const auto chambers = static_cast<Eigen::Index>(segment.chambers.size());
     if (arm.no_load == NoLoadKind::chambers) {
-      shape_.block(kRowsOfSegment * i, first, kRowsOfSegment, chambers) = shape_of_chambers(segment);
+      shape_.block(kRowsOfSegment * i, first, kRowsOfSegment, chambers) =
+          shape_of_chambers(segment);
     } else if (arm.no_load == NoLoadKind::fitted) {
       shape_.middleRows<kRowsOfSegment>(kRowsOfSegment * i) = segment.shape_of_strains;
     }
@@ -68,7 +69,8 @@ Eigen::VectorXd SpaceNoLoad::strains(const Eigen::Ref<const Eigen::VectorXd>& co
 }
 
 SpaceSegmentShape SpaceNoLoad::segment_shape(int segment, const Eigen::VectorXd& strains) const {
-  const Eigen::Vector3d shape = shape_.middleRows<kRowsOfSegment>(kRowsOfSegment * segment) * strains;
+  const Eigen::Vector3d shape =
+      shape_.middleRows<kRowsOfSegment>(kRowsOfSegment * segment) * strains;
   const double length_m = arm_.segments[static_cast<std::size_t>(segment)].length_m;
   return {{0.0, shape[0], shape[1]}, length_m * (1.0 + shape[2])};
 }

@@ -141,13 +141,14 @@ class SpaceSegmentReader {
     const YamlReader coefficients = node.at(key);
     const std::vector<double> c = coefficients.numbers("a coefficient c1 … c4");
     if (c.size() != chamber.strain_polynomial.size()) {
-      coefficients.refuse(fmt::format("{} coefficients found; expected 4: c1 … c4 of the strain "
-                                      "c1 p + c2 p² + c3 p³ + c4 p⁴",
-                                      c.size()));
+      coefficients.refuse(
+          fmt::format("{} coefficients found; expected 4: c1 … c4 of the strain "
+                      "c1 p + c2 p² + c3 p³ + c4 p⁴",
+                      c.size()));
     }
     std::copy(c.begin(), c.end(), chamber.strain_polynomial.begin());
-    const std::string reason = why_unusable(chamber.strain_polynomial,
-                                            chamber.limit_kpa.largest_kpa());
+    const std::string reason =
+        why_unusable(chamber.strain_polynomial, chamber.limit_kpa.largest_kpa());
     if (!reason.empty() && polynomials_ == PolynomialsOf::model) {
       coefficients.refuse(reason);
     }
@@ -164,11 +165,11 @@ bool is_zero(const StrainPolynomial& polynomial) {
 }
 
 std::string chamber_to_yaml(const Chamber& chamber, const ArmDescription& arm) {
-  std::string text = fmt::format(
-      "{{angle_deg: {}, radius_m: {}, sense: {}, {}: {}", chamber.angle_deg,
-      chamber.radius_m, chamber.sense > 0 ? "extending" : "contracting",
-      arm.command.is_pressure_kpa() ? "pressure_limit_kpa" : "limit",
-      limits_to_yaml(chamber.limit_kpa));
+  std::string text =
+      fmt::format("{{angle_deg: {}, radius_m: {}, sense: {}, {}: {}", chamber.angle_deg,
+                  chamber.radius_m, chamber.sense > 0 ? "extending" : "contracting",
+                  arm.command.is_pressure_kpa() ? "pressure_limit_kpa" : "limit",
+                  limits_to_yaml(chamber.limit_kpa));
   if (!is_zero(chamber.strain_polynomial)) {
     text += fmt::format(", strain_polynomial: [{}]", fmt::join(chamber.strain_polynomial, ", "));
   }
@@ -195,7 +196,8 @@ std::string space_segment_to_yaml(const Segment& segment, const ArmDescription& 
   std::string text = fmt::format("{{length_m: {}, width_m: {}, gaps: {}, chambers: [",
                                  segment.length_m, segment.width_m, segment.gaps);
   for (std::size_t i = 0; i < segment.chambers.size(); ++i) {
-    text += fmt::format("{}\n      {}", i == 0 ? "" : ",", chamber_to_yaml(segment.chambers[i], arm));
+    text +=
+        fmt::format("{}\n      {}", i == 0 ? "" : ",", chamber_to_yaml(segment.chambers[i], arm));
   }
   text += "]";
   if (arm.no_load == NoLoadKind::fitted) {

@@ -196,8 +196,8 @@ void require_motion(const Episode& episode, const ArmDescription& arm, const std
           "{}: the arm's end stands still (its position spreads by {:.2g} mm; expected at least "
           "{:.2g} mm) while the {} of {} changes by {:.4g} {}. Was the tracker running, and do "
           "both logs belong together? Record it again, or leave the episode out",
-          where, 1e3 * spread_m, 1e3 * kStill * arm.length_m(), arm.command.name, channel_name(arm, i),
-          range, arm.command.unit));
+          where, 1e3 * spread_m, 1e3 * kStill * arm.length_m(), arm.command.name,
+          channel_name(arm, i), range, arm.command.unit));
     }
   }
 }

@@ -207,8 +207,8 @@ void validate_header(const Recording& recording, const std::string& file) {
     }
   }
   if (recording.dimension == Dimension::space && recording.chamber_count < 1) {
-    throw InputError(fmt::format("{}: attribute 'chambers' is {}; expected a whole number ≥ 1", file,
-                                 recording.chamber_count));
+    throw InputError(fmt::format("{}: attribute 'chambers' is {}; expected a whole number ≥ 1",
+                                 file, recording.chamber_count));
   }
   if (recording.segment_count < 1) {
     throw InputError(fmt::format("{}: attribute 'segments' is {}; expected a whole number ≥ 1",
@@ -420,8 +420,8 @@ void require_alike(const std::vector<Episode>& episodes, int channel_count, int 
                    const std::string& where) {
   if (channel_count == 0 && !episodes.empty()) {
     channel_count = static_cast<int>(episodes.front().pressure_kpa.cols());
-    point_count = static_cast<int>(episodes.front().backbone.cols() /
-                                   pose_size(episodes.front().dimension));
+    point_count =
+        static_cast<int>(episodes.front().backbone.cols() / pose_size(episodes.front().dimension));
   }
   for (std::size_t e = 0; e < episodes.size(); ++e) {
     validate_frames(episodes[e], EpisodeCheck(where, e), channel_count, point_count);

@@ -15,8 +15,8 @@
 #include "limber/arm/valve_findings.hpp"
 #include "limber/common/error.hpp"
 #include "limber/data/simple_model.hpp"
-#include "limber/data/valve_identification.hpp"
 #include "limber/data/space_fit.hpp"
+#include "limber/data/valve_identification.hpp"
 #include "suspicions.hpp"
 
 namespace limber {
@@ -77,17 +77,18 @@ class EpisodeInspector {
       const double setpoint_kpa = episode_.setpoint_kpa(t, column);
       const double limit_kpa = limits_kpa_[s].largest_kpa();
       if (limits_kpa_[s].size_kpa(setpoint_kpa) > kSetpointOvershoot * limit_kpa) {
-        suspicions_.add("a set point beyond the segment's limit", index_, t,
-                        fmt::format("{}: {:.1f} {}, limit {:.1f}", channel_name(recording_.dimension, s), setpoint_kpa,
-                                    recording_.command.unit, limit_of(s, setpoint_kpa)));
+        suspicions_.add(
+            "a set point beyond the segment's limit", index_, t,
+            fmt::format("{}: {:.1f} {}, limit {:.1f}", channel_name(recording_.dimension, s),
+                        setpoint_kpa, recording_.command.unit, limit_of(s, setpoint_kpa)));
       }
       if (!episode_.setpoints_only &&
           limits_kpa_[s].size_kpa(pressure_kpa) > kOvershoot * limit_kpa) {
         suspicions_.add(
             "a measured " + recording_.command.name + " more than 10 % beyond the segment's limit",
             index_, t,
-            fmt::format("{}: {:.1f} {}, limit {:.1f}", channel_name(recording_.dimension, s), pressure_kpa,
-                        recording_.command.unit, limit_of(s, pressure_kpa)));
+            fmt::format("{}: {:.1f} {}, limit {:.1f}", channel_name(recording_.dimension, s),
+                        pressure_kpa, recording_.command.unit, limit_of(s, pressure_kpa)));
       }
     }
   }
@@ -157,7 +158,8 @@ class EpisodeInspector {
             "a backbone that stands still to the bit while " + recording_.command.name + "s change",
             index_, t,
             fmt::format("{} frames, the {} of {} changes by {:.1f} {}", equal_frames_,
-                        recording_.command.name, channel_name(recording_.dimension, s), own, recording_.command.unit));
+                        recording_.command.name, channel_name(recording_.dimension, s), own,
+                        recording_.command.unit));
         return;
       }
     }
@@ -213,12 +215,12 @@ std::string ranges_to_text(const Recording& recording, const std::vector<Pressur
                : fmt::format("  set points only: no {} was measured\n", recording.command.name);
   for (std::size_t s = 0; s < ranges.size(); ++s) {
     const PressureRange& range = ranges[s];
-    text +=
-        fmt::format("  {}: {}set {:.1f} … {:.1f} {}\n", channel_name(recording.dimension, Eigen::Index(s)),
-                    measured ? fmt::format("measured {:.1f} … {:.1f} {}, ", range.lowest_kpa,
-                                           range.highest_kpa, unit)
-                             : "",
-                    range.lowest_setpoint_kpa, range.highest_setpoint_kpa, unit);
+    text += fmt::format("  {}: {}set {:.1f} … {:.1f} {}\n",
+                        channel_name(recording.dimension, Eigen::Index(s)),
+                        measured ? fmt::format("measured {:.1f} … {:.1f} {}, ", range.lowest_kpa,
+                                               range.highest_kpa, unit)
+                                 : "",
+                        range.lowest_setpoint_kpa, range.highest_setpoint_kpa, unit);
   }
   return text;
 }
@@ -271,8 +273,8 @@ void look_at_chambers(const ArmDescription& arm, const std::vector<Episode>& epi
                       RecordingInspection& inspection) {
   for (const ChamberFinding& found : chamber_findings(arm, fit_space_model(arm, episodes))) {
     if (!found.suspicion.empty()) {
-      inspection.suspicions.push_back({"a chamber that does not act as the arm file says", 1, 0, "", 0,
-                                       fmt::format("{} {}", found.name, found.suspicion)});
+      inspection.suspicions.push_back({"a chamber that does not act as the arm file says", 1, 0, "",
+                                       0, fmt::format("{} {}", found.name, found.suspicion)});
     }
   }
 }

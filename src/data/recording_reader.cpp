@@ -156,8 +156,8 @@ class Reader : private CheckedHdf5 {
     const bool setpoints_only = episode.setpoints_only;
     const auto n = static_cast<hsize_t>(recording.channel_count());
     const auto m = static_cast<hsize_t>(recording.point_count);
-    const std::string pressures = fmt::format("{} × {}: frames × {}", frames, n,
-                                              recording.chamber_count > 0 ? "chambers" : "segments");
+    const std::string pressures = fmt::format(
+        "{} × {}: frames × {}", frames, n, recording.chamber_count > 0 ? "chambers" : "segments");
     const Command& command = recording.command;
     const auto commands = [&](const std::string& name) {
       return matrix(group + "/" + name, {frames, n}, pressures, command.unit.c_str());
@@ -178,11 +178,11 @@ class Reader : private CheckedHdf5 {
     episode.pressure_kpa = setpoints_only ? episode.setpoint_kpa : commands(measured_name(command));
     const bool in_space = recording.dimension == Dimension::space;
     const int size = pose_size(recording.dimension);
-    episode.backbone = matrix(
-        group + "/backbone", {frames, m, static_cast<hsize_t>(size)},
-        fmt::format("{} × {} × {}: frames × points × {}", frames, m, size,
-                    in_space ? "[x_m, y_m, z_m, qx, qy, qz, qw]" : "[x_m, y_m, theta_rad]"),
-        in_space ? kSpacePoseUnits : kPoseUnits);
+    episode.backbone =
+        matrix(group + "/backbone", {frames, m, static_cast<hsize_t>(size)},
+               fmt::format("{} × {} × {}: frames × points × {}", frames, m, size,
+                           in_space ? "[x_m, y_m, z_m, qx, qy, qz, qw]" : "[x_m, y_m, theta_rad]"),
+               in_space ? kSpacePoseUnits : kPoseUnits);
     const std::string each = fmt::format("{}: one per frame", frames);
     const std::string motion_path = group + "/motion_index";
     episode.motion_index.resize(frames);

@@ -52,8 +52,8 @@ void look_at_constant_commands(const Recording& recording, const ArmDescription*
       suspicions.add("a segment whose " + recording.command.name +
                          " never changes: nothing can be learnt about it",
                      0, 0,
-                     fmt::format("{}: {:.4g} … {:.4g} {}", channel_name(recording.dimension, i), double(lowest),
-                                 double(highest), recording.command.unit));
+                     fmt::format("{}: {:.4g} … {:.4g} {}", channel_name(recording.dimension, i),
+                                 double(lowest), double(highest), recording.command.unit));
     }
   }
 }

@@ -229,9 +229,9 @@ std::string file_image(const Recording& recording) {
 std::string origin_of(const Recording& recording) {
   return fmt::format("arm {} {}, {} segments, {} points{}, {} Hz, {} [{}], {}, {}",
                      recording.arm_name, recording.arm_hash, recording.segment_count,
-                     recording.point_count, recording.lifted() ? " without rotations" : "", recording.rate_hz, recording.command.name,
-                     recording.command.unit, commands_are(recording.setpoints_only()),
-                     recording.source);
+                     recording.point_count, recording.lifted() ? " without rotations" : "",
+                     recording.rate_hz, recording.command.name, recording.command.unit,
+                     commands_are(recording.setpoints_only()), recording.source);
 }
 
 /// After a full disk HDF5 can't close its file, nor end the process: so it never meets one.

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Cholesky>
 #include <fmt/format.h>
+#include <Eigen/Cholesky>
 
 #include "limber/arm/no_load_model.hpp"
 #include "limber/arm/space_no_load.hpp"
@@ -18,14 +18,14 @@ namespace limber {
 
 namespace {
 
-constexpr int kShapeRows = 3;            // of a segment
-constexpr int kMinFitFrames = 100;     // tracked: fewer tell a fit nothing
-constexpr int kSpacePieces = 10;         // of the jackknife
+constexpr int kShapeRows = 3;       // of a segment
+constexpr int kMinFitFrames = 100;  // tracked: fewer tell a fit nothing
+constexpr int kSpacePieces = 10;    // of the jackknife
 constexpr int kRobustRounds = 3;
-constexpr double kSpaceHuber = 2.0;      // medians beyond which a frame counts less
+constexpr double kSpaceHuber = 2.0;  // medians beyond which a frame counts less
 constexpr double kLongestDead_s = 0.6;
-constexpr std::array<double, 14> kLags_s = {0.0, 0.02, 0.04, 0.06, 0.08, 0.1, 0.13,
-                                            0.17, 0.22, 0.3, 0.4,  0.55, 0.75, 1.0};
+constexpr std::array<double, 14> kLags_s = {0.0,  0.02, 0.04, 0.06, 0.08, 0.1,  0.13,
+                                            0.17, 0.22, 0.3,  0.4,  0.55, 0.75, 1.0};
 
 /// Commands behind a dead time and a lag, T×n; the first frame's held before.
 Eigen::MatrixXd lagged(const FrameMatrix& commands, double period_s, double dead_time_s,
@@ -58,9 +58,8 @@ Eigen::VectorXd shapes_of(const ArmDescription& arm, const Episode& episode, int
     double length_m = 0.0;
     for (int g = 0; g < segment.gaps; ++g, ++plate) {
       const auto pose = [&](Eigen::Index p) {
-        return space_pose_of(episode.backbone.row(t)
-                                 .segment<kSpacePoseSize>(kSpacePoseSize * p)
-                                 .cast<double>());
+        return space_pose_of(
+            episode.backbone.row(t).segment<kSpacePoseSize>(kSpacePoseSize * p).cast<double>());
       };
       const SpacePose step = between(pose(plate), pose(plate + 1));
       const Eigen::Vector3d omega = rotation_vector(step.rotation);
@@ -68,7 +67,8 @@ Eigen::VectorXd shapes_of(const ArmDescription& arm, const Episode& episode, int
       const double half = 0.5 * std::hypot(omega.y(), omega.z());
       length_m += step.position_m.norm() / sine_over(half);  // the arc over its chord
     }
-    shapes.segment<kShapeRows>(kShapeRows * i) << turned.y(), turned.z(), length_m / segment.length_m - 1.0;
+    shapes.segment<kShapeRows>(kShapeRows * i) << turned.y(), turned.z(),
+        length_m / segment.length_m - 1.0;
   }
   return shapes;
 }
@@ -99,9 +99,9 @@ class SpaceFitter {
       }
     }
     if (frames_.size() < kMinFitFrames) {
-      throw InputError(fmt::format(
-          "the arm was tracked in {} frames; expected at least {} to fit a model to",
-          frames_.size(), kMinFitFrames));
+      throw InputError(
+          fmt::format("the arm was tracked in {} frames; expected at least {} to fit a model to",
+                      frames_.size(), kMinFitFrames));
     }
     shapes_.resize(Eigen::Index(frames_.size()), kShapeRows * arm.segment_count());
     for (std::size_t i = 0; i < frames_.size(); ++i) {
@@ -152,7 +152,8 @@ class SpaceFitter {
       const Eigen::MatrixXd commands =
           lagged(episodes_[e].pressure_kpa, arm_.frame_period_s(), dead_time_s, lag_s);
       for (; row < shapes_.rows() && frames_[std::size_t(row)].first == e; ++row) {
-        terms_.row(row) << no_load_.strains(commands.row(frames_[std::size_t(row)].second).transpose())
+        terms_.row(row) << no_load_
+                               .strains(commands.row(frames_[std::size_t(row)].second).transpose())
                                .transpose(),
             1.0;
       }
@@ -169,9 +170,9 @@ class SpaceFitter {
     Eigen::MatrixXd square = weighted.transpose() * terms_;
     // A chamber that never acts has no share; units of commands differ by orders.
     constexpr double kRidge = 1e-9;
-    square.diagonal() += kRidge * square.diagonal() +
-                         Eigen::VectorXd::Constant(square.rows(),
-                                                   std::numeric_limits<double>::min());
+    square.diagonal() +=
+        kRidge * square.diagonal() +
+        Eigen::VectorXd::Constant(square.rows(), std::numeric_limits<double>::min());
     return square.ldlt().solve(weighted.transpose() * shapes_).transpose();
   }
 
@@ -186,9 +187,8 @@ class SpaceFitter {
   void weigh(const Eigen::MatrixXd& shape) {
     const Eigen::VectorXd off = off_m(shape);
     const double middle = median(std::vector<double>(off.begin(), off.end()));
-    weights_ = off.unaryExpr([&](double one) {
-      return one > kSpaceHuber * middle ? kSpaceHuber * middle / one : 1.0;
-    });
+    weights_ = off.unaryExpr(
+        [&](double one) { return one > kSpaceHuber * middle ? kSpaceHuber * middle / one : 1.0; });
   }
 
   Eigen::MatrixXd deviations() const {
@@ -228,8 +228,7 @@ void measure(const ArmDescription& arm, const std::vector<Episode>& episodes, Sp
       }
       double sum = 0.0;
       for (int plate = 1; plate < episode.point_count(); ++plate) {
-        const double off =
-            (expected.position_m(t, plate) - episode.position_m(t, plate)).norm();
+        const double off = (expected.position_m(t, plate) - episode.position_m(t, plate)).norm();
         sum += off;
         tips += plate + 1 == episode.point_count() ? off : 0.0;
       }
@@ -287,7 +286,8 @@ ArmDescription with_space_fit(ArmDescription arm, const SpaceFit& fit) {
   arm.no_load = NoLoadKind::fitted;
   for (int i = 0; i < arm.segment_count(); ++i) {
     arm.segments[static_cast<std::size_t>(i)].shape_of_strains =
-        fit.shape.block(kShapeRows * i, 0, kShapeRows, arm.channel_count()).unaryExpr(&seven_digits);
+        fit.shape.block(kShapeRows * i, 0, kShapeRows, arm.channel_count())
+            .unaryExpr(&seven_digits);
   }
   return arm;
 }

@@ -104,10 +104,10 @@ std::string to_text(const SpaceFit& fit, const ArmDescription& arm) {
       "the plates, {:.1f} mm at the tip\n",
       fit.dead_time_s, fit.lag_s, fit.plates_mm, fit.tip_mm);
   for (const ChamberFinding& found : chamber_findings(arm, fit)) {
-    text += fmt::format("  {}: bends by {:.3f} ± {:.3f} rad toward {:.0f}°, extends by {:.1f} %{}{}\n",
-                        found.name, found.bend_rad, found.sd_rad, found.angle_deg,
-                        100.0 * found.extension, found.suspicion.empty() ? "" : "; ",
-                        found.suspicion);
+    text +=
+        fmt::format("  {}: bends by {:.3f} ± {:.3f} rad toward {:.0f}°, extends by {:.1f} %{}{}\n",
+                    found.name, found.bend_rad, found.sd_rad, found.angle_deg,
+                    100.0 * found.extension, found.suspicion.empty() ? "" : "; ", found.suspicion);
   }
   return text;
 }

@@ -138,10 +138,10 @@ void ForwardPipeline::run_no_load(int count, const QueryColumns& queries, float*
 
 void ForwardPipeline::no_load_rows(int stride, const float* pressure, float* gap) const {
   if (dimension_ == Dimension::space) {
-    rows_.no_load_space_gaps({segments_, channels_, in_space_.chambers.data(),
-                              in_space_.shape.data(), in_space_.gap_length_m.data(),
-                              in_space_.gap_share.data()},
-                             pressure, gap, stride);
+    rows_.no_load_space_gaps(
+        {segments_, channels_, in_space_.chambers.data(), in_space_.shape.data(),
+         in_space_.gap_length_m.data(), in_space_.gap_share.data()},
+        pressure, gap, stride);
   } else {
     rows_.no_load_gaps(no_load_.data(), segments_, pressure, gap, stride);
   }
@@ -175,11 +175,9 @@ void ForwardPipeline::run_many(int count, const QueryColumns& queries, float* sc
   rows_.gather(channels_, count, queries.current_kpa.data, queries.current_kpa.ld, pressure,
                stride);
   if (layout_.backbone_layout() == BackboneLayout::base_poses) {
-    rows_.gather(poses_, count, queries.previous.data, queries.previous.ld, backbone,
-                 stride);
+    rows_.gather(poses_, count, queries.previous.data, queries.previous.ld, backbone, stride);
     if (layout_.reads_velocity()) {
-      rows_.gather(poses_, count, queries.before.data, queries.before.ld, change,
-                   stride);
+      rows_.gather(poses_, count, queries.before.data, queries.before.ld, change, stride);
       subtract_from(backbone, poses_ * stride, change);
     }
     no_load_rows(stride, pressure, gap);
@@ -191,12 +189,10 @@ void ForwardPipeline::run_many(int count, const QueryColumns& queries, float* sc
       rows_.bound_base(points_ - 1, bounds_.data(), base, stride);
     }
   } else {
-    rows_.gather(poses_, count, queries.previous.data, queries.previous.ld, base,
-                 stride);
+    rows_.gather(poses_, count, queries.previous.data, queries.previous.ld, base, stride);
     gaps_.encode(points_ - 1, base, backbone, stride);
     if (layout_.reads_velocity()) {
-      rows_.gather(poses_, count, queries.before.data, queries.before.ld, base,
-                   stride);
+      rows_.gather(poses_, count, queries.before.data, queries.before.ld, base, stride);
       gaps_.encode(points_ - 1, base, change, stride);
       subtract_from(backbone, layout_.backbone_size() * stride, change);
     }
@@ -227,7 +223,8 @@ void ForwardPipeline::run_few(int count, const QueryColumns& queries, float* scr
                stride);
   no_load_rows(stride, pressure, gap);
   if (has_gap_poses) {
-    rows_.scatter(gaps_.gap_size * segments_, count, gap, stride, input + layout_.no_load_row(), ld);
+    rows_.scatter(gaps_.gap_size * segments_, count, gap, stride, input + layout_.no_load_row(),
+                  ld);
   } else {
     chain_no_load(stride, gap, base);
     rows_.scatter(poses_, count, base, stride, input + layout_.no_load_row(), ld);
@@ -307,8 +304,7 @@ void ForwardPipeline::compose_gaps(int stride, const float* previous, const floa
     const int segment = segment_of_gap_[static_cast<std::size_t>(g)];
     const int at = gaps_.gap_size * g * stride;
     compose(gaps_.gap_size * stride, previous + at, no_load + gaps_.gap_size * segment * stride,
-            output + at,
-            gates + at, next + at);
+            output + at, gates + at, next + at);
   }
 }
 

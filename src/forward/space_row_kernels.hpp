@@ -197,8 +197,8 @@ __attribute__((noinline)) void no_load_lanes(const NoLoadInSpace& arm, const flo
     for (int k = 0; k < arm.channels; ++k) {
       const Vector strain = strain_of_chamber(arm.chambers[k], load(command + k * stride));
       for (int r = 0; r < 3; ++r) {
-        shape[r] = multiply_add(broadcast(arm.shape[(3 * s + r) * arm.channels + k]), strain,
-                                shape[r]);
+        shape[r] =
+            multiply_add(broadcast(arm.shape[(3 * s + r) * arm.channels + k]), strain, shape[r]);
       }
     }
     const Vector share = broadcast(arm.gap_share[s]);

@@ -36,8 +36,8 @@ std::string base_text(const SpaceRunReport& report) {
 std::string gap_text(const SpaceGapReport& gap, bool lifted) {
   std::string text = fmt::format(
       "\n  {} to {}: {:.1f} mm along the arc, 5 to 95 % {:.1f} to {:.1f}; the arm file has {:.1f}",
-      plate_name(gap.from), plate_name(gap.to), kMm * gap.length_m, kMm * gap.shortest_m, kMm * gap.longest_m,
-      kMm * gap.arm_m);
+      plate_name(gap.from), plate_name(gap.to), kMm * gap.length_m, kMm * gap.shortest_m,
+      kMm * gap.longest_m, kMm * gap.arm_m);
   if (!lifted) {
     text +=
         fmt::format("; measured rotations are {:.1f} degrees off it", kDegrees * gap.off_arc_rad);

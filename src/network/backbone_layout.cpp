@@ -119,8 +119,8 @@ Eigen::MatrixXd poses_in(const Eigen::Ref<const Eigen::MatrixXd>& gap_poses) {
     decltype(Numbers::step(gap_poses.col(j))) pose;
     base.col(j).head<Numbers::kPose>() = numbers_of(pose);
     for (Eigen::Index g = 0; g < count; ++g) {
-      pose = compose(
-          pose, Numbers::step(gap_poses.col(j).segment<Numbers::kGap>(Numbers::kGap * g)));
+      pose =
+          compose(pose, Numbers::step(gap_poses.col(j).segment<Numbers::kGap>(Numbers::kGap * g)));
       base.col(j).segment<Numbers::kPose>(Numbers::kPose * (g + 1)) = numbers_of(pose);
     }
   }

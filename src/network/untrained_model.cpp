@@ -70,14 +70,16 @@ CompensationModel untrained_model(const ArmDescription& arm, BackboneLayout layo
     }
   }
   const int poses = sizes.backbone_size() + sizes.no_load_size();
-  high.segment(sizes.backbone_row(), poses) = pose_ranges(arm.dimension, poses, length * share, turn * share);
+  high.segment(sizes.backbone_row(), poses) =
+      pose_ranges(arm.dimension, poses, length * share, turn * share);
   const int changes = sizes.input_size() - sizes.change_row();
-  high.tail(changes) = kChangeShare * pose_ranges(arm.dimension, changes, length * share, turn * share);
+  high.tail(changes) =
+      kChangeShare * pose_ranges(arm.dimension, changes, length * share, turn * share);
   low.tail(poses + changes) = -high.tail(poses + changes);
   model.input.offset = low;
   model.input.scale = (high - low).cwiseInverse();
-  const Eigen::VectorXf output =
-      pose_ranges(arm.dimension, sizes.backbone_size(), kCompensation_m * share, kCompensation_rad * share);
+  const Eigen::VectorXf output = pose_ranges(arm.dimension, sizes.backbone_size(),
+                                             kCompensation_m * share, kCompensation_rad * share);
   if (form == OutputForm::gated_change) {
     model.output.offset = Eigen::VectorXf::Zero(sizes.backbone_size());
     model.output.scale = (kChangeShare * output).cwiseInverse();

@@ -77,9 +77,9 @@ EnsembleErrors errors_of(const EnsembleForward& ensemble, const std::vector<Epis
       const auto t = static_cast<Eigen::Index>(i) + 1;
       double square = 0.0;
       for (const std::vector<FrameMatrix>& member : members) {
-        square += static_cast<double>(
-            (member[episode].row(t).segment(tip, numbers) - mean[episode].row(t).segment(tip, numbers))
-                .squaredNorm());
+        square += static_cast<double>((member[episode].row(t).segment(tip, numbers) -
+                                       mean[episode].row(t).segment(tip, numbers))
+                                          .squaredNorm());
       }
       spread_cm.push_back(kCmPerM * std::sqrt(square / static_cast<double>(members.size())));
       error_cm.push_back(one.position_cm[i]);

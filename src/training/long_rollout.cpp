@@ -62,7 +62,7 @@ std::vector<const Episode*> episodes_to_walk(const std::vector<Episode>& episode
   return longest;
 }
 
-/// The same of an arm in space, whose poses lie in a column; no more than its distance is looked at.
+/// The same of an arm in space, whose poses lie in a column; only its distance is looked at.
 bool walk_in_space(const ForwardModel& model, const Episode& episode, int frames,
                    LongRollout& result) {
   const int count = frames_from_tracked(episode);

@@ -243,8 +243,8 @@ double space_chained_error(int gaps, int stride, const double* weight, const dou
 template <>
 const WindowKernels<double>& window_kernels(CpuLevel) {
   static constexpr WindowKernels<double> kKernels = {
-      1,          layer,       layer_back,   weight_gradient, bias_gradient, relu_gradient,
-      gather,     add_scaled,  carry,        gated_change,    gated_carry,   bound,
+      1,          layer,       layer_back,    weight_gradient,    bias_gradient, relu_gradient,
+      gather,     add_scaled,  carry,         gated_change,       gated_carry,   bound,
       bound_back, entry_error, chained_error, space_chained_error};
   return kKernels;
 }

@@ -228,9 +228,8 @@ double mean_tip_error_m(const std::vector<FrameMatrix>& predicted,
     const Eigen::Index numbers = position_size(episode.dimension);
     for (int t = piece.first + 1; t <= piece.first + piece.frames; ++t) {
       if (episode.was_tracked(t)) {
-        const auto error =
-            predicted[index].row(t).segment(tip, numbers) -
-            episode.backbone.row(t).segment(tip, numbers);
+        const auto error = predicted[index].row(t).segment(tip, numbers) -
+                           episode.backbone.row(t).segment(tip, numbers);
         sum += static_cast<double>(error.norm());
         ++count;
       }

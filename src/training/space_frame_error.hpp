@@ -81,8 +81,8 @@ struct SpaceChainedError {
                                    const Vector3<N>& by) {
     const N two = Access::all(2);
     const Vector3<N> of_w = cross(q.v, d);
-    const Vector3<N> of_v = q.w * cross(d, by) + dot(q.v, by) * d + dot(q.v, d) * by -
-                            (two * dot(d, by)) * q.v;
+    const Vector3<N> of_v =
+        q.w * cross(d, by) + dot(q.v, by) * d + dot(q.v, d) * by - (two * dot(d, by)) * q.v;
     return {two * dot(of_w, by), two * of_v};
   }
 

@@ -117,8 +117,7 @@ inline void bound_any_gap_back(const StateBoundsView<Scalar>& bounds, int g, int
   for (int i = 0; i < kSpaceGapSize; ++i) {
     const int r = kSpaceGapSize * g + i;
     const int at = r * stride;
-    (i < 3 ? by.d[i] : by.omega[i - 3]) =
-        (carried[at] + direct[at] + error[at]) / bounds.scale[r];
+    (i < 3 ? by.d[i] : by.omega[i - 3]) = (carried[at] + direct[at] + error[at]) / bounds.scale[r];
   }
   bound_gap_back(bounds.gaps[g], bounds.lead_back, given, by);
   for (int i = 0; i < kSpaceGapSize; ++i) {

@@ -57,7 +57,8 @@ double plates_m(const FrameMatrix& predicted, const Episode& recorded, Eigen::In
   double sum = 0.0;
   for (Eigen::Index plate = 1; plate < recorded.point_count(); ++plate) {
     const Eigen::Index at = kSpacePoseSize * plate;
-    sum += double((predicted.row(t).segment<3>(at) - recorded.backbone.row(t).segment<3>(at)).norm());
+    sum +=
+        double((predicted.row(t).segment<3>(at) - recorded.backbone.row(t).segment<3>(at)).norm());
   }
   return sum / double(recorded.point_count() - 1);
 }
@@ -72,8 +73,7 @@ double heading_apart_rad(const FrameMatrix& predicted, const Episode& recorded, 
     return std::numeric_limits<double>::quiet_NaN();
   }
   const SpacePose a = space_pose_of(predicted.row(t).tail<kSpacePoseSize>().cast<double>());
-  const SpacePose b =
-      space_pose_of(recorded.backbone.row(t).tail<kSpacePoseSize>().cast<double>());
+  const SpacePose b = space_pose_of(recorded.backbone.row(t).tail<kSpacePoseSize>().cast<double>());
   return rotation_vector(between(a, b).rotation).norm();
 }
 
@@ -90,7 +90,8 @@ TipErrorSeries tip_errors(const FrameMatrix& predicted, const Episode& episode, 
         (predicted.row(t).segment(tip, numbers) - recorded.row(t).segment(tip, numbers))
             .transpose()
             .cast<double>();
-    const bool tracked = episode.was_tracked(t) && predicted.row(t).tail(recorded.cols() - tip).allFinite();
+    const bool tracked =
+        episode.was_tracked(t) && predicted.row(t).tail(recorded.cols() - tip).allFinite();
     const double nan = std::numeric_limits<double>::quiet_NaN();
     errors.position_cm.push_back(tracked ? kCmPerM * difference.norm() : nan);
     errors.orientation_rad.push_back(tracked ? heading_apart_rad(predicted, episode, t) : nan);

@@ -158,7 +158,8 @@ void add_arms_of(const Recording& recording, std::vector<int>& arms) {
 }
 
 void add_mirrored_arms(const ArmDescription& arm, TrainingData& data) {
-  if (data.arms.empty() || arm.is_spatial() || !std::ranges::all_of(arm.segments, [](const Segment& segment) {
+  if (data.arms.empty() || arm.is_spatial() ||
+      !std::ranges::all_of(arm.segments, [](const Segment& segment) {
         return segment.pressure_limit_kpa.is_symmetric();
       })) {
     return;

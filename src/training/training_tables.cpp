@@ -141,8 +141,7 @@ struct LeastSpread {
 constexpr float kOfChanges = 0.1F;
 
 /// Offset and scale of each row of `columns`.
-Normalisation measure(const Eigen::MatrixXf& columns, Scaling scaling,
-                      LeastSpread least = {}) {
+Normalisation measure(const Eigen::MatrixXf& columns, Scaling scaling, LeastSpread least = {}) {
   Normalisation result{Eigen::VectorXf(columns.rows()), Eigen::VectorXf(columns.rows())};
   for (Eigen::Index i = 0; i < columns.rows(); ++i) {
     const auto row = columns.row(i);
@@ -227,8 +226,7 @@ FrameError<float> chained_error(const RawFrames& raw, const Normalisation& input
   for (Eigen::Index row = 0; raw.lifted && row < poses; ++row) {
     weights[row] *= is_quaternion(row) ? kLiftedWeight : 1.0F;
   }
-  return FrameError<float>(weights,
-                           input.scale.segment(layout.backbone_row(), size).cwiseInverse(),
+  return FrameError<float>(weights, input.scale.segment(layout.backbone_row(), size).cwiseInverse(),
                            input.offset.segment(layout.backbone_row(), size), layout.dimension());
 }
 
@@ -269,9 +267,10 @@ PoseScales measure_poses(const RawFrames& raw, const std::vector<EpisodeRange>& 
     const Eigen::MatrixXf state = tracked_only(raw.state, raw);
     Eigen::MatrixXf both(state.rows(), state.cols() + raw.no_load.cols());
     both << state, raw.no_load;
-    const Normalisation shared = scaling == Scaling::shared_range
-                                     ? measure(both, Scaling::unit_range, {angles_of_states(layout)})
-                                     : joined_by_unit(both, angles_of_states(layout));
+    const Normalisation shared =
+        scaling == Scaling::shared_range
+            ? measure(both, Scaling::unit_range, {angles_of_states(layout)})
+            : joined_by_unit(both, angles_of_states(layout));
     return {shared, shared, {Eigen::VectorXf::Zero(state.rows()), shared.scale}};
   }
   const LeastSpread least{angles_of_states(layout)};
@@ -352,7 +351,8 @@ TrainingTables make_training_tables(const ArmDescription& arm, const std::vector
   const PoseScales poses = measure_poses(raw, tables.episodes, layout, settings);
   tables.input = stack({pressure, pressure, poses.state, poses.no_load});
   if (settings.reads_velocity) {
-    tables.input = stack({tables.input, measure_changes(raw, tables.episodes, layout, settings.scaling)});
+    tables.input =
+        stack({tables.input, measure_changes(raw, tables.episodes, layout, settings.scaling)});
   }
   tables.output = poses.output;
   set_map(raw, layout, settings, tables);

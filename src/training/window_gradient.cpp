@@ -200,9 +200,9 @@ double WindowGradient<Scalar>::forward(const Scalar* parameters) {
       if (map_.reads_velocity() && k + 1 < frames_) {
         note_change(block, state, change(block_of(group, k + 1)));
       }
-      loss += static_cast<double>(map_.error.compute(stride_, state, at(target_, target_size_, block),
-                                                     at(weight_, 1, block),
-                                                     at(error_gradient_, size_, block)));
+      loss += static_cast<double>(
+          map_.error.compute(stride_, state, at(target_, target_size_, block),
+                             at(weight_, 1, block), at(error_gradient_, size_, block)));
     }
   }
   return loss;

@@ -16,11 +16,11 @@
 namespace limber {
 namespace {
 
-using testing_support::kSpaceArm;
-using testing_support::space_arm;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
+using testing_support::kSpaceArm;
+using testing_support::space_arm;
 
 std::string replaced(std::string text, const std::string& piece, const std::string& by) {
   text.replace(text.find(piece), piece.size(), by);
@@ -49,16 +49,17 @@ class BrokenSpaceArm : public ::testing::TestWithParam<SpaceBreakage> {};
 
 TEST_P(BrokenSpaceArm, IsRefusedWithLineAndReason) {
   const std::string text = replaced(kSpaceArm, GetParam().piece, GetParam().replacement);
-  EXPECT_THAT([&] { space_arm(text); },
-              ThrowsMessage<InputError>(AllOf(HasSubstr("space.yaml:"),
-                                              HasSubstr(GetParam().message))));
+  EXPECT_THAT(
+      [&] { space_arm(text); },
+      ThrowsMessage<InputError>(AllOf(HasSubstr("space.yaml:"), HasSubstr(GetParam().message))));
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Each, BrokenSpaceArm,
     ::testing::Values(
         SpaceBreakage{"dimension: 3", "dimension: 4", "2, in a plane, or 3, in space"},
-        SpaceBreakage{"no_load: chambers", "no_load: curvature", "chambers, fitted or straight for an arm in space"},
+        SpaceBreakage{"no_load: chambers", "no_load: curvature",
+                      "chambers, fitted or straight for an arm in space"},
         SpaceBreakage{"no_load: chambers", "no_load: fitted", "shape_of_strains"},
         SpaceBreakage{"gravity: [1, 0, 0]", "gravity: [1, 0]", "2 numbers found; expected 3"},
         SpaceBreakage{"gravity: [1, 0, 0]", "gravity: [0, 0, 0]", "expected a direction"},
@@ -126,8 +127,7 @@ std::string planar_in_space() {
       "pressure_rate_limit_kpa_per_s: 100\nactuator_radius_m: 0.004\nsegments:\n"
       "  - {{length_m: 0.235, width_m: 0.05, gaps: 5, chambers: [{}, {}]}}\n"
       "  - {{length_m: 0.2, width_m: 0.03, gaps: 4, chambers: [{}, {}]}}\n",
-      side(0, 0.05, first), side(180, 0.05, first), side(0, 0.03, second),
-      side(180, 0.03, second));
+      side(0, 0.05, first), side(180, 0.05, first), side(0, 0.03, second), side(180, 0.03, second));
 }
 
 TEST(SpaceNoLoad, APlanarArmInSpaceIsThePlanarArm) {
@@ -154,8 +154,8 @@ TEST(SpaceNoLoad, APlanarArmInSpaceIsThePlanarArm) {
 
 TEST(SpaceNoLoad, PlanarOnlyUsesAreRefusedByName) {
   EXPECT_THAT([] { require_planar(space_arm(), "limber plan"); },
-              ThrowsMessage<InputError>(AllOf(HasSubstr("limber plan"), HasSubstr("'hanging'"),
-                                              HasSubstr("train"))));
+              ThrowsMessage<InputError>(
+                  AllOf(HasSubstr("limber plan"), HasSubstr("'hanging'"), HasSubstr("train"))));
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 
 #include <numbers>
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include "limber/arm/pose.hpp"
 #include "limber/common/random_stream.hpp"
@@ -21,9 +21,9 @@ Eigen::Vector3d random_vector(RandomStream& random, double size) {
 SpacePose integrated(double length_m, const Eigen::Vector3d& omega) {
   constexpr int kSteps = 20'000;
   SpacePose pose;
-  const Eigen::AngleAxisd half(omega.norm() / kSteps / 2.0,
-                               omega.norm() > 0.0 ? Eigen::Vector3d(omega.normalized())
-                                                  : Eigen::Vector3d::UnitX());
+  const Eigen::AngleAxisd half(
+      omega.norm() / kSteps / 2.0,
+      omega.norm() > 0.0 ? Eigen::Vector3d(omega.normalized()) : Eigen::Vector3d::UnitX());
   for (int i = 0; i < kSteps; ++i) {
     pose.rotation = pose.rotation * half;
     pose.position_m += pose.rotation * Eigen::Vector3d(length_m / kSteps, 0.0, 0.0);

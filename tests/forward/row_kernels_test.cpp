@@ -85,14 +85,16 @@ TEST_P(RowKernelsOfLevel, GapsInSpaceAgreeWithTheStandardLibrary) {
             gap.col(q).segment<kSpaceGapSize>(kSpaceGapSize * g).cast<double>();
         position += rotation * numbers.head<3>();
         const Eigen::Vector3d omega = numbers.tail<3>();
-        rotation = rotation * Eigen::AngleAxisd(omega.norm(), omega.norm() > 0.0
-                                                                  ? Eigen::Vector3d(omega.normalized())
-                                                                  : Eigen::Vector3d::UnitX());
+        rotation =
+            rotation * Eigen::AngleAxisd(omega.norm(), omega.norm() > 0.0
+                                                           ? Eigen::Vector3d(omega.normalized())
+                                                           : Eigen::Vector3d::UnitX());
         const Eigen::VectorXd found =
             base.col(q).segment<kSpacePoseSize>(kSpacePoseSize * (g + 1)).cast<double>();
         EXPECT_LT((found.head<3>() - position).norm(), 1e-5);
-        EXPECT_LT(rotation.angularDistance(Eigen::Quaterniond(found[6], found[3], found[4], found[5])),
-                  2e-3);  // acos near 1 in float
+        EXPECT_LT(
+            rotation.angularDistance(Eigen::Quaterniond(found[6], found[3], found[4], found[5])),
+            2e-3);  // acos near 1 in float
       }
     }
     Rows again(kSpaceGapSize * kGaps, kernels.lanes);

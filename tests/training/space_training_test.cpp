@@ -39,9 +39,8 @@ Episode toy_episode(const ArmDescription& arm, int frames, std::uint64_t seed, i
   const float open = 1.0F - std::exp(-float(arm.frame_period_s()) / 0.2F);
   for (int t = 0; t < frames; ++t) {
     if (t % 25 == 1) {
-      goal = Eigen::RowVectorXf::NullaryExpr(arm.channel_count(), [&] {
-        return float(random.uniform(0.0, 80.0));
-      });
+      goal = Eigen::RowVectorXf::NullaryExpr(arm.channel_count(),
+                                             [&] { return float(random.uniform(0.0, 80.0)); });
     }
     episode.setpoint_kpa.row(t) = goal;
     const Eigen::VectorXf asked = episode.setpoint_kpa.row(std::max(t - late, 0)).transpose();

@@ -20,8 +20,8 @@ struct GapBound {
 template <class Scalar>
 inline GapBound<Scalar> gap_bound(Scalar min_length, Scalar max_length, Scalar min_turn,
                                   Scalar max_turn, Scalar max_bend = 0) {
-  return {min_length, max_length, min_length * min_length, max_length * max_length,
-          min_turn,   max_turn,   max_bend};
+  return {min_length, max_length, min_length * min_length, max_length * max_length, min_turn,
+          max_turn,   max_bend};
 }
 
 namespace {

@@ -83,10 +83,10 @@ const char* to_string(NoLoadKind kind);
 /// What bends a segment in space: a chamber, a bellows, a muscle or a tendon, with a command of its
 /// own. Angle and radius say where it lies in the segment's cross-section, seen from the tip.
 struct Chamber {
-  double angle_deg = 0.0;    ///< from y (left) toward z (up)
-  double radius_m = 0.0;     ///< from the segment's axis; > 0 with NoLoadKind::chambers
-  int sense = 1;             ///< 1 where it extends under positive commands, −1 where it contracts
-  PressureLimits limit_kpa;  ///< in the command's unit
+  double angle_deg = 0.0;  ///< from y (left) toward z (up)
+  double radius_m = 0.0;   ///< from the segment's axis; > 0 with NoLoadKind::chambers
+  int sense = 1;           ///< 1 where it extends under positive commands, −1 where it contracts
+  PressureLimits limit_kpa;              ///< in the command's unit
   StrainPolynomial strain_polynomial{};  ///< of its strain; all 0: the strain is the command itself
 };
 

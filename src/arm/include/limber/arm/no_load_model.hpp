@@ -43,8 +43,8 @@ class NoLoadModel {
   NoLoadKind kind() const { return kind_; }
   const Command& command() const { return command_; }
 
-  /// Backbone B̃ at `pressures_kpa` (size n) of either kind of arm, written to `numbers`: m poses of
-  /// pose_size(dimension()) numbers.
+  /// Backbone B̃ at `pressures_kpa` (size n) of either kind of arm, written to `numbers`: m poses
+  /// of pose_size(dimension()) numbers.
   void poses(const Eigen::Ref<const Eigen::VectorXf>& pressures_kpa,
              Eigen::Ref<Eigen::VectorXf> numbers) const;
   /// The model of an arm in space; else null.

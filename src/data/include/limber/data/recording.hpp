@@ -45,7 +45,7 @@ struct Episode {
   bool setpoints_only = false;
 
   Dimension dimension = Dimension::plane;
-  /// In space: rotations were made from positions (docs/space.md). Nothing is measured against them.
+  /// In space: rotations were made from positions (docs/space.md). No error is measured of them.
   bool lifted = false;
 
   /// JSON of what a virtual arm that was varied has other than its file; empty: nothing was. Those

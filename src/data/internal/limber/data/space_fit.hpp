@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
 #include <Eigen/Core>
+#include <nlohmann/json_fwd.hpp>
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/valve_findings.hpp"
@@ -22,7 +22,8 @@ struct SpaceFit {
   Eigen::MatrixXd shape_sd;  ///< of each, as the jackknife over ten pieces of the recordings says
   double dead_time_s = 0.0;
   double lag_s = 0.0;
-  double plates_mm = 0.0;  ///< mean distance of the plates behind the base, over the frames fitted to
+  double plates_mm =
+      0.0;  ///< mean distance of the plates behind the base, over the frames fitted to
   double tip_mm = 0.0;
 };
 
@@ -38,20 +39,20 @@ FrameMatrix predict(const SpaceFit& fit, const ArmDescription& arm, const Episod
 /// significant digits.
 ArmDescription with_space_fit(ArmDescription arm, const SpaceFit& fit);
 
-/// Dead time and lag as valves, for recordings of set points alone: one for all chambers. Ideal, with
-/// the reason, where neither shows.
+/// Dead time and lag as valves, for recordings of set points alone: one for all chambers. Ideal,
+/// with the reason, where neither shows.
 IdentifiedValves valves_of_shapes(const ArmDescription& arm, const std::vector<Episode>& episodes,
                                   const std::string& source);
 
 /// What a chamber does to the segment that it is in, over all of its range, and what the arm file
 /// says of that.
 struct ChamberFinding {
-  std::string name;          ///< "chamber 0 of segment 1"
-  double bend_rad = 0.0;     ///< of its own segment
-  double angle_deg = 0.0;    ///< toward which it bends it, from y toward z
-  double extension = 0.0;    ///< share of the segment's length
-  double sd_rad = 0.0;       ///< of the bend
-  std::string suspicion;     ///< empty, or what is odd: "hardly acts", "bends to the other side" …
+  std::string name;        ///< "chamber 0 of segment 1"
+  double bend_rad = 0.0;   ///< of its own segment
+  double angle_deg = 0.0;  ///< toward which it bends it, from y toward z
+  double extension = 0.0;  ///< share of the segment's length
+  double sd_rad = 0.0;     ///< of the bend
+  std::string suspicion;   ///< empty, or what is odd: "hardly acts", "bends to the other side" …
 };
 std::vector<ChamberFinding> chamber_findings(const ArmDescription& arm, const SpaceFit& fit);
 

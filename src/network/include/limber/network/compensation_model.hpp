@@ -57,7 +57,7 @@ struct GapBounds {
   Eigen::VectorXf min_length_m;  ///< > 0
   Eigen::VectorXf max_length_m;  ///< ≥ min_length_m
   Eigen::VectorXf min_turn_rad;
-  Eigen::VectorXf max_turn_rad;  ///< ≥ min_turn_rad
+  Eigen::VectorXf max_turn_rad;    ///< ≥ min_turn_rad
   Eigen::VectorXf max_bend_rad{};  ///< > 0, in space; else empty
 };
 

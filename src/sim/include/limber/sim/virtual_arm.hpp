@@ -67,9 +67,9 @@ struct VirtualArmState {
 using StepObserver = std::function<void(double time_s, const BackboneD& backbone)>;
 
 /// A soft arm, simulated (docs/virtual-arm.md): one serial chain in MuJoCo, driven by actuators
-/// with the hysteresis of their braids, and by valves with their pressure controller. In a plane it lies
-/// on a table with friction, with a slide and a hinge per gap. In space it hangs or stands, with a
-/// slide, two bending hinges and a twist per gap, and with friction in these.
+/// with the hysteresis of their braids, and by valves with their pressure controller. In a plane it
+/// lies on a table with friction, with a slide and a hinge per gap. In space it hangs or stands,
+/// with a slide, two bending hinges and a twist per gap, and with friction in these.
 ///
 /// Frame:   B, the arm's base; in a plane θ is the sum of the hinge angles, never wrapped.
 /// Step:    the largest one that divides the frame period and does not exceed

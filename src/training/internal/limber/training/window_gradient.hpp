@@ -19,10 +19,10 @@ namespace limber {
 template <class Scalar>
 struct FrameTable {
   using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
-  Matrix pressure;                    ///< n×F
-  Matrix no_load;                     ///< N×F, B̃ as the network reads it
-  Matrix uncompensated;               ///< D×F, the state that a network output of zero would give
-  Matrix state;                       ///< D×F, recorded backbones
+  Matrix pressure;       ///< n×F
+  Matrix no_load;        ///< N×F, B̃ as the network reads it
+  Matrix uncompensated;  ///< D×F, the state that a network output of zero would give
+  Matrix state;          ///< D×F, recorded backbones
   Matrix target;  ///< what the frame error compares with, a pose of each plate; empty: `state`
   std::vector<std::uint8_t> tracked;  ///< F, 0 if the backbone was not tracked; empty: always
   Matrix change = {};  ///< D×F, B_t − B_{t−1} as the network reads it; empty: it does not
@@ -47,7 +47,7 @@ struct StateBounds {
   template <class Other>
   StateBounds<Other> cast() const {
     StateBounds<Other> result{
-        {},        scale.template cast<Other>(), offset.template cast<Other>(), layout, dimension,
+        {},       scale.template cast<Other>(), offset.template cast<Other>(), layout, dimension,
         lead_back};
     for (const GapBound<Scalar>& gap : gaps) {
       result.gaps.push_back(
