@@ -66,8 +66,8 @@ double plates_m(const FrameMatrix& predicted, const Episode& recorded, Eigen::In
 /// Angle between the tips' headings; NaN where nobody measured them.
 double heading_apart_rad(const FrameMatrix& predicted, const Episode& recorded, Eigen::Index t) {
   if (recorded.dimension == Dimension::plane) {
-    return std::abs(double(predicted(t, predicted.cols() - 1)) -
-                    double(recorded.backbone(t, predicted.cols() - 1)));
+    const Eigen::Index heading = predicted.cols() - 1;
+    return std::abs(double(predicted(t, heading) - recorded.backbone(t, heading)));
   }
   if (recorded.lifted) {
     return std::numeric_limits<double>::quiet_NaN();
