@@ -130,22 +130,26 @@ EpisodeChoice DataFlags::load(const CommonFlags& flags, const ArmDescription& ar
   NamedEpisodes validation = load_validation(flags, reader);
   std::vector<std::string> broken = leave_out(arm, all, validation);
   valves = valves_of(all.episodes, arm);
-  if (arm.is_spatial()) {
+  EpisodeChoice choice;
+  choice.follows_setpoints = arm.is_spatial() && !valves.parameters.is_ideal() &&
+                             !all.episodes.empty() && all.episodes.front().setpoints_only;
+  if (choice.follows_setpoints) {
     follow_setpoints(valves.parameters, arm, all.episodes);
     follow_setpoints(valves.parameters, arm, validation.episodes);
   }
-  EpisodeChoice choice;
   if (may_be_little && validation_.empty() && unseen_.empty() && is_little(arm, all.episodes)) {
     choice.is_little = true;
     choice.data.training = std::move(all.episodes);
   } else {
     const EpisodeShares shares{kValidationShare, unseen_.empty() ? kUnseenShare : 0.0};
+    const bool follows_setpoints = choice.follows_setpoints;
     choice = choose_episodes(std::move(all), std::move(validation), shares, flags.seed);
+    choice.follows_setpoints = follows_setpoints;
   }
   choice.broken = std::move(broken);
   if (!unseen_.empty()) {
     choice.data.unseen = reader.read(unseen_).episodes;
-    if (arm.is_spatial()) {
+    if (choice.follows_setpoints) {
       follow_setpoints(valves.parameters, arm, choice.data.unseen);
     }
   }

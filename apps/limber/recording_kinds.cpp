@@ -44,12 +44,12 @@ Recording RecordingKinds::read(const std::string& file, const ArmDescription& ar
 
 Recording as_learnt_from(const CompensationModel& network, const std::string& model_file,
                          Recording recording, const std::string& file) {
-  if (network.learnt_from_setpoints && !recording.setpoints_only()) {
+  if (network.valves && network.training.contains(kFollowsSetpoints)) {
     recording.episodes = with_setpoints_only(std::move(recording.episodes));
-  } else if (network.dimension == Dimension::space && recording.setpoints_only() &&
-             network.valves) {
     follow_setpoints(*network.valves, read_arm_keys(network.arm_description, model_file),
                      recording.episodes);
+  } else if (network.learnt_from_setpoints && !recording.setpoints_only()) {
+    recording.episodes = with_setpoints_only(std::move(recording.episodes));
   } else if (!network.learnt_from_setpoints && recording.setpoints_only()) {
     throw InputError(fmt::format(
         "{}: holds set points only; {} learnt from measured {}s and can't be asked without them. "

@@ -144,15 +144,8 @@ class ExportVerb final : public Verb {
     }
   }
 
-  void refuse_in_space(Dimension dimension) const {
-    if (dimension == Dimension::space) {
-      throw InputError(fmt::format("{}: of an arm in space, which can't be exported yet", file_));
-    }
-  }
-
   void export_recording() {
     const Recording recording = read_recording(file_);
-    refuse_in_space(recording.dimension);
     if (!csv_.empty()) {
       add(export_csv(recording, csv_));
     }
@@ -163,7 +156,9 @@ class ExportVerb final : public Verb {
 
   void export_model() {
     const CompensationModel model = read_model_of_one_arm(file_);
-    refuse_in_space(model.dimension);
+    if (model.dimension == Dimension::space) {
+      throw InputError(fmt::format("{}: of an arm in space, which can't be exported yet", file_));
+    }
     if (!onnx_.empty()) {
       write_onnx(onnx_, model);
       add({onnx_});

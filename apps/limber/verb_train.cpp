@@ -22,6 +22,7 @@
 #include "limber/training/trainer.hpp"
 #include "limber/training/unseen_error.hpp"
 #include "limber/training/window_stages.hpp"
+#include "recording_kinds.hpp"
 #include "train_report.hpp"
 #include "verbs.hpp"
 
@@ -108,6 +109,7 @@ class TrainVerb final : public Verb {
     }
     require_free_paths(flags);
     const ArmDescription arm = load_any_arm(arm_);
+    refuse_in_space(arm);
     EpisodeReader reader(flags, arm, files_.setpoints());
     const std::optional<CompensationModel> start = read_start(arm, reader);
     TrainingSettings settings = make_settings(flags, start.has_value());
@@ -174,6 +176,17 @@ class TrainVerb final : public Verb {
       say(flags, "the best model so far is in {}; the same command with --resume goes on", out_);
     }
     return result.status == TrainingStatus::finished ? kExitDone : kExitNoSolution;
+  }
+
+  /// What an arm in space can't have yet.
+  void refuse_in_space(const ArmDescription& arm) const {
+    for (const auto& [is_asked, what] : {std::pair{family_, "train --family"},
+                                         {!from_.empty(), "train --from"},
+                                         {preset_ == "paper", "train --preset paper"}}) {
+      if (is_asked) {
+        require_planar(arm, what);
+      }
+    }
   }
 
   /// --epochs 0.
@@ -323,6 +336,9 @@ class TrainVerb final : public Verb {
   void record_origin(CompensationModel& model, const std::string& sources,
                      const TrainingSettings& settings, const EpisodeChoice& choice) const {
     model.training["data"] = sources;
+    if (choice.follows_setpoints) {
+      model.training[kFollowsSetpoints] = "yes";
+    }
     model.training["windows"] = fmt::format("{}", fmt::join(windows_of(settings), " "));
     model.training["validation"] = fmt::format("{}", fmt::join(choice.validation, "; "));
     if (!from_.empty()) {

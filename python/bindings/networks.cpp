@@ -161,8 +161,18 @@ void bind_networks(py::module_& module) {
   bind_gap_bounds(module);
   bind_learnt_region(module);
   bind_network(module);
-  module.def("read_model", &read_model, py::arg("path"), py::call_guard<OthersMayRun>(),
-             "Reads and checks a model (safetensors). Raises InputError naming file and key.");
+  module.def(
+      "read_model",
+      [](const std::filesystem::path& path) {
+        CompensationModel model = read_model(path);
+        if (model.dimension == Dimension::space) {
+          throw InputError(path.string() +
+                           ": the model of an arm in space, which Python can't use yet");
+        }
+        return model;
+      },
+      py::arg("path"), py::call_guard<OthersMayRun>(),
+      "Reads and checks a model (safetensors). Raises InputError naming file and key.");
   module.def("write_model", &write_model, py::arg("path"), py::arg("model"),
              py::call_guard<OthersMayRun>(),
              "Writes a model (safetensors) that read_model reads, atomically.");

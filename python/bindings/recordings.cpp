@@ -345,8 +345,18 @@ void bind_recordings(py::module_& module) {
       py::arg("episodes"),
       "Copies of the episodes without measured pressures: set points take their "
       "place.");
-  module.def("read_recording", &read_recording, py::arg("path"), py::call_guard<OthersMayRun>(),
-             "Reads and checks a recording (HDF5). Raises InputError naming file and field.");
+  module.def(
+      "read_recording",
+      [](const std::filesystem::path& path) {
+        Recording recording = read_recording(path);
+        if (recording.dimension == Dimension::space) {
+          throw InputError(path.string() +
+                           ": a recording of an arm in space, which Python can't use yet");
+        }
+        return recording;
+      },
+      py::arg("path"), py::call_guard<OthersMayRun>(),
+      "Reads and checks a recording (HDF5). Raises InputError naming file and field.");
   module.def("write_recording", &write_recording, py::arg("path"), py::arg("recording"),
              py::call_guard<OthersMayRun>(),
              "Writes a recording (HDF5) that read_recording reads, atomically.");

@@ -63,12 +63,14 @@ std::string ValveParameters::hash() const {
 }
 
 std::string why_unusable(const ValveParameters& parameters, const ArmDescription& arm) {
-  if (!parameters.is_ideal() && parameters.has_sides != arm.command.is_pressure_kpa()) {
+  // A chamber has one side: what has none says the same of it.
+  if (!arm.is_spatial() && !parameters.is_ideal() &&
+      parameters.has_sides != arm.command.is_pressure_kpa()) {
     return fmt::format("has_sides = {}; arm '{}' is driven by '{}' in {}, which has {}",
                        parameters.has_sides, arm.name, arm.command.name, arm.command.unit,
                        arm.command.is_pressure_kpa() ? "two sides" : "no sides");
   }
-  return why_unusable(parameters, arm.segment_count());
+  return why_unusable(parameters, arm.channel_count());
 }
 
 std::string why_unusable(const ValveParameters& parameters, int segment_count) {

@@ -246,7 +246,18 @@ void require_valid(const Recording& recording, const LogExportSettings& settings
 
 }  // namespace
 
+namespace {
+
+void refuse_in_space(const Recording& recording) {
+  if (recording.dimension == Dimension::space) {
+    throw InputError("a recording of an arm in space can't be exported yet");
+  }
+}
+
+}  // namespace
+
 std::vector<fs::path> export_csv(const Recording& recording, const fs::path& folder) {
+  refuse_in_space(recording);
   std::vector<fs::path> files;
   std::string header = "time_s" + command_header(recording);
   std::string points;
@@ -278,6 +289,7 @@ std::vector<fs::path> export_csv(const Recording& recording, const fs::path& fol
 
 std::vector<fs::path> export_motive(const Recording& recording, const fs::path& folder,
                                     const LogExportSettings& settings) {
+  refuse_in_space(recording);
   require_valid(recording, settings);
   std::vector<fs::path> files;
   for (std::size_t e = 0; e < recording.episodes.size(); ++e) {

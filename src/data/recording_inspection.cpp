@@ -244,7 +244,9 @@ std::string transitions_to_text(const Recording& recording, const RecordingInspe
 /// By the arm file, or by the arm that the recording describes.
 std::optional<EpisodeErrors> errors_of(const Recording& recording, const ArmDescription* arm,
                                        const std::string& file) {
-  const bool tracked = recording.untracked_count() < recording.frame_count();
+  const bool tracked = recording.dimension == Dimension::space
+                           ? is_enough_for_space_fit(recording.episodes)
+                           : recording.untracked_count() < recording.frame_count();
   if (!tracked || (arm == nullptr && recording.arm_description.empty())) {
     return std::nullopt;
   }
@@ -307,7 +309,7 @@ RecordingInspection inspect(const Recording& recording, const ArmDescription* ar
   }
   inspection.valves = identify_valves(recording, std::move(largest_kpa));
   inspection.episode_errors = errors_of(recording, arm, file);
-  if (arm != nullptr && arm->is_spatial()) {
+  if (arm != nullptr && arm->is_spatial() && is_enough_for_space_fit(recording.episodes)) {
     look_at_chambers(*arm, recording.episodes, inspection);
   }
   return inspection;

@@ -12,6 +12,7 @@
 #include "limber/arm/space_no_load.hpp"
 #include "limber/arm/space_pose.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
 #include "limber/common/statistics.hpp"
 
 namespace limber {
@@ -24,6 +25,7 @@ constexpr int kSpacePieces = 10;    // of the jackknife
 constexpr int kRobustRounds = 3;
 constexpr double kSpaceHuber = 2.0;  // medians beyond which a frame counts less
 constexpr double kLongestDead_s = 0.6;
+constexpr double kFinestStep_s = 0.005;
 constexpr std::array<double, 14> kLags_s = {0.0,  0.02, 0.04, 0.06, 0.08, 0.1,  0.13,
                                             0.17, 0.22, 0.3,  0.4,  0.55, 0.75, 1.0};
 
@@ -98,7 +100,7 @@ class SpaceFitter {
         }
       }
     }
-    if (frames_.size() < kMinFitFrames) {
+    if (!is_enough_for_space_fit(episodes)) {
       throw InputError(
           fmt::format("the arm was tracked in {} frames; expected at least {} to fit a model to",
                       frames_.size(), kMinFitFrames));
@@ -115,6 +117,7 @@ class SpaceFitter {
     SpaceFit fit;
     double best = std::numeric_limits<double>::infinity();
     const auto consider = [&](double dead_time_s, double lag_s) {
+      throw_if_interrupted();
       set_terms(dead_time_s, lag_s);
       const Eigen::MatrixXd shape = solve(-1);
       if (const double off = mean_off_m(shape); off < best) {
@@ -122,7 +125,7 @@ class SpaceFitter {
         fit = {shape, {}, dead_time_s, lag_s, 0.0, 0.0};
       }
     };
-    const double step_s = 0.5 * arm_.frame_period_s();
+    const double step_s = std::max(0.5 * arm_.frame_period_s(), kFinestStep_s);
     for (int round = 0; round < kRobustRounds; ++round) {
       const double lag_s = fit.lag_s;
       for (double dead_s = 0.0; dead_s <= kLongestDead_s; dead_s += step_s) {
@@ -246,6 +249,14 @@ double seven_digits(double x) {
 }
 
 }  // namespace
+
+bool is_enough_for_space_fit(const std::vector<Episode>& episodes) {
+  int tracked = 0;
+  for (const Episode& episode : episodes) {
+    tracked += episode.frame_count() - episode.untracked_count();
+  }
+  return tracked >= kMinFitFrames;
+}
 
 SpaceFit fit_space_model(const ArmDescription& arm, const std::vector<Episode>& episodes) {
   require_episodes_of(episodes, arm);

@@ -73,7 +73,9 @@ std::vector<ChamberFinding> chamber_findings(const ArmDescription& arm, const Sp
       found.angle_deg = direction_deg(shape[0], shape[1]);
       found.extension = shape[2];
       found.sd_rad = std::abs(strain) * fit.shape_sd.block<2, 1>(3 * i, channel).norm();
-      found.suspicion = suspicion_of(arm, i, chamber, found);
+      ChamberFinding as_pressed = found;
+      as_pressed.angle_deg += full[channel] < 0.0 ? 180.0 : 0.0;
+      found.suspicion = suspicion_of(arm, i, chamber, as_pressed);
       findings.push_back(std::move(found));
       ++channel;
     }

@@ -143,6 +143,9 @@ Backbone ForwardModel::checked_step(const Pressures& previous_kpa, const Pressur
 
 Backbone ForwardModel::checked_step(const Pressures& previous_kpa, const Pressures& current_kpa,
                                     const Backbone& before, const Backbone& previous) const {
+  if (dimension() == Dimension::space) {
+    throw InputError("checked_step: a model of an arm in space answers batches alone");
+  }
   require_pressures("previous_kpa", previous_kpa, no_load_);
   require_pressures("current_kpa", current_kpa, no_load_);
   require_backbone("previous", previous, point_count());

@@ -264,6 +264,10 @@ std::string onnx_version() {
 void write_onnx(const std::filesystem::path& path, const CompensationModel& model) {
   validate(model, path.string());
   require_one_arm(model, "ONNX");
+  if (model.dimension == Dimension::space) {
+    throw InputError(fmt::format("{}: the model of an arm in space can't be exported to ONNX yet",
+                                 path.string()));
+  }
   onnx::ModelProto file;
   file.set_ir_version(kIrVersion);
   file.set_producer_name("limber");

@@ -127,9 +127,12 @@ std::string to_text(const Evaluation& evaluation) {
       "worst: the mean over the worst motion; moving: over "
       "frames in which the tip moves; -: there are none\n";
   if (evaluation.network) {
-    text += fmt::format("open loop, the network's errors are {:.1f} % and {:.1f} % smaller\n",
+    const bool has_headings = std::isfinite(evaluation.no_load_open_loop.orientation_rad.mean);
+    text += fmt::format("open loop, the network's errors are {:.1f} %{} smaller\n",
                         evaluation.position_reduction_percent,
-                        evaluation.orientation_reduction_percent);
+                        has_headings
+                            ? fmt::format(" and {:.1f} %", evaluation.orientation_reduction_percent)
+                            : std::string());
     const LongRollout& rollout = evaluation.long_rollout;
     text += fmt::format(
         "{} frames without correction: {}, no plate is farther than {:.2f} m; in {:.1f} % of them "

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "limber/common/interrupt.hpp"
+#include "limber/network/backbone_layout.hpp"
 
 namespace limber {
 
@@ -62,9 +63,26 @@ std::vector<const Episode*> episodes_to_walk(const std::vector<Episode>& episode
   return longest;
 }
 
-/// The same of an arm in space, whose poses lie in a column; only its distance is looked at.
+/// Of an arm in space, by its gaps (NetworkLayout).
+bool is_held_in_space(const GapBounds& bounds, const Eigen::VectorXd& gaps) {
+  constexpr double kRounding = 1e-5;
+  for (Eigen::Index g = 0; g < bounds.min_length_m.size(); ++g) {
+    const Eigen::VectorXd gap = gaps.segment<kSpaceGapSize>(kSpaceGapSize * g);
+    const double length = gap.head<3>().norm();
+    if (length <= double(bounds.min_length_m[g]) + kRounding ||
+        length >= double(bounds.max_length_m[g]) - kRounding ||
+        gap.tail<2>().norm() >= double(bounds.max_bend_rad[g]) - kRounding ||
+        gap[3] <= double(bounds.min_turn_rad[g]) + kRounding ||
+        gap[3] >= double(bounds.max_turn_rad[g]) - kRounding) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// The same of an arm in space, whose poses lie in a column.
 bool walk_in_space(const ForwardModel& model, const Episode& episode, int frames,
-                   LongRollout& result) {
+                   LongRollout& result, int& held) {
   const int count = frames_from_tracked(episode);
   const int begin = episode.frame_count() - count;
   ForwardModel::Workspace workspace;
@@ -82,6 +100,12 @@ bool walk_in_space(const ForwardModel& model, const Episode& episode, int frames
       result.max_distance_m =
           std::max(result.max_distance_m, double(state.col(0).segment<3>(at).norm()));
     }
+    if (state.allFinite() && model.has_network() && model.compensation().bounds) {
+      held += is_held_in_space(*model.compensation().bounds,
+                               gap_poses_of(state.cast<double>(), Dimension::space).col(0))
+                  ? 1
+                  : 0;
+    }
   }
   return state.allFinite();
 }
@@ -91,7 +115,7 @@ bool walk_in_space(const ForwardModel& model, const Episode& episode, int frames
 bool walk(const ForwardModel& model, const Episode& episode, int frames, LongRollout& result,
           int& held) {
   if (model.dimension() == Dimension::space) {
-    return walk_in_space(model, episode, frames, result);
+    return walk_in_space(model, episode, frames, result, held);
   }
   const int count = frames_from_tracked(episode);
   const int begin = episode.frame_count() - count;

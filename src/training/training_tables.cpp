@@ -63,6 +63,9 @@ void mark_untracked(const std::vector<Episode>& episodes, RawFrames& raw) {
 
 RawFrames gather(const ArmDescription& arm, const std::vector<Episode>& episodes,
                  const NetworkLayout& layout, std::vector<EpisodeRange>& ranges) {
+  if (layout.backbone_layout() == BackboneLayout::base_poses) {
+    require_planar(arm, "a network of base poses (the preset paper)");
+  }
   int count = 0;
   for (const Episode& episode : episodes) {
     ranges.push_back({count, episode.frame_count()});

@@ -31,6 +31,7 @@ struct SpaceFit {
 /// they are, so that a broken episode moves it little.
 /// @throws InputError as require_episodes_of, or where too few frames were tracked.
 SpaceFit fit_space_model(const ArmDescription& arm, const std::vector<Episode>& episodes);
+bool is_enough_for_space_fit(const std::vector<Episode>& episodes);
 
 /// Poses that the model expects under an episode's commands, T×7m, base at the origin.
 FrameMatrix predict(const SpaceFit& fit, const ArmDescription& arm, const Episode& episode);
