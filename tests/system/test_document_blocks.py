@@ -47,6 +47,7 @@ ELSEWHERE = {
     ("docs/importing.md", "time: {rate_hz: 40}"):
         "an excerpt; tests/logs/space_import_test.cpp reads such mappings",
     ("docs/importing.md", "commands:"): "an excerpt; examples/six_motors has it",
+    ("docs/space.md", "schema: limber/arm/1"): "tests/arm/space_no_load_test.cpp reads such arms",
     ("docs/importing.md", "cp -r examples/six_motors"): "test_six_motors.py",
     ("docs/importing.md", "limber characterize --arm arm.yaml --commands"): "test_six_motors.py",
     ("docs/formats.md", "commands:"): "an excerpt; tests/arm/arm_commands_test.cpp",
