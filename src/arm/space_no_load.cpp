@@ -32,6 +32,11 @@ Eigen::MatrixXd shape_of_chambers(const Segment& segment) {
   return shape;
 }
 
+/// @param numbers  bend about y and about z, extension
+SpaceSegmentShape shape_of(const Segment& segment, const Eigen::Vector3d& numbers) {
+  return {{0.0, numbers[0], numbers[1]}, segment.length_m * (1.0 + numbers[2])};
+}
+
 }  // namespace
 
 SpaceNoLoad::SpaceNoLoad(const ArmDescription& arm) : arm_(arm) {
@@ -69,21 +74,25 @@ Eigen::VectorXd SpaceNoLoad::strains(const Eigen::Ref<const Eigen::VectorXd>& co
 }
 
 SpaceSegmentShape SpaceNoLoad::segment_shape(int segment, const Eigen::VectorXd& strains) const {
-  const Eigen::Vector3d shape =
-      shape_.middleRows<kRowsOfSegment>(kRowsOfSegment * segment) * strains;
-  const double length_m = arm_.segments[static_cast<std::size_t>(segment)].length_m;
-  return {{0.0, shape[0], shape[1]}, length_m * (1.0 + shape[2])};
+  return shape_of(arm_.segments[static_cast<std::size_t>(segment)],
+                  shape_.middleRows<kRowsOfSegment>(kRowsOfSegment * segment) * strains);
 }
 
 void SpaceNoLoad::poses(const Eigen::Ref<const Eigen::VectorXd>& commands,
                         Eigen::Ref<Eigen::VectorXf> numbers) const {
-  const Eigen::VectorXd strains = this->strains(commands);
+  poses_of_shapes(shape_ * strains(commands), numbers);
+}
+
+void SpaceNoLoad::poses_of_shapes(const Eigen::Ref<const Eigen::VectorXd>& shapes,
+                                  Eigen::Ref<Eigen::VectorXf> numbers) const {
   SpacePose pose;
   numbers.head<kSpacePoseSize>() = numbers_of(pose).cast<float>();
   Eigen::Index at = 0;
   for (int i = 0; i < arm_.segment_count(); ++i) {
-    const SpaceSegmentShape shape = segment_shape(i, strains);
-    const int gaps = arm_.segments[static_cast<std::size_t>(i)].gaps;
+    const Segment& segment = arm_.segments[static_cast<std::size_t>(i)];
+    const SpaceSegmentShape shape =
+        shape_of(segment, shapes.segment<kRowsOfSegment>(kRowsOfSegment * i));
+    const int gaps = segment.gaps;
     const SpacePose step =
         element<double>(shape.length_m / gaps, Eigen::Vector3d(shape.rotation_rad / gaps));
     for (int g = 0; g < gaps; ++g) {

@@ -9,13 +9,12 @@
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/yaml_reader.hpp"
-#include "read_length.hpp"
+#include "segment_reader.hpp"
 
 namespace limber {
 
 namespace {
 
-constexpr int kMaxSpaceGaps = 100;
 constexpr std::size_t kMaxChambers = 16;  // of a segment
 constexpr int kShapeRows = 3;             // bend about y, bend about z, extension
 
@@ -50,7 +49,7 @@ class SpaceSegmentReader {
     Segment segment;
     segment.length_m = read_length_m(node.at("length_m"));
     segment.width_m = read_length_m(node.at("width_m"));
-    segment.gaps = node.at("gaps").integer("the number of gaps between plates", 1, kMaxSpaceGaps);
+    segment.gaps = node.at("gaps").integer("the number of gaps between plates", 1, kMaxGaps);
     const YamlReader chambers = node.at("chambers");
     for (const YamlReader& chamber : chambers.elements()) {
       segment.chambers.push_back(read_chamber(chamber));
@@ -138,20 +137,10 @@ class SpaceSegmentReader {
       }
       return;
     }
-    const YamlReader coefficients = node.at(key);
-    const std::vector<double> c = coefficients.numbers("a coefficient c1 … c4");
-    if (c.size() != chamber.strain_polynomial.size()) {
-      coefficients.refuse(
-          fmt::format("{} coefficients found; expected 4: c1 … c4 of the strain "
-                      "c1 p + c2 p² + c3 p³ + c4 p⁴",
-                      c.size()));
-    }
-    std::copy(c.begin(), c.end(), chamber.strain_polynomial.begin());
-    const std::string reason =
-        why_unusable(chamber.strain_polynomial, chamber.limit_kpa.largest_kpa());
-    if (!reason.empty() && polynomials_ == PolynomialsOf::model) {
-      coefficients.refuse(reason);
-    }
+    const double limit = chamber.limit_kpa.largest_kpa();
+    chamber.strain_polynomial = polynomials_ == PolynomialsOf::model
+                                    ? read_strain_polynomial(node.at(key), limit)
+                                    : read_coefficients(node.at(key));
   }
 
   NoLoadKind kind_;

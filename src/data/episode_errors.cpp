@@ -146,9 +146,25 @@ void mark_far_off(const std::vector<double>& known, EpisodeErrors& errors) {
   }
 }
 
-/// In space nothing is said of turns: what commands make of them is fitted, whatever it is.
-EpisodeErrors errors_in_space(const ArmDescription& arm, const std::vector<Episode>& episodes) {
-  const SpaceFit model = fit_space_model(arm, episodes);
+}  // namespace
+
+std::vector<int> EpisodeErrors::outliers() const {
+  std::vector<int> numbers;
+  for (std::size_t i = 0; i < episodes.size(); ++i) {
+    if (episodes[i].is_outlier) {
+      numbers.push_back(static_cast<int>(i));
+    }
+  }
+  return numbers;
+}
+
+EpisodeErrors episode_errors(const ArmDescription& arm, const std::vector<Episode>& episodes) {
+  require_episodes_of(episodes, arm);
+  return errors_of_any(arm, episodes);
+}
+
+EpisodeErrors episode_errors(const SpaceFit& model, const ArmDescription& arm,
+                             const std::vector<Episode>& episodes) {
   EpisodeErrors errors;
   std::vector<double> known;
   for (const Episode& episode : episodes) {
@@ -168,26 +184,9 @@ EpisodeErrors errors_in_space(const ArmDescription& arm, const std::vector<Episo
   return errors;
 }
 
-}  // namespace
-
-std::vector<int> EpisodeErrors::outliers() const {
-  std::vector<int> numbers;
-  for (std::size_t i = 0; i < episodes.size(); ++i) {
-    if (episodes[i].is_outlier) {
-      numbers.push_back(static_cast<int>(i));
-    }
-  }
-  return numbers;
-}
-
-EpisodeErrors episode_errors(const ArmDescription& arm, const std::vector<Episode>& episodes) {
-  require_episodes_of(episodes, arm);
-  return errors_of_any(arm, episodes);
-}
-
 EpisodeErrors errors_of_any(const ArmDescription& arm, const std::vector<Episode>& episodes) {
   if (arm.is_spatial()) {
-    return errors_in_space(arm, episodes);
+    return episode_errors(fit_space_model(arm, episodes), arm, episodes);
   }
   const SimpleModel model = fit_to_any(arm, episodes).model;
   EpisodeErrors errors;

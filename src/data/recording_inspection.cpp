@@ -31,8 +31,6 @@ constexpr double kSetpointOvershoot = 1.001;
 constexpr int kFrozenFrames = 10;      // exactly equal backbones, while …
 constexpr double kFrozenChange = 0.1;  // … a pressure changes by this part of its limit
 
-constexpr double kMeantTransitions = 0.01;  // of all: fewer were commanded by chance
-
 class EpisodeInspector {
  public:
   EpisodeInspector(const Recording& recording, std::size_t index,
@@ -207,53 +205,9 @@ std::vector<PressureLimits> limits_of(const ArmDescription* arm,
   return limits_kpa;
 }
 
-std::string ranges_to_text(const Recording& recording, const std::vector<PressureRange>& ranges) {
-  const bool measured = !recording.setpoints_only();
-  const std::string& unit = recording.command.unit;
-  std::string text =
-      measured ? ""
-               : fmt::format("  set points only: no {} was measured\n", recording.command.name);
-  for (std::size_t s = 0; s < ranges.size(); ++s) {
-    const PressureRange& range = ranges[s];
-    text += fmt::format("  {}: {}set {:.1f} … {:.1f} {}\n",
-                        channel_name(recording.dimension, Eigen::Index(s)),
-                        measured ? fmt::format("measured {:.1f} … {:.1f} {}, ", range.lowest_kpa,
-                                               range.highest_kpa, unit)
-                                 : "",
-                        range.lowest_setpoint_kpa, range.highest_setpoint_kpa, unit);
-  }
-  return text;
-}
-
-/// Empty for those who never meant to record transitions. Whether an end was reached is known only
-/// where something was measured.
-std::string transitions_to_text(const Recording& recording, const RecordingInspection& inspection) {
-  const TransitionCoverage& transitions = inspection.transitions;
-  if (double(transitions.attempted) < kMeantTransitions * transitions.possible) {
-    return "";
-  }
-  const char* guessed = inspection.limits_known ? "" : "; limits guessed from the set points";
-  return recording.setpoints_only()
-             ? fmt::format("  {} of {:.0f} transitions commanded{}\n", transitions.attempted,
-                           transitions.possible, guessed)
-             : fmt::format(
-                   "  {} of {:.0f} transitions covered (both ends reached), {} commanded{}\n",
-                   transitions.covered, transitions.possible, transitions.attempted, guessed);
-}
-
-/// By the arm file, or by the arm that the recording describes.
-std::optional<EpisodeErrors> errors_of(const Recording& recording, const ArmDescription* arm,
-                                       const std::string& file) {
-  const bool tracked = recording.dimension == Dimension::space
-                           ? is_enough_for_space_fit(recording.episodes)
-                           : recording.untracked_count() < recording.frame_count();
-  if (!tracked || (arm == nullptr && recording.arm_description.empty())) {
-    return std::nullopt;
-  }
-  if (arm != nullptr) {
-    return errors_of_any(*arm, recording.episodes);
-  }
-  const ArmDescription own =
+/// The arm that the recording describes itself.
+ArmDescription own_arm(const Recording& recording, const std::string& file) {
+  ArmDescription own =
       read_arm_keys(recording.arm_description, file + ": attribute 'arm_description'");
   if (own.channel_count() != recording.channel_count() || own.dimension != recording.dimension ||
       own.point_count() != recording.point_count) {
@@ -263,21 +217,38 @@ std::optional<EpisodeErrors> errors_of(const Recording& recording, const ArmDesc
         file, own.channel_count(), own.point_count(), recording.channel_count(),
         recording.point_count));
   }
-  return errors_of_any(own, recording.episodes);
+  return own;
 }
 
-}  // namespace
-
-namespace {
-
 /// What commands do to shapes: chambers on the wrong side, in another order, or without effect.
-void look_at_chambers(const ArmDescription& arm, const std::vector<Episode>& episodes,
+void look_at_chambers(const ArmDescription& arm, const SpaceFit& fit,
                       RecordingInspection& inspection) {
-  for (const ChamberFinding& found : chamber_findings(arm, fit_space_model(arm, episodes))) {
+  for (const ChamberFinding& found : chamber_findings(arm, fit)) {
     if (!found.suspicion.empty()) {
       inspection.suspicions.push_back({"a chamber that does not act as the arm file says", 1, 0, "",
                                        0, fmt::format("{} {}", found.name, found.suspicion)});
     }
+  }
+}
+
+/// By the arm file, or by the arm that the recording describes.
+void fit_simple_models(const Recording& recording, const ArmDescription* arm,
+                       const std::string& file, RecordingInspection& inspection) {
+  const bool in_space = recording.dimension == Dimension::space;
+  const bool tracked = in_space ? is_enough_for_space_fit(recording.episodes)
+                                : recording.untracked_count() < recording.frame_count();
+  if (!tracked || (arm == nullptr && recording.arm_description.empty())) {
+    return;
+  }
+  const ArmDescription used = arm != nullptr ? *arm : own_arm(recording, file);
+  if (!in_space) {
+    inspection.episode_errors = errors_of_any(used, recording.episodes);
+    return;
+  }
+  const SpaceFit fit = fit_space_model(used, recording.episodes);
+  inspection.episode_errors = episode_errors(fit, used, recording.episodes);
+  if (arm != nullptr) {
+    look_at_chambers(*arm, fit, inspection);
   }
 }
 
@@ -308,123 +279,8 @@ RecordingInspection inspect(const Recording& recording, const ArmDescription* ar
     largest_kpa.push_back(limits.largest_kpa());
   }
   inspection.valves = identify_valves(recording, std::move(largest_kpa));
-  inspection.episode_errors = errors_of(recording, arm, file);
-  if (arm != nullptr && arm->is_spatial() && is_enough_for_space_fit(recording.episodes)) {
-    look_at_chambers(*arm, recording.episodes, inspection);
-  }
+  fit_simple_models(recording, arm, file, inspection);
   return inspection;
-}
-
-nlohmann::ordered_json to_json(const Recording& recording, const RecordingInspection& inspection) {
-  nlohmann::ordered_json json;
-  json["kind"] = "recording";
-  json["arm"] = recording.arm_name;
-  json["arm_hash"] = recording.arm_hash;
-  json["source"] = recording.source;
-  json["settings"] = recording.settings;
-  json["seed"] = recording.seed;
-  json["program_version"] = recording.program_version;
-  json["rate_hz"] = recording.rate_hz;
-  json["command"] = {{"name", recording.command.name}, {"unit", recording.command.unit}};
-  json["commands_are"] = commands_are(recording.setpoints_only());
-  json["dimension"] = position_size(recording.dimension);
-  json["segments"] = recording.segment_count;
-  if (recording.dimension == Dimension::space) {
-    json["chambers"] = recording.chamber_count;
-    json["rotations"] = recording.lifted() ? "lifted" : "measured";
-  }
-  json["points"] = recording.point_count;
-  json["episodes"] = recording.episodes.size();
-  json["frames"] = recording.frame_count();
-  json["frames_dropped"] = recording.untracked_count();
-  json["duration_s"] = recording.duration_s();
-  if (std::any_of(recording.episodes.begin(), recording.episodes.end(),
-                  [](const Episode& episode) { return !episode.physics.empty(); })) {
-    for (const Episode& episode : recording.episodes) {
-      json["physics"].push_back(episode.physics);
-    }
-  }
-  // `command` is taken: it says what drives the arm.
-  const char* const followed = recording.command.is_pressure_kpa() ? "pressure_kpa" : "commands";
-  if (recording.setpoints_only()) {
-    json[followed] = nullptr;
-  }
-  for (const PressureRange& range : inspection.pressures) {
-    if (!recording.setpoints_only()) {
-      json[followed].push_back({range.lowest_kpa, range.highest_kpa});
-    }
-    json[quantity_key(recording.command, "setpoint")].push_back(
-        {range.lowest_setpoint_kpa, range.highest_setpoint_kpa});
-  }
-  for (const PressureLimits& limits : inspection.limits_kpa) {
-    json[quantity_key(recording.command, "limits")].push_back(to_json(limits));
-  }
-  json["limits_known"] = inspection.limits_known;
-  json["transitions"] = {{"possible", static_cast<std::int64_t>(inspection.transitions.possible)},
-                         {"attempted", inspection.transitions.attempted},
-                         {"covered", recording.setpoints_only()
-                                         ? nlohmann::ordered_json()
-                                         : nlohmann::ordered_json(inspection.transitions.covered)}};
-  json["valves"] = to_json(inspection.valves);
-  json["episode_errors"] =
-      inspection.episode_errors ? to_json(*inspection.episode_errors) : nlohmann::ordered_json();
-  json["suspicions"] = nlohmann::ordered_json::array();
-  for (const Suspicion& suspicion : inspection.suspicions) {
-    json["suspicions"].push_back({{"what", suspicion.what},
-                                  {"count", suspicion.count},
-                                  {"episode", suspicion.episode},
-                                  {"log", suspicion.log},
-                                  {"frame", suspicion.frame},
-                                  {"first", suspicion.first}});
-  }
-  return json;
-}
-
-std::string to_text(const Recording& recording, const RecordingInspection& inspection) {
-  std::string text = fmt::format(
-      "recording of arm '{}' ({}), seed {}, limber {}\n"
-      "  {}\n"
-      "  {} episodes, {} frames at {} Hz ({:.1f} s), {} not tracked\n"
-      "  {} segments, driven by {} [{}], {} backbone points [{}]\n",
-      recording.arm_name, recording.source, recording.seed, recording.program_version,
-      recording.settings.empty() ? "no settings stored" : recording.settings,
-      recording.episodes.size(), recording.frame_count(), recording.rate_hz, recording.duration_s(),
-      recording.untracked_count(), recording.segment_count, recording.command.name,
-      recording.command.unit, recording.point_count,
-      recording.dimension == Dimension::plane ? "m, m, rad"
-      : recording.lifted()                    ? "in space, positions alone"
-                                              : "in space, positions and rotations");
-  text += ranges_to_text(recording, inspection.pressures);
-  text += transitions_to_text(recording, inspection);
-  text += "  " + to_text(inspection.valves, recording.command.unit) + "\n";
-  for (const std::string& warning : inspection.valves.findings.warnings) {
-    text += "    warning: " + warning + "\n";
-  }
-  std::string outliers;
-  if (inspection.episode_errors) {
-    const EpisodeErrors& errors = *inspection.episode_errors;
-    text += fmt::format(
-        "  the simple model (fitted gains, offsets, lengths, lag) is "
-        "off by {:.2f} cm at the tip in the middle one of the episodes\n",
-        errors.median_cm);
-    outliers = to_text(errors);
-    text += outliers.empty() ? "" : "  broken: " + outliers + "\n";
-  }
-  if (inspection.suspicions.empty() && outliers.empty()) {
-    text += "  nothing suspicious";
-    return text;
-  }
-  if (inspection.suspicions.empty()) {
-    text.pop_back();
-    return text;
-  }
-  text += "  suspicious:";
-  for (const Suspicion& suspicion : inspection.suspicions) {
-    text += fmt::format("\n    {}: {} times, first in {}, {}: {}", suspicion.what, suspicion.count,
-                        episode_name(suspicion.episode, suspicion.log), frame_name(suspicion.frame),
-                        suspicion.first);
-  }
-  return text;
 }
 
 }  // namespace limber

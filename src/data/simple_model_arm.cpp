@@ -8,6 +8,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/number_text.hpp"
 #include "limber/data/simple_model.hpp"
+#include "seven_digits.hpp"
 
 namespace limber {
 
@@ -15,11 +16,6 @@ namespace {
 
 constexpr int kRefinements = 2;
 constexpr double kLineAtLimit = 0.2;  // strain; McKibben actuators in a segment reach about that
-
-/// The same on every machine: fits differ in their last digits.
-double seven_digits(double value) {
-  return number_in(fmt::format("{:.7g}", value)).value_or(value);
-}
 
 nlohmann::ordered_json interval(const Interval& value) {
   if (!std::isfinite(value.low) || !std::isfinite(value.high)) {

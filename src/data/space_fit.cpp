@@ -14,6 +14,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/statistics.hpp"
+#include "seven_digits.hpp"
 
 namespace limber {
 
@@ -264,10 +265,6 @@ void measure(const ArmDescription& arm, const std::vector<Episode>& episodes, Sp
   fit.tip_mm = kMmPerM * tips / frames;
 }
 
-double seven_digits(double x) {
-  return std::stod(fmt::format("{:.7g}", x));
-}
-
 }  // namespace
 
 bool is_enough_for_space_fit(const std::vector<Episode>& episodes) {
@@ -293,22 +290,9 @@ FrameMatrix predict(const SpaceFit& fit, const ArmDescription& arm, const Episod
   for (int t = 0; t < episode.frame_count(); ++t) {
     Eigen::VectorXd terms(arm.channel_count() + 1);
     terms << no_load.strains(commands.row(t).transpose()), 1.0;
-    const Eigen::VectorXd shapes = fit.shape * terms;
-    SpacePose pose;
-    Eigen::Index plate = 0;
-    poses.row(t).head<kSpacePoseSize>() = numbers_of(pose).cast<float>().transpose();
-    for (int i = 0; i < arm.segment_count(); ++i) {
-      const Segment& segment = arm.segments[static_cast<std::size_t>(i)];
-      const Eigen::Vector3d shape = shapes.segment<kShapeRows>(kShapeRows * i);
-      const SpacePose step =
-          element<double>(segment.length_m * (1.0 + shape[2]) / segment.gaps,
-                          Eigen::Vector3d(0.0, shape[0], shape[1]) / segment.gaps);
-      for (int g = 0; g < segment.gaps; ++g) {
-        pose = compose(pose, step);
-        poses.row(t).segment<kSpacePoseSize>(kSpacePoseSize * ++plate) =
-            numbers_of(pose).cast<float>().transpose();
-      }
-    }
+    Eigen::VectorXf numbers(poses.cols());
+    no_load.poses_of_shapes(fit.shape * terms, numbers);
+    poses.row(t) = numbers.transpose();
   }
   return poses;
 }

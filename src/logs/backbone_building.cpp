@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base_alignment.hpp"
+#include "import_steps.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/error.hpp"
@@ -80,33 +81,9 @@ RowState fill_short_gaps(const std::string& log, double longest_gap_s, PointTrac
       before = t;
     }
     const std::string& name = tracks.names[std::size_t(i)];
-    report.points.push_back(
-        {name, tracks.plates[std::size_t(i)], 1.0 - double(missing) / double(rows)});
-    if (missing == rows) {
-      throw InputError(fmt::format(
-          "{}: point '{}' ({}) is never tracked: all of its cells are empty. Leave it out of the "
-          "mapping, and its plate is put between its neighbours; or track it",
-          log, name, plate_name(tracks.plates[std::size_t(i)])));
-    }
+    note_point(log, name, tracks.plates[std::size_t(i)], missing, rows, report);
   }
-  const auto filled = std::count(state.bridged.begin(), state.bridged.end(), true);
-  const auto lost = std::count(state.tracked.begin(), state.tracked.end(), false);
-  if (filled > 0) {
-    report.note(
-        fmt::format("rows in which a point was missing for at most {} s and was put between "
-                    "its neighbours in time (their frames count as not tracked)",
-                    longest_gap_s),
-        {}, filled);
-  }
-  if (lost > 0) {
-    report.note("rows left out in which a point was missing for longer", {}, lost);
-  }
-  if (lost == rows) {
-    throw InputError(fmt::format(
-        "{}: in none of the {} rows are all points tracked, or hidden for less than {} s. Leave "
-        "points that are often hidden out of the mapping",
-        log, rows, longest_gap_s));
-  }
+  note_hidden_rows(log, longest_gap_s, state.tracked, state.bridged, report);
   return state;
 }
 

@@ -1,10 +1,13 @@
 #include "import_steps.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
 
 namespace limber {
@@ -39,6 +42,40 @@ void require_one_recording(const std::filesystem::path& log, std::size_t found) 
 
 std::string name_of(const std::filesystem::path& log, const RunReport& report) {
   return log.parent_path().empty() ? report.name : (log.parent_path() / report.name).string();
+}
+
+void note_point(const std::string& log, const std::string& name, int plate, Eigen::Index missing,
+                Eigen::Index rows, RunReport& report) {
+  report.points.push_back({name, plate, 1.0 - double(missing) / double(rows)});
+  if (missing == rows) {
+    throw InputError(fmt::format(
+        "{}: point '{}' ({}) is never tracked: all of its cells are empty. Leave it out of the "
+        "mapping, and its plate is put between its neighbours; or track it",
+        log, name, plate_name(plate)));
+  }
+}
+
+void note_hidden_rows(const std::string& log, double longest_gap_s,
+                      const std::vector<bool>& tracked, const std::vector<bool>& bridged,
+                      RunReport& report) {
+  const auto filled = std::ranges::count(bridged, true);
+  const auto lost = std::ranges::count(tracked, false);
+  if (filled > 0) {
+    report.note(
+        fmt::format("rows in which a point was missing for at most {} s and was put between "
+                    "its neighbours in time (their frames count as not tracked)",
+                    longest_gap_s),
+        {}, filled);
+  }
+  if (lost > 0) {
+    report.note("rows left out in which a point was missing for longer", {}, lost);
+  }
+  if (lost == std::ssize(tracked)) {
+    throw InputError(fmt::format(
+        "{}: in none of the {} rows are all points tracked, or hidden for less than {} s. Leave "
+        "points that are often hidden out of the mapping",
+        log, tracked.size(), longest_gap_s));
+  }
 }
 
 CommandTrack shifted(CommandTrack commands, double offset_s) {

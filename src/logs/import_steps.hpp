@@ -23,6 +23,16 @@ void require_one_recording(const std::filesystem::path& log, std::size_t found);
 /// What messages call a run.
 std::string name_of(const std::filesystem::path& log, const RunReport& report);
 
+/// Adds how often a point was tracked. @param missing  of `rows`
+/// @throws InputError where it never was
+void note_point(const std::string& log, const std::string& name, int plate, Eigen::Index missing,
+                Eigen::Index rows, RunReport& report);
+
+/// Says how many rows were bridged, and how many are lost. @throws InputError where all are
+void note_hidden_rows(const std::string& log, double longest_gap_s,
+                      const std::vector<bool>& tracked, const std::vector<bool>& bridged,
+                      RunReport& report);
+
 CommandTrack shifted(CommandTrack commands, double offset_s);
 
 /// Says in the recording what it was made from, and how.

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "import_steps.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/statistics.hpp"
@@ -73,32 +74,9 @@ void fill_space_gaps(const std::string& log, double longest_gap_s, SpaceTracks& 
     const std::string& name = tracks.names[std::size_t(i)];
     const int plate = tracks.plates[std::size_t(i)];
     const Eigen::Index missing = fill_space_point(longest_gap_s, i, tracks, track);
-    report.points.push_back({name, plate, 1.0 - double(missing) / double(rows)});
-    if (missing == rows) {
-      throw InputError(fmt::format(
-          "{}: point '{}' ({}) is never tracked: all of its cells are empty. Leave it out of the "
-          "mapping, and its plate is put between its neighbours; or track it",
-          log, name, plate_name(plate)));
-    }
+    note_point(log, name, plate, missing, rows, report);
   }
-  const auto filled = std::ranges::count(track.bridged, true);
-  const auto lost = std::ranges::count(track.tracked, false);
-  if (filled > 0) {
-    report.note(
-        fmt::format("rows in which a point was missing for at most {} s and was put between "
-                    "its neighbours in time (their frames count as not tracked)",
-                    longest_gap_s),
-        {}, filled);
-  }
-  if (lost > 0) {
-    report.note("rows left out in which a point was missing for longer", {}, lost);
-  }
-  if (lost == rows) {
-    throw InputError(fmt::format(
-        "{}: in none of the {} rows are all points tracked, or hidden for less than {} s. Leave "
-        "points that are often hidden out of the mapping",
-        log, rows, longest_gap_s));
-  }
+  note_hidden_rows(log, longest_gap_s, track.tracked, track.bridged, report);
 }
 
 GapMeasurement::GapMeasurement(std::vector<int> plates, std::vector<double> rest_m)

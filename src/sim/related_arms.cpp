@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -82,43 +83,55 @@ constexpr std::array kWideRangesInSpace = {
 constexpr double kWideFactorInSpace =
     2.0;  // of joint friction and payload, whatever the arm's size
 
+/// In this order, each from a number of its own.
+void multiply_each(Parameters& physics, double factor, double power,
+                   std::initializer_list<double Parameters::*> members, RandomStream& random) {
+  for (double Parameters::*const member : members) {
+    multiply(physics.*member, factor, power, random);
+  }
+}
+
 void multiply_materials(Parameters& physics, double factor, RandomStream& random) {
-  multiply(physics.side_elasticity_n, factor, kMaterial, random);
-  multiply(physics.hinge_stiffness_n_m_per_rad, factor, kMaterial, random);
-  multiply(physics.hinge_damping_n_m_s_per_rad, factor, kMaterial, random);
-  multiply(physics.friction_stiffness_n_per_m, factor, kMaterial, random);
-  multiply(physics.friction_torsion_arm, factor, kMaterial, random);
+  multiply_each(physics, factor, kMaterial,
+                {&Parameters::side_elasticity_n, &Parameters::hinge_stiffness_n_m_per_rad,
+                 &Parameters::hinge_damping_n_m_s_per_rad, &Parameters::friction_stiffness_n_per_m,
+                 &Parameters::friction_torsion_arm},
+                random);
+}
+
+void multiply_materials_in_space(Parameters& physics, double factor, RandomStream& random) {
+  multiply_each(
+      physics, factor, kMaterial,
+      {&Parameters::side_elasticity_n, &Parameters::hinge_stiffness_n_m_per_rad,
+       &Parameters::hinge_damping_n_m_s_per_rad, &Parameters::twist_stiffness_n_m_per_rad},
+      random);
+}
+
+/// What arms in the plane and in space do not share.
+struct OwnParts {
+  double Parameters::*friction;
+  void (*multiply_materials)(Parameters&, double factor, RandomStream&);
+};
+
+void draw(Parameters& physics, const PhysicsFactor& of, const OwnParts& own, RandomStream& random) {
+  multiply_each(physics, of.factor, kFriction,
+                {own.friction, &Parameters::plate_payload_kg, &Parameters::hysteresis_fraction},
+                random);
+  own.multiply_materials(physics, of.factor, random);
+  multiply_each(physics, of.factor, kValves,
+                {&Parameters::inflate_time_constant_s, &Parameters::vent_time_constant_s}, random);
+  multiply(physics.actuator_gain, of.factor, kStrength, random);
+  physics.strength_spread = std::max(physics.strength_spread, kLeastStrengthSpread);
 }
 
 void draw(Parameters& physics, const PhysicsFactor& of, RandomStream& random) {
-  multiply(physics.friction_coefficient, of.factor, kFriction, random);
-  multiply(physics.plate_payload_kg, of.factor, kFriction, random);
-  multiply(physics.hysteresis_fraction, of.factor, kFriction, random);
-  multiply_materials(physics, of.factor, random);
-  multiply(physics.inflate_time_constant_s, of.factor, kValves, random);
-  multiply(physics.vent_time_constant_s, of.factor, kValves, random);
-  multiply(physics.actuator_gain, of.factor, kStrength, random);
-  physics.strength_spread = std::max(physics.strength_spread, kLeastStrengthSpread);
-}
-
-void multiply_in_space(Parameters& physics, double factor, RandomStream& random) {
-  multiply(physics.side_elasticity_n, factor, kMaterial, random);
-  multiply(physics.hinge_stiffness_n_m_per_rad, factor, kMaterial, random);
-  multiply(physics.hinge_damping_n_m_s_per_rad, factor, kMaterial, random);
-  multiply(physics.twist_stiffness_n_m_per_rad, factor, kMaterial, random);
+  draw(physics, of, {&Parameters::friction_coefficient, multiply_materials}, random);
 }
 
 void draw_in_space(Parameters& physics, const PhysicsFactor& of, RandomStream& random) {
-  multiply(physics.joint_friction_n_m, of.factor, kFriction, random);
-  multiply(physics.plate_payload_kg, of.factor, kFriction, random);
-  multiply(physics.hysteresis_fraction, of.factor, kFriction, random);
-  multiply_in_space(physics, of.factor, random);
-  multiply(physics.inflate_time_constant_s, of.factor, kValves, random);
-  multiply(physics.vent_time_constant_s, of.factor, kValves, random);
-  multiply(physics.actuator_gain, of.factor, kStrength, random);
-  multiply(physics.chamber_area_m2, of.factor, kStrength, random);
-  multiply(physics.actuator_strain_scale, of.factor, kStrength, random);
-  physics.strength_spread = std::max(physics.strength_spread, kLeastStrengthSpread);
+  draw(physics, of, {&Parameters::joint_friction_n_m, multiply_materials_in_space}, random);
+  multiply_each(physics, of.factor, kStrength,
+                {&Parameters::chamber_area_m2, &Parameters::actuator_strain_scale}, random);
 }
 
 /// Ranges are widened to hold the arm file's own value.
@@ -138,7 +151,7 @@ void draw_in_space(Parameters& physics, const WidePhysics&, RandomStream& random
   draw_ranges(physics, kWideRangesInSpace, random);
   multiply(physics.joint_friction_n_m, kWideFactorInSpace, kFriction, random);
   multiply(physics.plate_payload_kg, kWideFactorInSpace, kFriction, random);
-  multiply_in_space(physics, kWideMaterialFactor, random);
+  multiply_materials_in_space(physics, kWideMaterialFactor, random);
   physics.actuator_gain *= 1.0 + random.uniform(-kWideGain, kWideGain);
   physics.chamber_area_m2 *= 1.0 + random.uniform(-kWideGain, kWideGain);
   physics.strength_spread = std::max(physics.strength_spread, kWideStrengthSpread);

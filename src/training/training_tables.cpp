@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -10,16 +9,12 @@
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/error.hpp"
 #include "limber/network/backbone_layout.hpp"
+#include "row_spread.hpp"
 
 namespace limber {
 
 namespace {
 
-// A column whose numbers spread by less than this (kPa, m or rad) is constant: float32's rounding.
-constexpr float kConstantSpread = 1e-6F;
-// Of poses: no motion capture resolves less.
-constexpr float kMinInputSpread_m = 1e-4F;
-constexpr float kMinInputSpread_rad = 2e-3F;
 // What rotations count that nobody measured: enough for states to stay what they were made.
 constexpr float kLiftedWeight = 0.1F;
 
@@ -112,57 +107,6 @@ Eigen::MatrixXf tracked_only(Eigen::MatrixXf columns, const RawFrames& raw) {
                                      : Eigen::MatrixXf(columns(Eigen::all, raw.tracked_columns));
 }
 
-using IsAngle = bool (*)(Eigen::Index row);
-/// Which rows of planar poses (x, y, θ, x, …), of gaps in space and of poses in space are angles.
-bool is_planar_angle(Eigen::Index row) {
-  return row % kPoseSize == 2;
-}
-bool is_space_gap_angle(Eigen::Index row) {
-  return row % kSpaceGapSize > 2;
-}
-bool is_quaternion(Eigen::Index row) {
-  return row % kSpacePoseSize > 2;
-}
-IsAngle angles_of_states(const NetworkLayout& layout) {
-  return layout.dimension() == Dimension::space ? is_space_gap_angle : is_planar_angle;
-}
-IsAngle angles_of_poses(const NetworkLayout& layout) {
-  return layout.dimension() == Dimension::space ? is_quaternion : is_planar_angle;
-}
-
-/// Least spread of the numbers of poses: a number that only noise moves would otherwise count as
-/// much as the arm's end. Of their changes from frame to frame a tenth: below that they are
-/// rounding. Of other numbers, which have no angles, any spread counts.
-struct LeastSpread {
-  IsAngle is_angle = nullptr;
-  float share = 1.0F;
-  float of(Eigen::Index row) const {
-    return is_angle == nullptr ? 0.0F
-                               : share * (is_angle(row) ? kMinInputSpread_rad : kMinInputSpread_m);
-  }
-};
-constexpr float kOfChanges = 0.1F;
-
-/// Offset and scale of each row of `columns`.
-Normalisation measure(const Eigen::MatrixXf& columns, Scaling scaling, LeastSpread least = {}) {
-  Normalisation result{Eigen::VectorXf(columns.rows()), Eigen::VectorXf(columns.rows())};
-  for (Eigen::Index i = 0; i < columns.rows(); ++i) {
-    const auto row = columns.row(i);
-    const float low = row.minCoeff();
-    const float range = row.maxCoeff() - low;
-    float offset = low;
-    float spread = range;
-    if (scaling == Scaling::unit_spread) {
-      const double mean = row.cast<double>().mean();
-      offset = static_cast<float>(mean);
-      spread = static_cast<float>(std::sqrt((row.cast<double>().array() - mean).square().mean()));
-    }
-    result.offset[i] = offset;
-    result.scale[i] = range > kConstantSpread ? 1.0F / std::max(spread, least.of(i)) : 1.0F;
-  }
-  return result;
-}
-
 Normalisation stack(const std::vector<Normalisation>& parts) {
   Eigen::Index size = 0;
   for (const Normalisation& part : parts) {
@@ -237,31 +181,6 @@ FrameError<float> chained_error(const RawFrames& raw, const Normalisation& input
 struct PoseScales {
   Normalisation state, no_load, output;
 };
-
-/// One range for all positions and one for all angles. The columns of the base plate, which never
-/// moves, have no range of their own.
-Normalisation joined_by_unit(const Eigen::MatrixXf& poses, IsAngle is_angle) {
-  Normalisation result{Eigen::VectorXf(poses.rows()), Eigen::VectorXf(poses.rows())};
-  const Eigen::VectorXf low = poses.rowwise().minCoeff();
-  const Eigen::VectorXf high = poses.rowwise().maxCoeff();
-  for (const bool angles : {false, true}) {
-    float least = std::numeric_limits<float>::infinity();
-    float most = -least;
-    for (Eigen::Index row = 0; row < poses.rows(); ++row) {
-      if (is_angle(row) == angles) {
-        least = std::min(least, low[row]);
-        most = std::max(most, high[row]);
-      }
-    }
-    for (Eigen::Index row = 0; row < poses.rows(); ++row) {
-      if (is_angle(row) == angles) {
-        result.offset[row] = least;
-        result.scale[row] = 1.0F / std::max(most - least, LeastSpread{is_angle}.of(row));
-      }
-    }
-  }
-  return result;
-}
 
 PoseScales measure_poses(const RawFrames& raw, const std::vector<EpisodeRange>& episodes,
                          const NetworkLayout& layout, const TrainingSettings& settings) {

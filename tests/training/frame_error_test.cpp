@@ -19,6 +19,26 @@ Vector random_vector(Eigen::Index size, double low, double high, std::uint64_t s
   return Vector::NullaryExpr(size, [&] { return random.uniform(low, high); });
 }
 
+/// Compares the gradient of two windows with central differences, number by number.
+void expect_gradient(FrameError<double>& error, Vector states, const Vector& targets,
+                     double tolerance) {
+  const Eigen::Vector2d weight(1.0, 0.3);
+  Vector gradient(states.size());
+  Vector unused(states.size());
+  error.compute(2, states.data(), targets.data(), weight.data(), gradient.data());
+  for (Eigen::Index i = 0; i < states.size(); ++i) {
+    const double value = states[i];
+    states[i] = value + kDifferenceStep;
+    const double above =
+        error.compute(2, states.data(), targets.data(), weight.data(), unused.data());
+    states[i] = value - kDifferenceStep;
+    const double below =
+        error.compute(2, states.data(), targets.data(), weight.data(), unused.data());
+    states[i] = value;
+    EXPECT_NEAR(gradient[i], (above - below) / (2.0 * kDifferenceStep), tolerance) << i;
+  }
+}
+
 TEST(FrameError, EntrywiseIsTheWeightedSumOfAbsoluteDifferences) {
   FrameError<double> error(Eigen::Vector2d(2.0, 10.0));
   // Two windows along the rows: (1, 1) and (0, 0.5).
@@ -49,23 +69,8 @@ TEST(FrameError, ChainedComparesPosesAboutTheBase) {
 TEST(FrameError, ChainedGradientAgreesWithFiniteDifferences) {
   FrameError<double> error(random_vector(15, 1.0, 3.0, 3), random_vector(15, 0.1, 0.5, 1),
                            random_vector(15, -0.2, 0.2, 2));
-  Vector states = random_vector(30, -1.0, 1.0, 4);
-  const Vector targets = random_vector(30, -1.0, 1.0, 5);
-  Vector gradient(30);
-  Vector unused(30);
-  const Eigen::Vector2d weight(1.0, 0.3);
-  error.compute(2, states.data(), targets.data(), weight.data(), gradient.data());
-  for (Eigen::Index i = 0; i < 30; ++i) {
-    const double value = states[i];
-    states[i] = value + kDifferenceStep;
-    const double above =
-        error.compute(2, states.data(), targets.data(), weight.data(), unused.data());
-    states[i] = value - kDifferenceStep;
-    const double below =
-        error.compute(2, states.data(), targets.data(), weight.data(), unused.data());
-    states[i] = value;
-    EXPECT_NEAR(gradient[i], (above - below) / (2 * kDifferenceStep), kDifferenceTolerance) << i;
-  }
+  expect_gradient(error, random_vector(30, -1.0, 1.0, 4), random_vector(30, -1.0, 1.0, 5),
+                  kDifferenceTolerance);
 }
 
 constexpr int kSpaceGaps = 4;
@@ -93,23 +98,8 @@ TEST(FrameError, InSpaceItComparesPosesAboutTheBase) {
 
 TEST(FrameError, InSpaceItsGradientAgreesWithFiniteDifferences) {
   FrameError<double> error = space_error();
-  Vector states = random_vector(2 * kSpaceStates, -1.0, 1.0, 4);
-  const Vector targets = random_vector(2 * kSpacePoses, -1.0, 1.0, 5);
-  Vector gradient(2 * kSpaceStates);
-  Vector unused(2 * kSpaceStates);
-  const Eigen::Vector2d weight(1.0, 0.3);
-  error.compute(2, states.data(), targets.data(), weight.data(), gradient.data());
-  for (Eigen::Index i = 0; i < states.size(); ++i) {
-    const double value = states[i];
-    states[i] = value + kDifferenceStep;
-    const double above =
-        error.compute(2, states.data(), targets.data(), weight.data(), unused.data());
-    states[i] = value - kDifferenceStep;
-    const double below =
-        error.compute(2, states.data(), targets.data(), weight.data(), unused.data());
-    states[i] = value;
-    EXPECT_NEAR(gradient[i], (above - below) / (2.0 * kDifferenceStep), 1e-6);
-  }
+  expect_gradient(error, random_vector(2 * kSpaceStates, -1.0, 1.0, 4),
+                  random_vector(2 * kSpacePoses, -1.0, 1.0, 5), 1e-6);
 }
 
 TEST(FrameError, InSpaceFloatAgreesWithDouble) {

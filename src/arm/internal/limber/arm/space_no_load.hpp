@@ -27,7 +27,11 @@ class SpaceNoLoad {
   /// 3s × n: of each segment its bend about y and z [rad] and its extension [share of its length].
   const Eigen::MatrixXd& shape_of_strains() const { return shape_; }
 
-  /// m poses, kSpacePoseSize numbers each.
+  /// m poses of segments of given bends and extensions (3s, as shape_of_strains makes them), each
+  /// an element of constant strain: kSpacePoseSize numbers a plate.
+  void poses_of_shapes(const Eigen::Ref<const Eigen::VectorXd>& shapes,
+                       Eigen::Ref<Eigen::VectorXf> numbers) const;
+  /// The same at commands.
   void poses(const Eigen::Ref<const Eigen::VectorXd>& commands,
              Eigen::Ref<Eigen::VectorXf> numbers) const;
 

@@ -12,6 +12,8 @@
 
 namespace limber {
 
+struct EpisodeErrors;
+
 /// The simple model of an arm in space, docs/model.md (27): what commands were a dead time ago,
 /// behind one first-order lag, bends and extends every segment in proportion to strains. It has no
 /// memory of shapes, so no friction.
@@ -32,6 +34,11 @@ struct SpaceFit {
 /// @throws InputError as require_episodes_of, or where too few frames were tracked.
 SpaceFit fit_space_model(const ArmDescription& arm, const std::vector<Episode>& episodes);
 bool is_enough_for_space_fit(const std::vector<Episode>& episodes);
+
+/// How far each episode's tip is from where the model expects it. Nothing is said of turns: what
+/// commands make of them is fitted, whatever it is.
+EpisodeErrors episode_errors(const SpaceFit& model, const ArmDescription& arm,
+                             const std::vector<Episode>& episodes);
 
 /// Poses that the model expects under an episode's commands, T×7m, base at the origin.
 FrameMatrix predict(const SpaceFit& fit, const ArmDescription& arm, const Episode& episode);

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+namespace limber {
+
+class YamlReader;
+
+/// What was found, for programs and for people.
+struct Finding {
+  nlohmann::ordered_json json;
+  std::string text;
+};
+
+/// What an arm file says, in the plane or in space.
+Finding inspect_arm(const YamlReader& root);
+
+}  // namespace limber

@@ -1,0 +1,133 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/arm/pressure_limits.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/yaml_reader.hpp"
+#include "read_length.hpp"
+
+namespace limber {
+
+inline constexpr int kMaxGaps = 100;  ///< of a segment
+
+inline StrainPolynomial read_coefficients(const YamlReader& node) {
+  const std::vector<double> coefficients = node.numbers("a coefficient c1 … c4 for kPa");
+  StrainPolynomial polynomial{};
+  if (coefficients.size() != polynomial.size()) {
+    node.refuse(fmt::format(
+        "{} coefficients found; expected 4: c1 … c4 of e = c1 p + c2 p² + c3 p³ + c4 p⁴ "
+        "('limber characterize' fits them)",
+        coefficients.size()));
+  }
+  std::copy(coefficients.begin(), coefficients.end(), polynomial.begin());
+  return polynomial;
+}
+
+inline StrainPolynomial read_strain_polynomial(const YamlReader& node, double pressure_limit_kpa) {
+  const StrainPolynomial polynomial = read_coefficients(node);
+  const std::string reason = why_unusable(polynomial, pressure_limit_kpa);
+  if (!reason.empty()) {
+    node.refuse(reason);
+  }
+  return polynomial;
+}
+
+/// Reads segments of one arm: what a segment may say depends on the arm's command.
+class SegmentReader {
+ public:
+  SegmentReader(const YamlReader& root, const ArmDescription& arm, PolynomialsOf polynomials)
+      : kind_(arm.no_load), unit_(arm.command.unit), polynomials_(polynomials) {
+    if (root.has("command")) {
+      general_limit_ = read_limits(root.at("command").at("limit"), limit_meaning());
+    }
+  }
+
+  Segment read(const YamlReader& node) const {
+    refuse_unknown_keys(node);
+    Segment segment;
+    segment.length_m = read_length_m(node.at("length_m"));
+    segment.width_m = read_length_m(node.at("width_m"));
+    segment.gaps = node.at("gaps").integer("the number of gaps between plates", 1, kMaxGaps);
+    if (!general_limit_) {
+      segment.pressure_limit_kpa =
+          read_limits(node.at("pressure_limit_kpa"), "a gauge pressure in kPa");
+    } else {
+      segment.pressure_limit_kpa =
+          node.has("limit") ? read_limits(node.at("limit"), limit_meaning()) : *general_limit_;
+    }
+    if (kind_ == NoLoadKind::strain_polynomial) {
+      segment.strain_polynomial = read_polynomial(node, segment.pressure_limit_kpa.largest_kpa());
+    }
+    if (kind_ == NoLoadKind::curvature) {
+      read_curvature(node, segment);
+    }
+    return segment;
+  }
+
+ private:
+  std::string limit_meaning() const { return fmt::format("a limit of the command in {}", unit_); }
+
+  void refuse_unknown_keys(const YamlReader& node) const {
+    std::vector<std::string> allowed = {"length_m", "width_m", "gaps",
+                                        general_limit_ ? "limit" : "pressure_limit_kpa"};
+    if (kind_ != NoLoadKind::straight) {
+      allowed.push_back(kind_ == NoLoadKind::curvature ? "curvature_per_unit"
+                                                       : "strain_polynomial");
+    }
+    for (const std::string& key : node.keys()) {
+      if (std::find(allowed.begin(), allowed.end(), key) == allowed.end()) {
+        node.at(key).refuse(fmt::format("unknown key; allowed here: {}", fmt::join(allowed, ", ")));
+      }
+    }
+  }
+
+  StrainPolynomial read_polynomial(const YamlReader& node, double pressure_limit_kpa) const {
+    try {
+      return read_strain_polynomial(node.at("strain_polynomial"), pressure_limit_kpa);
+    } catch (const InputError&) {
+      if (polynomials_ == PolynomialsOf::model) {
+        throw;
+      }
+      return {};
+    }
+  }
+
+  void read_curvature(const YamlReader& node, Segment& segment) const {
+    if (node.has("curvature_per_unit") || unit_ != "1/m") {
+      const YamlReader factor = node.at("curvature_per_unit");
+      segment.curvature_per_unit = factor.number(fmt::format("1/m of curvature for 1 {}", unit_));
+      if (segment.curvature_per_unit == 0.0) {
+        factor.refuse(
+            "0 found; expected another factor (negative where a positive command bends "
+            "right), or 'no_load: straight' for the arm");
+      }
+    }
+    const double limit = segment.pressure_limit_kpa.largest_kpa();
+    const double turn_rad = std::abs(segment.curvature_per_unit) * limit * segment.length_m;
+    if (turn_rad > kMaxTurn_rad) {
+      node.refuse(
+          fmt::format("the limit of {} {} would turn the segment by {:.3g} rad; expected "
+                      "at most {:.4g}, a full turn",
+                      limit, unit_, turn_rad, kMaxTurn_rad));
+    }
+  }
+
+  static constexpr double kMaxTurn_rad = 2.0 * std::numbers::pi;
+
+  NoLoadKind kind_;
+  std::string unit_;
+  PolynomialsOf polynomials_;
+  std::optional<PressureLimits> general_limit_;
+};
+
+}  // namespace limber
