@@ -109,7 +109,9 @@ class TrainVerb final : public Verb {
     }
     require_free_paths(flags);
     const ArmDescription arm = load_any_arm(arm_);
-    refuse_in_space(arm);
+    if (family_ || !from_.empty() || preset_ == "paper") {
+      require_planar(arm, family_ ? "train --family" : "train --from or --preset paper");
+    }
     EpisodeReader reader(flags, arm, files_.setpoints());
     const std::optional<CompensationModel> start = read_start(arm, reader);
     TrainingSettings settings = make_settings(flags, start.has_value());
@@ -176,17 +178,6 @@ class TrainVerb final : public Verb {
       say(flags, "the best model so far is in {}; the same command with --resume goes on", out_);
     }
     return result.status == TrainingStatus::finished ? kExitDone : kExitNoSolution;
-  }
-
-  /// What an arm in space can't have yet.
-  void refuse_in_space(const ArmDescription& arm) const {
-    for (const auto& [is_asked, what] : {std::pair{family_, "train --family"},
-                                         {!from_.empty(), "train --from"},
-                                         {preset_ == "paper", "train --preset paper"}}) {
-      if (is_asked) {
-        require_planar(arm, what);
-      }
-    }
   }
 
   /// --epochs 0.

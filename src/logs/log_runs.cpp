@@ -68,45 +68,21 @@ void require_csv_points(const std::filesystem::path& path, const ImportMapping& 
 std::vector<LogRun> read_csv_runs(const std::filesystem::path& path, const ImportMapping& mapping,
                                   const ArmDescription& arm, bool with_commands) {
   require_csv_points(path, mapping);
-  WantedColumns wanted;
-  wanted.names.push_back(mapping.time.column);
-  wanted.label = mapping.recording;
-  for (const PointSource& point : mapping.points) {
-    wanted.names.insert(wanted.names.end(), {point.x, point.y});
-    if (!point.theta.empty()) {
-      wanted.names.push_back(point.theta);
-    }
-  }
-  std::size_t motion_column = wanted.names.size();
-  if (with_commands && !mapping.motion.empty()) {
-    wanted.names.push_back(mapping.motion);
-  }
-  const std::size_t first_command = wanted.names.size();
-  if (with_commands) {
-    want_commands(mapping.commands, wanted);
-  }
-  RunReport general;
-  const LogTable table = read_log_table(path, mapping, wanted, general);
-  std::vector<LogRun> runs;
-  for (const RowGroup& group : group_rows(table)) {
-    LogRun run;
-    run.report.name = path.filename().string() + (group.label.empty() ? "" : ", " + group.label);
-    run.report.rows = static_cast<std::int64_t>(group.rows.size());
-    run.time = mapping.time;
-    run.points = points_of(table, group, mapping);
-    run.points.time_s = picked(table.columns[0], group.rows, mapping.time.seconds_per_unit);
-    run.one_clock = with_commands;
-    if (with_commands) {
-      run.commands = commands_of(table, first_command, group, mapping, arm);
-      run.commands.time_s = run.points.time_s;
-      if (first_command > motion_column) {
-        run.commands.motion = picked(table.columns[motion_column], group.rows, 1.0);
+  const auto want_points = [&](WantedColumns& wanted) {
+    for (const PointSource& point : mapping.points) {
+      wanted.names.insert(wanted.names.end(), {point.x, point.y});
+      if (!point.theta.empty()) {
+        wanted.names.push_back(point.theta);
       }
     }
-    runs.push_back(std::move(run));
-  }
-  runs.front().report.notes = general.notes;
-  return runs;
+  };
+  return read_runs<PointTracks>(
+      path, mapping, arm, with_commands, want_points,
+      [&](const LogTable& table, const RowGroup& group, const RunReport&) {
+        PointTracks points = points_of(table, group, mapping);
+        points.time_s = picked(table.columns[0], group.rows, mapping.time.seconds_per_unit);
+        return points;
+      });
 }
 
 CommandTrack read_command_log(const std::filesystem::path& path, const ImportMapping& mapping,

@@ -2,22 +2,74 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "limber/logs/import_mapping.hpp"
 #include "limber/logs/import_report.hpp"
+#include "log_rows.hpp"
+#include "log_table.hpp"
 #include "log_tracks.hpp"
 
 namespace limber {
 
 /// One unbroken recording of a log: what was tracked, and what was commanded.
-struct LogRun {
+/// @tparam Tracks  PointTracks in the plane, SpaceTracks in space
+template <class Tracks>
+struct RunOf {
   RunReport report;
-  PointTracks points;
+  Tracks points;
   TimeColumn time;  ///< of the points
   CommandTrack commands;
   bool one_clock = true;  ///< false: the commands come on a clock of their own
 };
+using LogRun = RunOf<PointTracks>;
+
+/// The recordings of one generic CSV.
+/// @param want_points  adds the points' columns, behind that of the time
+/// @param points_of  (table, group, report) to Tracks with their times
+/// @param with_commands  false if the commands come from another file
+template <class Tracks, class WantPoints, class PointsOf>
+std::vector<RunOf<Tracks>> read_runs(const std::filesystem::path& path,
+                                     const ImportMapping& mapping, const ArmDescription& arm,
+                                     bool with_commands, const WantPoints& want_points,
+                                     const PointsOf& points_of) {
+  WantedColumns wanted;
+  wanted.names.push_back(mapping.time.column);
+  wanted.label = mapping.recording;
+  want_points(wanted);
+  const std::size_t motion_column = wanted.names.size();
+  if (with_commands && !mapping.motion.empty()) {
+    wanted.names.push_back(mapping.motion);
+  }
+  const std::size_t first_command = wanted.names.size();
+  if (with_commands) {
+    want_commands(mapping.commands, wanted);
+  }
+  RunReport general;
+  const LogTable table = read_log_table(path, mapping, wanted, general);
+  std::vector<RunOf<Tracks>> runs;
+  for (const RowGroup& group : group_rows(table)) {
+    RunOf<Tracks> run;
+    run.report.name = path.filename().string() + (group.label.empty() ? "" : ", " + group.label);
+    run.report.rows = static_cast<std::int64_t>(group.rows.size());
+    run.time = mapping.time;
+    run.points = points_of(table, group, run.report);
+    run.one_clock = with_commands;
+    if (with_commands) {
+      run.commands = commands_of(table, first_command, group, mapping, arm);
+      run.commands.time_s = run.points.time_s;
+      if (first_command > motion_column) {
+        run.commands.motion = picked(table.columns[motion_column], group.rows, 1.0);
+      }
+    }
+    runs.push_back(std::move(run));
+  }
+  RunReport& first = runs.front().report;
+  first.notes.insert(first.notes.begin(), general.notes.begin(), general.notes.end());
+  return runs;
+}
 
 /// The recordings of one generic CSV, as its mapping says.
 /// @param with_commands  false if the commands come from another file.

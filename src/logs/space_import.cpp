@@ -24,52 +24,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One unbroken recording of a log.
-struct SpaceRun {
-  RunReport report;
-  SpaceTracks points;
-  TimeColumn time;
-  CommandTrack commands;
-  bool one_clock = true;
-};
+using SpaceRun = RunOf<SpaceTracks>;
 
 std::vector<SpaceRun> read_space_runs(const fs::path& path, const ImportMapping& mapping,
                                       const ArmDescription& arm, bool with_commands) {
-  WantedColumns wanted;
-  wanted.names.push_back(mapping.time.column);
-  wanted.label = mapping.recording;
-  want_space_points(path.string(), mapping, wanted);
-  const std::size_t motion_column = wanted.names.size();
-  const bool with_motion = with_commands && !mapping.motion.empty();
-  if (with_motion) {
-    wanted.names.push_back(mapping.motion);
-  }
-  const std::size_t first_command = wanted.names.size();
-  if (with_commands) {
-    want_commands(mapping.commands, wanted);
-  }
-  RunReport general;
-  const LogTable table = read_log_table(path, mapping, wanted, general);
-  std::vector<SpaceRun> runs;
-  for (const RowGroup& group : group_rows(table)) {
-    SpaceRun run;
-    run.report.name = path.filename().string() + (group.label.empty() ? "" : ", " + group.label);
-    run.report.rows = static_cast<std::int64_t>(group.rows.size());
-    run.time = mapping.time;
-    run.points = space_tracks_of(table, group, mapping, run.report);
-    run.one_clock = with_commands;
-    if (with_commands) {
-      run.commands = commands_of(table, first_command, group, mapping, arm);
-      run.commands.time_s = run.points.time_s;
-      if (with_motion) {
-        run.commands.motion = picked(table.columns[motion_column], group.rows, 1.0);
-      }
-    }
-    runs.push_back(std::move(run));
-  }
-  RunReport& first = runs.front().report;
-  first.notes.insert(first.notes.begin(), general.notes.begin(), general.notes.end());
-  return runs;
+  return read_runs<SpaceTracks>(
+      path, mapping, arm, with_commands,
+      [&](WantedColumns& wanted) { want_space_points(path.string(), mapping, wanted); },
+      [&](const LogTable& table, const RowGroup& group, RunReport& report) {
+        return space_tracks_of(table, group, mapping, report);
+      });
 }
 
 /// Commands of another file, brought to the motion log's clock.

@@ -73,6 +73,13 @@ MujocoChain::MujocoChain(const ArmDescription& arm, const VirtualArmParameters& 
   data_.reset(mj_makeData(model_.get()));
 }
 
+void MujocoChain::get_state(std::vector<double>& position, std::vector<double>& velocity,
+                            std::vector<double>& warm_start) const {
+  position.assign(data_->qpos, data_->qpos + size());
+  velocity.assign(data_->qvel, data_->qvel + size());
+  warm_start.assign(data_->qacc_warmstart, data_->qacc_warmstart + size());
+}
+
 void MujocoChain::set_state(const std::vector<double>& position,
                             const std::vector<double>& velocity,
                             const std::vector<double>& warm_start, double time_s) {

@@ -26,7 +26,9 @@ class MujocoChain {
   int size() const { return model_->nv; }
   const double* position() const { return data_->qpos; }
   const double* velocity() const { return data_->qvel; }
-  const double* warm_start() const { return data_->qacc_warmstart; }
+  /// Everything that changes with time but the time itself, to be set again.
+  void get_state(std::vector<double>& position, std::vector<double>& velocity,
+                 std::vector<double>& warm_start) const;
   /// Overwrites the state; sizes are `size()` each.
   void set_state(const std::vector<double>& position, const std::vector<double>& velocity,
                  const std::vector<double>& warm_start, double time_s);

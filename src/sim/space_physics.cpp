@@ -81,10 +81,7 @@ VirtualArmState SpacePhysics::rest() const {
 }
 
 void SpacePhysics::save(VirtualArmState& state) const {
-  const auto joints = static_cast<std::size_t>(chain_.size());
-  state.position.assign(chain_.position(), chain_.position() + joints);
-  state.velocity.assign(chain_.velocity(), chain_.velocity() + joints);
-  state.warm_start.assign(chain_.warm_start(), chain_.warm_start() + joints);
+  chain_.get_state(state.position, state.velocity, state.warm_start);
   save_air(air_, state);
   state.braid_anchor_m = braid_anchor_m_;
   state.creep_m = creep_m_;
