@@ -62,24 +62,10 @@ RowState fill_short_gaps(const std::string& log, double longest_gap_s, PointTrac
   RowState state{std::vector<bool>(std::size_t(rows), true),
                  std::vector<bool>(std::size_t(rows), false)};
   for (Eigen::Index i = 0; i < tracks.point_count(); ++i) {
-    Eigen::Index before = -1;
-    std::int64_t missing = 0;
-    for (Eigen::Index t = 0; t <= rows; ++t) {
-      if (t < rows && !is_tracked(tracks, t, i)) {
-        ++missing;
-        continue;
-      }
-      const bool short_gap =
-          before >= 0 && t < rows &&
-          tracks.time_s[std::size_t(t)] - tracks.time_s[std::size_t(before)] <= longest_gap_s;
-      if (short_gap) {
-        bridge(before, t, i, tracks);
-      }
-      for (Eigen::Index gap = before + 1; gap < t; ++gap) {
-        (short_gap ? state.bridged : state.tracked)[std::size_t(gap)] = short_gap;
-      }
-      before = t;
-    }
+    const Eigen::Index missing = bridge_hidden_rows(
+        tracks.time_s, longest_gap_s, [&](Eigen::Index t) { return is_tracked(tracks, t, i); },
+        [&](Eigen::Index before, Eigen::Index t) { bridge(before, t, i, tracks); }, state.tracked,
+        state.bridged);
     const std::string& name = tracks.names[std::size_t(i)];
     note_point(log, name, tracks.plates[std::size_t(i)], missing, rows, report);
   }

@@ -38,31 +38,6 @@ void bridge_in_space(Eigen::Index from, Eigen::Index to, Eigen::Index i, SpaceTr
   }
 }
 
-/// @return rows in which the point was missing
-Eigen::Index fill_space_point(double longest_gap_s, Eigen::Index i, SpaceTracks& tracks,
-                              BackboneTrack& track) {
-  const Eigen::Index rows = tracks.row_count();
-  Eigen::Index missing = 0;
-  Eigen::Index before = -1;
-  for (Eigen::Index t = 0; t <= rows; ++t) {
-    if (t < rows && !tracks.is_tracked(t, i)) {
-      ++missing;
-      continue;
-    }
-    const bool short_gap =
-        before >= 0 && t < rows &&
-        tracks.time_s[std::size_t(t)] - tracks.time_s[std::size_t(before)] <= longest_gap_s;
-    if (short_gap) {
-      bridge_in_space(before, t, i, tracks);
-    }
-    for (Eigen::Index gap = before + 1; gap < t; ++gap) {
-      (short_gap ? track.bridged : track.tracked)[std::size_t(gap)] = short_gap;
-    }
-    before = t;
-  }
-  return missing;
-}
-
 }  // namespace
 
 void fill_space_gaps(const std::string& log, double longest_gap_s, SpaceTracks& tracks,
@@ -73,7 +48,10 @@ void fill_space_gaps(const std::string& log, double longest_gap_s, SpaceTracks& 
   for (Eigen::Index i = 0; i < tracks.point_count(); ++i) {
     const std::string& name = tracks.names[std::size_t(i)];
     const int plate = tracks.plates[std::size_t(i)];
-    const Eigen::Index missing = fill_space_point(longest_gap_s, i, tracks, track);
+    const Eigen::Index missing = bridge_hidden_rows(
+        tracks.time_s, longest_gap_s, [&](Eigen::Index t) { return tracks.is_tracked(t, i); },
+        [&](Eigen::Index before, Eigen::Index t) { bridge_in_space(before, t, i, tracks); },
+        track.tracked, track.bridged);
     note_point(log, name, plate, missing, rows, report);
   }
   note_hidden_rows(log, longest_gap_s, track.tracked, track.bridged, report);
