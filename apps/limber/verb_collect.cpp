@@ -80,9 +80,6 @@ class CollectVerb final : public Verb {
     if (schedule_name_ == kPlans) {
       require_planar(arm, "--schedule plans");
     }
-    if (!driver_.is_virtual()) {
-      require_planar(arm, "a driver");
-    }
     options_.seed = flags.seed;
     set_schedule();
     schedule_.limit_scale = driver_.limit_scale();

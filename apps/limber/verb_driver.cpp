@@ -53,9 +53,9 @@ class DriverVerb final : public Verb {
           action_));
     }
     const std::string arm_file = find_arm_file(arm_);
-    const ArmDescription arm = load_arm(arm_file, PolynomialsOf::characterisation);
-    require_planar(arm, "limber driver");
+    const ArmDescription arm = load_any_arm(arm_file, PolynomialsOf::characterisation);
     if (action_ == "calibrate") {
+      require_planar(arm, "limber driver calibrate");
       if (wire_.is_calibrated()) {
         throw InputError("--calibration: calibrate finds one; it goes with check");
       }

@@ -72,8 +72,7 @@ class VirtualArmVerb final : public Verb {
     if (!settings_.device_log.empty()) {
       refuse_to_overwrite(settings_.device_log, flags.force);
     }
-    const ArmDescription arm = load_arm(find_arm_file(arm_), PolynomialsOf::characterisation);
-    require_planar(arm, "virtual-arm --serve");
+    const ArmDescription arm = load_any_arm(find_arm_file(arm_), PolynomialsOf::characterisation);
     const DisturbedArm served = disturb(arm, flags.seed);
     settings_.arm = served.options;
     misassemble(served.arm, flags);
@@ -103,6 +102,9 @@ class VirtualArmVerb final : public Verb {
   }
 
   void misassemble(const ArmDescription& arm, const CommonFlags& flags) {
+    if (misassembled_) {
+      require_planar(arm, "--misassembled");
+    }
     if (!misassembled_) {
       if (!truth_.empty()) {
         throw InputError("--truth: goes with --misassembled SEED, whose truth it is");

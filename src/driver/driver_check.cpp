@@ -59,6 +59,9 @@ class Check {
     settings_.safety.stuck_change_kpa = kNever;
     driver_.emplace(arm_, settings_);
     result_.hello = driver_->hello();
+    for (int s = 0; s < channels(); ++s) {
+      result_.channels.push_back(channel_name(arm_, s));
+    }
   }
 
   DriverCheck run() {
@@ -80,6 +83,9 @@ class Check {
 
  private:
   int channels() const { return arm_.channel_count(); }
+  const std::string& name(int channel) const {
+    return result_.channels[static_cast<std::size_t>(channel)];
+  }
 
   /// Holds a set point and keeps what is read. @return the first frame of it
   std::size_t hold(const Pressures& setpoint_kpa, double seconds) {
@@ -147,14 +153,14 @@ class Check {
     const double wanted = kPulseShare * limit_kpa(segment, sign);
     hold(alone(segment, wanted), kPulseS);
     const double zero = result_.zero_kpa[static_cast<std::size_t>(segment)];
-    const std::string wrong = scale_complaint(segment, wanted, last_mean(segment) - zero);
+    const std::string wrong = scale_complaint(name(segment), wanted, last_mean(segment) - zero);
     for (int s = 0; s < channels(); ++s) {
       const double moved = last_mean(s) - result_.zero_kpa[static_cast<std::size_t>(s)];
       if (s != segment && std::abs(moved) > kMaxCrosstalk * std::abs(wanted)) {
         complain(
             fmt::format("a set point of {:.1f} kPa for {} moved {} by {:.1f} kPa: channels "
                         "are swapped, or share air",
-                        wanted, segment_name(segment), segment_name(s), moved));
+                        wanted, name(segment), name(s), moved));
       }
     }
     if (!wrong.empty()) {
@@ -168,7 +174,7 @@ class Check {
     const std::size_t first = hold(alone(segment, wanted), kStepS);
     StepResponse response = step_response(readings(segment, first), arm_.frame_period_s(), wanted,
                                           result_.noise_kpa[static_cast<std::size_t>(segment)]);
-    response.segment = segment;
+    response.channel = segment;
     result_.steps.push_back(response);
     ramp_down(alone(segment, wanted));
     hold(Pressures::Zero(channels()), kStepS);
@@ -281,7 +287,7 @@ class Check {
       result.pressure_kpa.row(k) = readings_[static_cast<std::size_t>(k)].transpose();
       result.setpoint_kpa.row(k) = setpoints_[static_cast<std::size_t>(k)].transpose();
     }
-    result.backbone = FrameMatrix::Zero(frames, kPoseSize * arm_.point_count());
+    result.backbone = FrameMatrix::Zero(frames, pose_size(arm_.dimension) * arm_.point_count());
     result.motion_index.assign(time_s_.size(), 0);
     result.tracked.assign(time_s_.size(), 0);
     return result;
@@ -302,7 +308,7 @@ DriverCheck check_driver(const ArmDescription& arm, const ProcessDriverSettings&
   return Check(arm, settings).run();
 }
 
-std::string scale_complaint(int segment, double setpoint_kpa, double measured_kpa) {
+std::string scale_complaint(const std::string& channel, double setpoint_kpa, double measured_kpa) {
   struct Scale {
     double factor;
     const char* says;
@@ -329,7 +335,7 @@ std::string scale_complaint(int segment, double setpoint_kpa, double measured_kp
       guess = scale.says;
     }
   }
-  return fmt::format("{} reads {:.2f} kPa at a set point of {:.2f} kPa: {}", segment_name(segment),
+  return fmt::format("{} reads {:.2f} kPa at a set point of {:.2f} kPa: {}", channel,
                      measured_kpa, setpoint_kpa, guess);
 }
 

@@ -20,6 +20,7 @@ constexpr double kMaxKpa = 1e5;     // 1000 bar: no soft arm comes near
 constexpr double kMaxLength = 1e5;  // of a coordinate; before calibration in mm, too
 constexpr double kMaxAngle = 1e5;
 constexpr double kMaxTimeS = 1e12;
+constexpr int kMaxChambers = 16 * kMaxSegments;
 constexpr std::uint64_t kMaxSeq = std::uint64_t{1} << 53U;  // what a double holds exactly
 constexpr double kMaxQuaternionOff = 0.01;                  // of its length from 1
 constexpr double kRateTolerance = 0.01;                     // of the arm's frame rate
@@ -45,17 +46,13 @@ Json rows(const Poses& poses) {
   return json;
 }
 
-Pressures pressures(const JsonReader& reader, int segments) {
+Pressures pressures(const JsonReader& reader, int count) {
   const std::vector<double> values =
-      reader.numbers(static_cast<std::size_t>(segments), "pressures in kPa", -kMaxKpa, kMaxKpa);
-  return Eigen::Map<const Eigen::VectorXd>(values.data(), segments).cast<float>();
+      reader.numbers(static_cast<std::size_t>(count), "pressures in kPa", -kMaxKpa, kMaxKpa);
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), count).cast<float>();
 }
 
-std::optional<Backbone> backbone(const JsonReader& root, int points) {
-  if (!root.has("backbone") || root.at("backbone").is_null()) {
-    return std::nullopt;
-  }
-  const JsonReader reader = root.at("backbone");
+Backbone backbone(const JsonReader& reader, int points) {
   const std::vector<JsonReader> rows = reader.elements("a list of [x, y, theta], or null");
   if (rows.size() != static_cast<std::size_t>(points)) {
     reader.refuse(fmt::format("{} poses found; the arm has {} plates", rows.size(), points));
@@ -73,28 +70,18 @@ std::optional<Backbone> backbone(const JsonReader& root, int points) {
   return result;
 }
 
-std::optional<BodyPoses> bodies(const JsonReader& root, int points) {
-  if (!root.has("bodies")) {
-    return std::nullopt;
-  }
-  const JsonReader reader = root.at("bodies");
-  if (root.has("backbone")) {
-    reader.refuse("stands beside backbone; a state has one of the two");
-  }
-  if (reader.is_null()) {
-    return std::nullopt;
-  }
+BodyPoses poses_in_space(const JsonReader& reader, int points) {
   const std::vector<JsonReader> rows =
       reader.elements("a list of [x, y, z, qx, qy, qz, qw], or null");
   if (rows.size() != static_cast<std::size_t>(points)) {
-    reader.refuse(fmt::format("{} bodies found; the arm has {} plates", rows.size(), points));
+    reader.refuse(fmt::format("{} poses found; the arm has {} plates", rows.size(), points));
   }
-  BodyPoses result(points, 7);
+  BodyPoses result(points, kSpacePoseSize);
   for (int i = 0; i < points; ++i) {
     const JsonReader& row = rows[static_cast<std::size_t>(i)];
-    const std::vector<double> pose =
-        row.numbers(7, "numbers: x, y, z, qx, qy, qz and qw", -kMaxLength, kMaxLength);
-    result.row(i) = Eigen::Map<const Eigen::RowVectorXd>(pose.data(), 7);
+    const std::vector<double> pose = row.numbers(
+        kSpacePoseSize, "numbers: x, y, z, qx, qy, qz and qw", -kMaxLength, kMaxLength);
+    result.row(i) = Eigen::Map<const Eigen::RowVectorXd>(pose.data(), kSpacePoseSize);
     const double length = result.row(i).tail<4>().norm();
     if (!(std::abs(length - 1.0) <= kMaxQuaternionOff)) {
       row.refuse(fmt::format("a quaternion of length {:.4g}; expected [qx, qy, qz, qw] of length 1",
@@ -105,6 +92,28 @@ std::optional<BodyPoses> bodies(const JsonReader& root, int points) {
   return result;
 }
 
+/// The shape of a state: a backbone in the arm's frame, or bodies in a tracker's.
+void read_shape(const JsonReader& root, const HostHello& arm, DriverReply& reply) {
+  if (root.has("bodies")) {
+    const JsonReader reader = root.at("bodies");
+    if (arm.is_spatial()) {
+      reader.refuse("an arm in space is told in its own frame, as backbone");
+    }
+    if (root.has("backbone")) {
+      reader.refuse("stands beside backbone; a state has one of the two");
+    }
+    if (!reader.is_null()) {
+      reply.bodies = poses_in_space(reader, arm.points);
+    }
+  } else if (root.has("backbone") && !root.at("backbone").is_null()) {
+    if (arm.is_spatial()) {
+      reply.state.space_backbone = poses_in_space(root.at("backbone"), arm.points).cast<float>();
+    } else {
+      reply.state.backbone = backbone(root.at("backbone"), arm.points);
+    }
+  }
+}
+
 double rate(const JsonReader& root) {
   constexpr double kMaxRateHz = 1e4;
   return root.at("rate_hz").number(1e-3, kMaxRateHz);
@@ -112,8 +121,8 @@ double rate(const JsonReader& root) {
 
 /// `limit_kpa` alone is that of both sides; beside it, `limits_kpa` has [lower, upper] of each
 /// segment. Programs that do not know the latter read the largest of either side.
-std::vector<PressureLimits> limits(const JsonReader& root, int segments) {
-  const auto n = static_cast<std::size_t>(segments);
+std::vector<PressureLimits> limits(const JsonReader& root, int count) {
+  const auto n = static_cast<std::size_t>(count);
   std::vector<PressureLimits> result;
   if (root.has("limits_kpa")) {
     const std::vector<JsonReader> pairs =
@@ -121,7 +130,7 @@ std::vector<PressureLimits> limits(const JsonReader& root, int segments) {
     if (pairs.size() != n) {
       root.at("limits_kpa")
           .refuse(
-              fmt::format("{} pairs found; expected one of each of {} segments", pairs.size(), n));
+              fmt::format("{} pairs found; expected one of each of {} pressures", pairs.size(), n));
     }
     for (const JsonReader& pair : pairs) {
       const std::vector<double> ends =
@@ -152,6 +161,13 @@ void add_limits(const std::vector<PressureLimits>& limits, Json& json) {
   }
 }
 
+void add_chambers(int chambers, Json& json) {
+  if (chambers > 0) {
+    json["dimension"] = 3;
+    json["chambers"] = chambers;
+  }
+}
+
 std::string optional_text(const JsonReader& root, const char* key) {
   return root.has(key) ? root.at(key).text() : "";
 }
@@ -175,13 +191,19 @@ void require_protocol(const JsonReader& root) {
 }  // namespace
 
 HostHello host_hello(const ArmDescription& arm) {
-  return {arm.name, arm.segment_count(), arm.point_count(), arm.frame_rate_hz, limits_of(arm)};
+  return {arm.name,
+          arm.segment_count(),
+          arm.is_spatial() ? arm.channel_count() : 0,
+          arm.point_count(),
+          arm.frame_rate_hz,
+          limits_of(arm)};
 }
 
 std::string to_line(const HostHello& hello) {
   Json json = {{"type", "hello"},        {"protocol", kDriverProtocol},
                {"arm", hello.arm},       {"segments", hello.segments},
                {"points", hello.points}, {"rate_hz", hello.rate_hz}};
+  add_chambers(hello.chambers, json);
   add_limits(hello.limit_kpa, json);
   return json.dump();
 }
@@ -191,6 +213,7 @@ std::string to_line(const DriverHello& hello) {
                {"driver", hello.driver},   {"device", hello.device},
                {"rate_hz", hello.rate_hz}, {"segments", hello.segments},
                {"tracked", hello.tracked}, {"real_time", hello.real_time}};
+  add_chambers(hello.chambers, json);
   add_limits(hello.limit_kpa, json);
   return json.dump();
 }
@@ -219,6 +242,8 @@ std::string state_line(std::int64_t seq, const ArmState& state,
   }
   if (bodies) {
     json["bodies"] = rows(*bodies);
+  } else if (state.space_backbone) {
+    json["backbone"] = rows(*state.space_backbone);
   } else {
     json["backbone"] = state.backbone ? rows(*state.backbone) : Json(nullptr);
   }
@@ -251,9 +276,16 @@ DriverHello parse_driver_hello(std::string_view line, const HostHello& expected)
     root.at("segments")
         .refuse_found(fmt::format("arm '{}' has {} segments", expected.arm, expected.segments));
   }
+  if (expected.is_spatial()) {
+    hello.chambers = root.at("chambers").integer(0, 1 << 20);
+    if (hello.chambers != expected.chambers) {
+      root.at("chambers")
+          .refuse_found(fmt::format("arm '{}' has {} chambers", expected.arm, expected.chambers));
+    }
+  }
   hello.tracked = optional_flag(root, "tracked", true);
   hello.real_time = optional_flag(root, "real_time", true);
-  hello.limit_kpa = limits(root, hello.segments);
+  hello.limit_kpa = limits(root, expected.pressures());
   return hello;
 }
 
@@ -268,12 +300,11 @@ DriverReply parse_state(std::string_view line, const HostHello& arm) {
   DriverReply reply;
   reply.seq = static_cast<std::int64_t>(root.at("seq").count(kMaxSeq));
   reply.state.time_s = root.at("t").number(-kMaxTimeS, kMaxTimeS);
-  reply.state.pressure_kpa = pressures(root.at("pressure_kpa"), arm.segments);
+  reply.state.pressure_kpa = pressures(root.at("pressure_kpa"), arm.pressures());
   if (root.has("setpoint_kpa") && !root.at("setpoint_kpa").is_null()) {
-    reply.state.setpoint_kpa = pressures(root.at("setpoint_kpa"), arm.segments);
+    reply.state.setpoint_kpa = pressures(root.at("setpoint_kpa"), arm.pressures());
   }
-  reply.state.backbone = backbone(root, arm.points);
-  reply.bodies = bodies(root, arm.points);
+  read_shape(root, arm, reply);
   if (root.has("tracker_t") && !root.at("tracker_t").is_null()) {
     reply.state.tracker_s = root.at("tracker_t").number(-kMaxTimeS, kMaxTimeS);
   }
@@ -295,7 +326,10 @@ DriverRequest parse_request(std::string_view line, const HostHello& arm) {
     request.hello.segments = root.at("segments").integer(1, kMaxSegments);
     request.hello.points = root.at("points").integer(2, 1 << 20);
     request.hello.rate_hz = rate(root);
-    request.hello.limit_kpa = limits(root, request.hello.segments);
+    if (root.has("chambers")) {
+      request.hello.chambers = root.at("chambers").integer(1, kMaxChambers);
+    }
+    request.hello.limit_kpa = limits(root, request.hello.pressures());
     return request;
   }
   if (type != "set" && type != "vent") {
@@ -305,7 +339,7 @@ DriverRequest parse_request(std::string_view line, const HostHello& arm) {
   request.seq = static_cast<std::int64_t>(root.at("seq").count(kMaxSeq));
   request.time_s = root.at("t").number(-kMaxTimeS, kMaxTimeS);
   if (request.kind == RequestKind::set) {
-    request.setpoint_kpa = pressures(root.at("pressure_kpa"), arm.segments);
+    request.setpoint_kpa = pressures(root.at("pressure_kpa"), arm.pressures());
   }
   return request;
 }

@@ -220,7 +220,8 @@ class ProcessDriver::Session {
     state_ = link_.set(setpoint_kpa, reply_time());
     timing_.last = {sent_s, link_.since_start_s(), link_.bodies()};
     timing_.round_trip_s.push_back(seconds(Clock::now() - asked_));
-    timing_.frames_unseen += hello().tracked && !state_.backbone && !link_.bodies() ? 1 : 0;
+    const bool seen = state_.backbone || state_.space_backbone || link_.bodies();
+    timing_.frames_unseen += hello().tracked && !seen ? 1 : 0;
   }
 
   /// Vents, and watches the pressures come down.

@@ -44,8 +44,8 @@ std::string in_words(const DeadmanResult& deadman) {
 std::string pressures_svg(const DriverCheck& check) {
   ChartGrid grid(1, "Set points and what was measured");
   const Eigen::VectorXd& time_s = check.episode.time_s;
-  for (int s = 0; s < check.hello.segments; ++s) {
-    Chart chart(segment_name(s));
+  for (int s = 0; s < std::ssize(check.channels); ++s) {
+    Chart chart(check.channels[static_cast<std::size_t>(s)]);
     chart.x_axis("time [s]").y_axis("pressure [kPa]").size_px(900, 240);
     SeriesStyle set;
     set.dashed = true;
@@ -98,7 +98,7 @@ Json to_json(const DriverCheck& check, const IdentifiedValves& valves) {
                {"noise_kpa", check.noise_kpa}};
   json["steps"] = Json::array();
   for (const StepResponse& step : check.steps) {
-    json["steps"].push_back({{"segment", step.segment},
+    json["steps"].push_back({{check.hello.chambers > 0 ? "chamber" : "segment", step.channel},
                              {"setpoint_kpa", step.setpoint_kpa},
                              {"reached_kpa", step.reached_kpa},
                              {"answered", step.answered},
@@ -124,7 +124,8 @@ std::string to_text(const DriverCheck& check) {
   text += fmt::format("\n  at rest: {:.2f} kPa, noise {:.2f} kPa", fmt::join(check.zero_kpa, ", "),
                       fmt::join(check.noise_kpa, ", "));
   for (const StepResponse& step : check.steps) {
-    text += fmt::format("\n  {} to {:.0f} kPa: ", segment_name(step.segment), step.setpoint_kpa);
+    const std::string& name = check.channels[static_cast<std::size_t>(step.channel)];
+    text += fmt::format("\n  {} to {:.0f} kPa: ", name, step.setpoint_kpa);
     text +=
         step.answered
             ? fmt::format("{:.1f} kPa, dead time {:.2f} s, rise {:.2f} s, overshoot {:.1f} kPa",

@@ -135,11 +135,13 @@ DisturbedArm disturbed(const ArmDescription& arm, const Plan& plan,
       case DisturbanceKind::friction:
         change_virtual_arm(result.arm, [&](auto& p) {
           p.friction_coefficient *= 1.0 + one.amount;
+          p.joint_friction_n_m *= arm.is_spatial() ? 1.0 + one.amount : 1.0;
           p.hysteresis_fraction *= 1.0 + one.amount;
           p.hysteresis_floor_n *= 1.0 + one.amount;
         });
         break;
       case DisturbanceKind::weak_actuator:
+        require_planar(arm, "the disturbance weak_actuator");
         change_virtual_arm(result.arm, [&](auto& p) {
           p.weak_side =
               static_cast<int>(random.index(2 * static_cast<std::uint32_t>(arm.segment_count())));

@@ -48,16 +48,16 @@ TEST(StepResponse, OvershootIsWhatIsBeyondTheEnd) {
 }
 
 TEST(ScaleComplaint, NamesTheUnitThatWouldFit) {
-  EXPECT_THAT(scale_complaint(0, 5.0, 4.8), IsEmpty());
-  EXPECT_THAT(scale_complaint(0, -5.0, -5.2), IsEmpty());
-  EXPECT_THAT(scale_complaint(1, 5.0, 0.725), HasSubstr("sends psi"));
-  EXPECT_THAT(scale_complaint(1, 5.0, 34.5), HasSubstr("takes set points for psi"));
-  EXPECT_THAT(scale_complaint(1, 5.0, 50.0), HasSubstr("sends mbar"));
-  EXPECT_THAT(scale_complaint(1, 5.0, 0.5), HasSubstr("set points for mbar"));
-  EXPECT_THAT(scale_complaint(1, 5.0, 5000.0), HasSubstr("sends Pa"));
-  EXPECT_THAT(scale_complaint(2, -5.0, 5.1), HasSubstr("segment 2 reads 5.10 kPa"));
-  EXPECT_THAT(scale_complaint(2, -5.0, 5.1), HasSubstr("swapped, or the sign"));
-  EXPECT_THAT(scale_complaint(2, 5.0, 0.0), HasSubstr("check supply"));
+  EXPECT_THAT(scale_complaint("segment 0", 5.0, 4.8), IsEmpty());
+  EXPECT_THAT(scale_complaint("segment 0", -5.0, -5.2), IsEmpty());
+  EXPECT_THAT(scale_complaint("segment 1", 5.0, 0.725), HasSubstr("sends psi"));
+  EXPECT_THAT(scale_complaint("segment 1", 5.0, 34.5), HasSubstr("takes set points for psi"));
+  EXPECT_THAT(scale_complaint("segment 1", 5.0, 50.0), HasSubstr("sends mbar"));
+  EXPECT_THAT(scale_complaint("segment 1", 5.0, 0.5), HasSubstr("set points for mbar"));
+  EXPECT_THAT(scale_complaint("segment 1", 5.0, 5000.0), HasSubstr("sends Pa"));
+  EXPECT_THAT(scale_complaint("segment 2", -5.0, 5.1), HasSubstr("segment 2 reads 5.10 kPa"));
+  EXPECT_THAT(scale_complaint("segment 2", -5.0, 5.1), HasSubstr("swapped, or the sign"));
+  EXPECT_THAT(scale_complaint("segment 2", 5.0, 0.0), HasSubstr("check supply"));
 }
 
 }  // namespace

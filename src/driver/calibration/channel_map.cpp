@@ -211,7 +211,7 @@ std::vector<WireChannel> sensor_channels(const ArmDescription& arm, const Calibr
     const double ratio = change[reading] / pulse.setpoint_kpa;
     const double direction = ratio < 0.0 ? -1.0 : 1.0;
     const std::string wrong =
-        scale_complaint(segment, pulse.setpoint_kpa, direction * change[reading]);
+        scale_complaint(segment_name(segment), pulse.setpoint_kpa, direction * change[reading]);
     if (!wrong.empty()) {
       throw CalibrationRefused(fmt::format("channel {}: {}", pulse.channel, wrong));
     }

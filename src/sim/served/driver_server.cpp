@@ -175,6 +175,7 @@ class DriverServer {
     hello.device = "a simulated arm and its valves";
     hello.rate_hz = host_.rate_hz;
     hello.segments = host_.segments + (plays(Kind::hello) ? 1 : 0);
+    hello.chambers = host_.chambers;
     hello.real_time = !settings_.fast;
     if (!plays(Kind::hello)) {
       hello.limit_kpa = wire_.to_wire(host_.limit_kpa);
@@ -263,7 +264,8 @@ class DriverServer {
         state.pressure_kpa[0] = last_.pressure_kpa[0];
         break;
       case Kind::jump:
-        state.backbone->bottomRows(1)(0, 1) += kJumpM;
+        (state.backbone ? state.backbone->bottomRows(1)(0, 1)
+                        : state.space_backbone->bottomRows(1)(0, 1)) += kJumpM;
         break;
       case Kind::sealed:
         state.pressure_kpa = last_.pressure_kpa;

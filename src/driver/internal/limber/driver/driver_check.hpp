@@ -11,7 +11,7 @@ namespace limber {
 
 /// One channel's answer to a jump of its set point from zero.
 struct StepResponse {
-  int segment = 0;
+  int channel = 0;  ///< segment, or chamber of an arm in space
   double setpoint_kpa = 0.0;  ///< signed: the side
   double reached_kpa = 0.0;   ///< mean over the last frames of the hold
   double dead_time_s = 0.0;   ///< until the reading moved; frames apart, interpolated
@@ -34,8 +34,9 @@ struct DeadmanResult {
 struct DriverCheck {
   DriverHello hello;
   DriverTiming timing;
-  std::vector<double> noise_kpa;  ///< standard deviation at rest, one per segment
-  std::vector<double> zero_kpa;   ///< mean reading at rest
+  std::vector<std::string> channels;  ///< names: segments, or chambers of an arm in space
+  std::vector<double> noise_kpa;      ///< standard deviation at rest, one per channel
+  std::vector<double> zero_kpa;       ///< mean reading at rest
   std::vector<StepResponse> steps;
   DeadmanResult silence;                ///< no `set` for more than three frames
   DeadmanResult end_of_input;           ///< its input closed, as limber's end closes it; read by
@@ -44,14 +45,14 @@ struct DriverCheck {
   Episode episode;  ///< everything that was commanded and measured; backbones are not kept
 };
 
-/// Moves each segment alone, to either side: pulses of 5 % of the limits in force, and only where
+/// Moves each segment, or chamber of an arm in space, alone, to either side: pulses of 5 % of the limits in force, and only where
 /// those read right, jumps to 30 % of them. Takes about 20 s and 10 s per segment.
 /// @throws SystemFault where the driver fails, or reads a pressure when vented; Interrupted.
 DriverCheck check_driver(const ArmDescription& arm, const ProcessDriverSettings& settings);
 
 /// What a reading of `measured_kpa` at a set point of `setpoint_kpa` says about the driver's unit;
-/// empty where it is within a factor of two.
-std::string scale_complaint(int segment, double setpoint_kpa, double measured_kpa);
+/// empty where it is within a factor of two. @param channel  its name
+std::string scale_complaint(const std::string& channel, double setpoint_kpa, double measured_kpa);
 
 /// Of readings at a fixed rate that begin right after a jump from zero.
 StepResponse step_response(const std::vector<double>& reading_kpa, double period_s,

@@ -14,7 +14,8 @@
 namespace limber {
 
 /// The protocol between limber and a driver (docs/driver.md): one JSON object per line. Pressures
-/// are kPa gauge, signed, one per segment; lengths m, angles rad. Unknown keys are ignored. Every
+/// are kPa gauge, signed, one per segment, or per chamber of an arm in space; lengths m, angles rad.
+/// Unknown keys are ignored. Every
 /// parser takes one line and throws InputError that names the field.
 inline constexpr int kDriverProtocol = 1;
 
@@ -25,9 +26,13 @@ inline constexpr std::size_t kMaxDriverLine = std::size_t{1} << 20U;
 struct HostHello {
   std::string arm;
   int segments = 0;
+  int chambers = 0;  ///< of an arm in space, all of them; 0 in a plane
   int points = 0;
   double rate_hz = 0.0;
-  std::vector<PressureLimits> limit_kpa;  ///< of each segment
+  std::vector<PressureLimits> limit_kpa;  ///< of each pressure
+
+  bool is_spatial() const { return chambers > 0; }
+  int pressures() const { return is_spatial() ? chambers : segments; }
 };
 
 /// What the driver answers.
@@ -37,6 +42,7 @@ struct DriverHello {
   std::string device;     ///< what the device speaks, in words
   double rate_hz = 0.0;   ///< of the frames that it serves
   int segments = 0;       ///< n
+  int chambers = 0;       ///< as in HostHello
   bool tracked = true;    ///< whether states carry backbones, or bodies
   bool real_time = true;  ///< false: a simulation that runs as fast as it is asked
   /// The driver's own limits; empty: none but the arm's.
