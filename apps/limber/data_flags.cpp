@@ -63,10 +63,7 @@ IdentifiedValves DataFlags::valves_of(const std::vector<Episode>& episodes,
   for (const std::string& path : data_) {
     files.push_back(fs::path(path).filename().string());
   }
-  const std::string source = fmt::format("{}", fmt::join(files, ", "));
-  return arm.is_spatial() && !episodes.empty() && episodes.front().setpoints_only
-             ? valves_of_shapes(arm, episodes, source)
-             : identify_valves(episodes, arm, source);
+  return identify_valves(episodes, arm, fmt::format("{}", fmt::join(files, ", ")));
 }
 
 EpisodeChoice DataFlags::load_arms(const CommonFlags& flags, const ArmDescription& arm,
@@ -131,27 +128,16 @@ EpisodeChoice DataFlags::load(const CommonFlags& flags, const ArmDescription& ar
   std::vector<std::string> broken = leave_out(arm, all, validation);
   valves = valves_of(all.episodes, arm);
   EpisodeChoice choice;
-  choice.follows_setpoints = arm.is_spatial() && !valves.parameters.is_ideal() &&
-                             !all.episodes.empty() && all.episodes.front().setpoints_only;
-  if (choice.follows_setpoints) {
-    follow_setpoints(valves.parameters, arm, all.episodes);
-    follow_setpoints(valves.parameters, arm, validation.episodes);
-  }
   if (may_be_little && validation_.empty() && unseen_.empty() && is_little(arm, all.episodes)) {
     choice.is_little = true;
     choice.data.training = std::move(all.episodes);
   } else {
     const EpisodeShares shares{kValidationShare, unseen_.empty() ? kUnseenShare : 0.0};
-    const bool follows_setpoints = choice.follows_setpoints;
     choice = choose_episodes(std::move(all), std::move(validation), shares, flags.seed);
-    choice.follows_setpoints = follows_setpoints;
   }
   choice.broken = std::move(broken);
   if (!unseen_.empty()) {
     choice.data.unseen = reader.read(unseen_).episodes;
-    if (choice.follows_setpoints) {
-      follow_setpoints(valves.parameters, arm, choice.data.unseen);
-    }
   }
   return choice;
 }

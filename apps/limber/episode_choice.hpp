@@ -62,7 +62,6 @@ struct EpisodeChoice {
   std::vector<std::string> validation;  ///< names of those that validate
   std::vector<std::string> broken;      ///< of all episodes, with their errors
   bool is_little = false;               ///< nothing is held back (cross_validate)
-  bool follows_setpoints = false;       ///< pressures are what valves made of set points (space.md)
 };
 
 /// Takes out of both those in which the arm does not do what it does in the others

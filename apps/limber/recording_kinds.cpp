@@ -6,7 +6,6 @@
 
 #include "limber/common/error.hpp"
 #include "limber/data/recording_part.hpp"
-#include "limber/data/valve_simulation.hpp"
 
 namespace limber {
 
@@ -44,11 +43,7 @@ Recording RecordingKinds::read(const std::string& file, const ArmDescription& ar
 
 Recording as_learnt_from(const CompensationModel& network, const std::string& model_file,
                          Recording recording, const std::string& file) {
-  if (network.valves && network.training.contains(kFollowsSetpoints)) {
-    recording.episodes = with_setpoints_only(std::move(recording.episodes));
-    follow_setpoints(*network.valves, read_arm_keys(network.arm_description, model_file),
-                     recording.episodes);
-  } else if (network.learnt_from_setpoints && !recording.setpoints_only()) {
+  if (network.learnt_from_setpoints && !recording.setpoints_only()) {
     recording.episodes = with_setpoints_only(std::move(recording.episodes));
   } else if (!network.learnt_from_setpoints && recording.setpoints_only()) {
     throw InputError(fmt::format(

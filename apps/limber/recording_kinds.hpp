@@ -27,12 +27,8 @@ class RecordingKinds {
   bool setpoints_only_ = false;
 };
 
-/// Key of a model's training record: the pressures that it learnt from were what its valves make of
-/// set points, as of arms in space whose recordings hold nothing else.
-inline constexpr const char* kFollowsSetpoints = "follows_setpoints";
-
 /// A recording as a network has to be asked with it: one that learnt from set points is given set
-/// points, or what its valves make of them, whatever was measured beside them.
+/// points, whatever was measured beside them.
 /// @throws InputError where it learnt from what was measured, and nothing was.
 Recording as_learnt_from(const CompensationModel& network, const std::string& model_file,
                          Recording recording, const std::string& file);

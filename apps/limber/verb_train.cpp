@@ -327,9 +327,6 @@ class TrainVerb final : public Verb {
   void record_origin(CompensationModel& model, const std::string& sources,
                      const TrainingSettings& settings, const EpisodeChoice& choice) const {
     model.training["data"] = sources;
-    if (choice.follows_setpoints) {
-      model.training[kFollowsSetpoints] = "yes";
-    }
     model.training["windows"] = fmt::format("{}", fmt::join(windows_of(settings), " "));
     model.training["validation"] = fmt::format("{}", fmt::join(choice.validation, "; "));
     if (!from_.empty()) {

@@ -27,7 +27,6 @@ constexpr int kRobustRounds = 3;
 constexpr double kSpaceHuber = 2.0;  // medians beyond which a frame counts less
 constexpr double kLongestDead_s = 0.6;
 constexpr double kFinestStep_s = 0.005;
-constexpr double kNearlyAsWell = 1.1;  // of the best fit's error
 constexpr std::array<double, 14> kLags_s = {0.0,  0.02, 0.04, 0.06, 0.08, 0.1,  0.13,
                                             0.17, 0.22, 0.3,  0.4,  0.55, 0.75, 1.0};
 
@@ -145,25 +144,6 @@ class SpaceFitter {
     }
     fit.shape_sd = deviations();
     return fit;
-  }
-
-  /// The shortest dead time that fits nearly as well, with a longer lag: a network can do with
-  /// commands that come early, and with none that come late. @pre run() gave `fit`
-  void shorten_dead_time(SpaceFit& fit) {
-    set_terms(fit.dead_time_s, fit.lag_s);
-    const double enough_m = kNearlyAsWell * mean_off_m(solve(-1));
-    const double step_s = std::max(0.5 * arm_.frame_period_s(), kFinestStep_s);
-    for (double dead_s = 0.0; dead_s < fit.dead_time_s; dead_s += step_s) {
-      for (const double lag_s : kLags_s) {
-        throw_if_interrupted();
-        set_terms(dead_s, lag_s);
-        if (lag_s >= fit.lag_s && mean_off_m(solve(-1)) <= enough_m) {
-          fit.dead_time_s = dead_s;
-          fit.lag_s = lag_s;
-          return;
-        }
-      }
-    }
   }
 
  private:
@@ -305,25 +285,6 @@ ArmDescription with_space_fit(ArmDescription arm, const SpaceFit& fit) {
             .unaryExpr(&seven_digits);
   }
   return arm;
-}
-
-IdentifiedValves valves_of_shapes(const ArmDescription& arm, const std::vector<Episode>& episodes,
-                                  const std::string& source) {
-  require_episodes_of(episodes, arm);
-  SpaceFitter fitter(arm, episodes);
-  SpaceFit fit = fitter.run();
-  fitter.shorten_dead_time(fit);
-  IdentifiedValves valves;
-  valves.findings.source = source;
-  if (fit.dead_time_s <= 0.0 && fit.lag_s <= 0.0) {
-    valves.findings.reason = "shapes follow set points at once";
-    return valves;
-  }
-  const ValveDirection direction{fit.lag_s, std::numeric_limits<double>::infinity()};
-  valves.parameters.has_sides = false;
-  valves.parameters.segments.assign(static_cast<std::size_t>(arm.channel_count()),
-                                    {direction, direction, fit.dead_time_s, 0.0});
-  return valves;
 }
 
 }  // namespace limber

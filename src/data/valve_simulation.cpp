@@ -30,14 +30,4 @@ FrameMatrix simulate_valves(const ValveParameters& valves, double rate_hz, const
   return simulate_valves(valves, rate_hz, episode, 0, episode.frame_count());
 }
 
-void follow_setpoints(const ValveParameters& valves, const ArmDescription& arm,
-                      std::vector<Episode>& episodes) {
-  for (Episode& episode : episodes) {
-    if (episode.setpoints_only && !valves.is_ideal()) {
-      episode.pressure_kpa = simulate_valves(valves, arm.frame_rate_hz, episode);
-      episode.setpoints_only = false;
-    }
-  }
-}
-
 }  // namespace limber

@@ -10,6 +10,7 @@
 #include "forward_pipeline.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
+#include "limber/network/past_commands.hpp"
 
 namespace limber {
 
@@ -121,7 +122,7 @@ void ForwardModel::step_batch(const Eigen::Ref<const Eigen::MatrixXf>& previous_
                               const Eigen::Ref<const Eigen::MatrixXf>& before,
                               const Eigen::Ref<const Eigen::MatrixXf>& previous,
                               Eigen::Ref<Eigen::MatrixXf> next, Workspace& workspace) const {
-  assert(previous_kpa.rows() == channel_count() && current_kpa.rows() == channel_count());
+  assert(previous_kpa.rows() == command_size() && current_kpa.rows() == command_size());
   assert(previous.rows() == pose_size(dimension()) * point_count() &&
          next.rows() == previous.rows());
   assert(previous_kpa.cols() == next.cols() && current_kpa.cols() == next.cols() &&
@@ -159,6 +160,17 @@ Backbone ForwardModel::checked_step(const Pressures& previous_kpa, const Pressur
 void ForwardModel::rollout(const Eigen::Ref<const Eigen::MatrixXf>& pressures_kpa,
                            Eigen::Ref<Eigen::MatrixXf> backbones, Workspace& workspace) const {
   assert(pressures_kpa.cols() == backbones.cols());
+  if (command_size() != channel_count()) {
+    roll_out_told(with_past_commands(pressures_kpa, compensation_->past_commands), backbones,
+                  workspace);
+  } else {
+    roll_out_told(pressures_kpa, backbones, workspace);
+  }
+}
+
+void ForwardModel::roll_out_told(const Eigen::Ref<const Eigen::MatrixXf>& pressures_kpa,
+                                 Eigen::Ref<Eigen::MatrixXf> backbones,
+                                 Workspace& workspace) const {
   for (Eigen::Index t = 1; t < pressures_kpa.cols(); ++t) {
     step_batch(pressures_kpa.col(t - 1), pressures_kpa.col(t),
                backbones.col(std::max(t - 2, Eigen::Index{0})), backbones.col(t - 1),

@@ -71,7 +71,8 @@ ForwardPipeline::ForwardPipeline(const ArmDescription& arm, const CompensationMo
       poses_(gaps_.pose_size * points_),
       layout_(model != nullptr ? model->layout : BackboneLayout::base_poses,
               model != nullptr ? model->form : OutputForm::compensation, arm,
-              model != nullptr && model->reads_velocity) {
+              model != nullptr && model->reads_velocity,
+              model != nullptr ? model->past_commands.size() : 0) {
   for (const Segment& segment : arm.segments) {
     no_load_.push_back(pack(segment, arm.no_load));
     for (const Chamber& chamber : segment.chambers) {
@@ -171,9 +172,9 @@ void ForwardPipeline::run_many(int count, const QueryColumns& queries, float* sc
   float* const no_load = input + layout_.no_load_row() * stride;
   float* const change = input + layout_.change_row() * stride;
   float* const layers = input + layout_.input_size() * stride;
-  rows_.gather(channels_, count, queries.previous_kpa.data, queries.previous_kpa.ld, input, stride);
-  rows_.gather(channels_, count, queries.current_kpa.data, queries.current_kpa.ld, pressure,
-               stride);
+  const int commands = layout_.command_size();
+  rows_.gather(commands, count, queries.previous_kpa.data, queries.previous_kpa.ld, input, stride);
+  rows_.gather(commands, count, queries.current_kpa.data, queries.current_kpa.ld, pressure, stride);
   if (layout_.backbone_layout() == BackboneLayout::base_poses) {
     rows_.gather(poses_, count, queries.previous.data, queries.previous.ld, backbone, stride);
     if (layout_.reads_velocity()) {
@@ -261,8 +262,8 @@ void ForwardPipeline::write_column(const QueryColumns& queries, float* column) c
       std::copy_n(base_poses, poses_, to);
     }
   };
-  std::copy_n(queries.previous_kpa.data, channels_, column);
-  std::copy_n(queries.current_kpa.data, channels_, column + channels_);
+  std::copy_n(queries.previous_kpa.data, layout_.command_size(), column);
+  std::copy_n(queries.current_kpa.data, layout_.command_size(), column + layout_.pressure_row());
   float* const backbone = column + layout_.backbone_row();
   encode(queries.previous.data, backbone);
   if (layout_.reads_velocity()) {

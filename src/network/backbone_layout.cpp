@@ -7,12 +7,12 @@
 namespace limber {
 
 NetworkLayout::NetworkLayout(BackboneLayout layout, OutputForm form, const ArmDescription& arm,
-                             bool reads_velocity)
+                             bool reads_velocity, std::size_t past_commands)
     : layout_(layout),
       form_(form),
       reads_velocity_(reads_velocity),
       dimension_(arm.dimension),
-      channel_count_(arm.channel_count()),
+      command_size_(arm.channel_count() * (1 + static_cast<int>(past_commands))),
       point_count_(arm.point_count()) {
   int gap = 0;
   for (const Segment& segment : arm.segments) {

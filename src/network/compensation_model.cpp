@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "limber/common/error.hpp"
 #include "limber/network/arm_family.hpp"
@@ -22,7 +23,7 @@ struct Sizes {
 
 // As in NetworkLayout, from the counts alone: a model file carries no arm.
 Sizes expected_sizes(const CompensationModel& model) {
-  const Eigen::Index n = model.channel_count();
+  const Eigen::Index n = model.command_size();
   const Eigen::Index m = model.point_count;
   const bool base = model.layout == BackboneLayout::base_poses;
   const Eigen::Index gap = gap_size(model.dimension);
@@ -31,6 +32,19 @@ Sizes expected_sizes(const CompensationModel& model) {
   const bool gated = model.form == OutputForm::gated_change;
   const Eigen::Index change = model.reads_velocity ? backbone : 0;
   return {2 * n + backbone + no_load + change, backbone, gated ? 2 * backbone : backbone};
+}
+
+void validate_past_commands(const CompensationModel& model, const std::string& where) {
+  constexpr int kLongest = 1000;
+  int before = 0;
+  for (const int frames : model.past_commands) {
+    if (model.dimension != Dimension::space || frames <= before || frames > kLongest) {
+      refuse(where, fmt::format("past_commands [{}]; expected frames ago, ascending from 1 to {}, "
+                                "and none of an arm in a plane",
+                                fmt::join(model.past_commands, ", "), kLongest));
+    }
+    before = frames;
+  }
 }
 
 void validate_normalisation(const std::string& where, const std::string& name,
@@ -123,6 +137,7 @@ CompensationModel CompensationModel::member(int index) const {
   one.layout = layout;
   one.form = form;
   one.reads_velocity = reads_velocity;
+  one.past_commands = past_commands;
   one.layers = index == 0 ? layers : more_members[static_cast<std::size_t>(index) - 1];
   one.input = input;
   one.output = output;
@@ -200,6 +215,7 @@ void validate(const CompensationModel& model, const std::string& where) {
                               "gap_poses of an arm in space",
                               model.chamber_count, to_string(model.layout)));
   }
+  validate_past_commands(model, where);
   const Sizes sizes = expected_sizes(model);
   validate_layers(where, "layers.", model.layers, sizes);
   validate_members(where, model, sizes);

@@ -8,6 +8,7 @@
 #include "limber/arm/valve_findings.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/json_reader.hpp"
 #include "limber/common/number_text.hpp"
 #include "limber/common/safetensors.hpp"
 #include "limber/common/utf8.hpp"
@@ -26,6 +27,8 @@ constexpr const char* kValvesKey = "valves";
 constexpr const char* kLearntFromKey = "learnt_from";
 constexpr const char* kErrorKey = "prediction_error";
 constexpr const char* kReadsVelocityKey = "reads_velocity";
+constexpr const char* kPastCommandsKey = "past_commands";
+constexpr int kMostPastFrames = 1000;
 constexpr const char* kTubeKey = "tube";
 constexpr const char* kDimensionKey = "dimension";
 constexpr const char* kChamberCountKey = "chamber_count";
@@ -110,6 +113,14 @@ void read_space_into(CompensationModel& model, const Safetensors& content,
   }
   model.dimension = Dimension::space;
   model.chamber_count = count_at(content, kChamberCountKey, where);
+  if (content.metadata.count(kPastCommandsKey) != 0) {
+    const nlohmann::json past =
+        nlohmann::json::parse(content.metadata.at(kPastCommandsKey), nullptr, false);
+    for (const JsonReader& frames :
+         JsonReader(past, where + ": metadata past_commands").elements("frames ago")) {
+      model.past_commands.push_back(frames.integer(1, kMostPastFrames));
+    }
+  }
 }
 
 // Older models, from before set points alone were learnt from, don't say; they are of the one kind.
@@ -266,6 +277,9 @@ void write_model(const std::filesystem::path& path, const CompensationModel& mod
   if (model.dimension == Dimension::space) {
     content.metadata[kDimensionKey] = "3";
     content.metadata[kChamberCountKey] = std::to_string(model.chamber_count);
+    if (!model.past_commands.empty()) {
+      content.metadata[kPastCommandsKey] = fmt::format("[{}]", fmt::join(model.past_commands, ", "));
+    }
   }
   if (model.reads_velocity) {
     content.metadata[kReadsVelocityKey] = "yes";

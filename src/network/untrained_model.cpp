@@ -37,12 +37,14 @@ Eigen::VectorXf pose_ranges(Dimension dimension, Eigen::Index size, float metres
 
 CompensationModel untrained_model(const ArmDescription& arm, BackboneLayout layout,
                                   const std::vector<int>& hidden, std::uint64_t seed,
-                                  OutputForm form, bool reads_velocity) {
-  const NetworkLayout sizes(layout, form, arm, reads_velocity);
+                                  OutputForm form, bool reads_velocity,
+                                  const std::vector<int>& past_commands) {
+  const NetworkLayout sizes(layout, form, arm, reads_velocity, past_commands.size());
   CompensationModel model;
   model.layout = layout;
   model.form = form;
   model.reads_velocity = reads_velocity;
+  model.past_commands = past_commands;
   model.set_arm(arm);
   model.preset = "untrained";
 
@@ -62,8 +64,8 @@ CompensationModel untrained_model(const ArmDescription& arm, BackboneLayout layo
   const float turn = kBend_rad * static_cast<float>(arm.segment_count());
   Eigen::VectorXf low(sizes.input_size());
   Eigen::VectorXf high(sizes.input_size());
-  for (int i = 0; i < arm.channel_count(); ++i) {
-    const PressureLimits& limits = arm.limits_of_channel(i);
+  for (int i = 0; i < sizes.command_size(); ++i) {
+    const PressureLimits& limits = arm.limits_of_channel(i % arm.channel_count());
     for (const int row : {sizes.previous_pressure_row() + i, sizes.pressure_row() + i}) {
       low[row] = static_cast<float>(limits.lower_kpa);
       high[row] = static_cast<float>(limits.upper_kpa);

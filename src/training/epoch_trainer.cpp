@@ -337,6 +337,7 @@ CompensationModel EpochTrainer::model_of(const Eigen::VectorXf& parameters,
   model.layout = settings_.layout;
   model.form = settings_.form;
   model.reads_velocity = settings_.reads_velocity;
+  model.past_commands = past_commands_of(arm_, settings_);
   for (const int member : order) {
     std::vector<Layer> layers =
         to_layers(layout_, parameters.segment(member * layout_.size(), layout_.size()));

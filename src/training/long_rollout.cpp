@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "limber/common/interrupt.hpp"
+#include "limber/network/past_commands.hpp"
 #include "limber/network/backbone_layout.hpp"
 
 namespace limber {
@@ -86,12 +87,15 @@ bool walk_in_space(const ForwardModel& model, const Episode& episode, int frames
   const int count = frames_from_tracked(episode);
   const int begin = episode.frame_count() - count;
   ForwardModel::Workspace workspace;
+  const Eigen::MatrixXf told = with_past_commands(
+      episode.pressure_kpa.transpose(),
+      model.has_network() ? model.compensation().past_commands : std::vector<int>());
   Eigen::MatrixXf state = episode.backbone.row(begin).transpose();
   Eigen::MatrixXf before = state;
   for (int frame = 0; frame < frames && state.allFinite(); ++frame) {
     throw_if_interrupted();
     const auto commands = [&](int step) -> Eigen::MatrixXf {
-      return episode.pressure_kpa.row(begin + there_and_back(step, count)).transpose();
+      return told.col(begin + there_and_back(step, count));
     };
     model.step_batch(commands(frame), commands(frame + 1), before, state, before, workspace);
     before.swap(state);

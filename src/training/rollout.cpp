@@ -10,6 +10,7 @@
 
 #include "limber/common/interrupt.hpp"
 #include "limber/common/units.hpp"
+#include "limber/network/past_commands.hpp"
 
 namespace limber {
 
@@ -27,15 +28,27 @@ std::vector<FrameMatrix> nothing_predicted(const std::vector<Episode>& episodes)
   return predicted;
 }
 
+/// Commands of every episode as `model` is told them, a frame in each column.
+std::vector<Eigen::MatrixXf> told_commands(const ForwardModel& model,
+                                           const std::vector<Episode>& episodes) {
+  const std::vector<int> past =
+      model.has_network() ? model.compensation().past_commands : std::vector<int>();
+  std::vector<Eigen::MatrixXf> told;
+  for (const Episode& episode : episodes) {
+    told.push_back(with_past_commands(episode.pressure_kpa.transpose(), past));
+  }
+  return told;
+}
+
 /// Rolls out pieces of a batch; they are sorted, longest first, so that those still running are the
 /// first columns.
 void roll_out_batch(const ForwardModel& model, const std::vector<Episode>& episodes,
-                    std::span<const RolloutPiece> pieces, OnInterrupt on_interrupt,
+                    const std::vector<Eigen::MatrixXf>& commands, std::span<const RolloutPiece> pieces, OnInterrupt on_interrupt,
                     std::vector<FrameMatrix>& predicted) {
   const auto columns = static_cast<Eigen::Index>(pieces.size());
   const Eigen::Index size = pose_size(model.dimension()) * model.point_count();
-  Eigen::MatrixXf previous_kpa(model.channel_count(), columns);
-  Eigen::MatrixXf current_kpa(model.channel_count(), columns);
+  Eigen::MatrixXf previous_kpa(model.command_size(), columns);
+  Eigen::MatrixXf current_kpa(model.command_size(), columns);
   Eigen::MatrixXf state(size, columns);
   Eigen::MatrixXf before(size, columns);
   ForwardModel::Workspace workspace;
@@ -51,8 +64,9 @@ void roll_out_batch(const ForwardModel& model, const std::vector<Episode>& episo
     for (Eigen::Index j = 0; j < active; ++j) {
       const RolloutPiece& piece = pieces[static_cast<std::size_t>(j)];
       const Episode& episode = episodes[static_cast<std::size_t>(piece.episode)];
-      previous_kpa.col(j) = episode.pressure_kpa.row(piece.first + k);
-      current_kpa.col(j) = episode.pressure_kpa.row(piece.first + k + 1);
+      const Eigen::MatrixXf& told = commands[static_cast<std::size_t>(piece.episode)];
+      previous_kpa.col(j) = told.col(piece.first + k);
+      current_kpa.col(j) = told.col(piece.first + k + 1);
       if (k == 0) {
         state.col(j) = episode.backbone.row(piece.first);
         before.col(j) = episode.backbone.row(before_start(episode, piece.first));
@@ -138,6 +152,7 @@ std::vector<FrameMatrix> roll_out(const ForwardModel& model, const std::vector<E
   std::stable_sort(pieces.begin(), pieces.end(), [](const RolloutPiece& a, const RolloutPiece& b) {
     return a.frames > b.frames;
   });
+  const std::vector<Eigen::MatrixXf> commands = told_commands(model, episodes);
   const std::size_t batches = (pieces.size() + kPiecesPerBatch - 1) / kPiecesPerBatch;
   const std::atomic<bool>* const stop = stop_of_thread();
   tbb::task_arena arena(jobs > 0 ? jobs : tbb::task_arena::automatic);
@@ -146,8 +161,8 @@ std::vector<FrameMatrix> roll_out(const ForwardModel& model, const std::vector<E
       const StopScope scope(stop);
       const std::size_t first = batch * kPiecesPerBatch;
       const std::size_t count = std::min(kPiecesPerBatch, pieces.size() - first);
-      roll_out_batch(model, episodes, std::span(pieces).subspan(first, count), on_interrupt,
-                     predicted);
+      roll_out_batch(model, episodes, commands, std::span(pieces).subspan(first, count),
+                     on_interrupt, predicted);
     });
   });
   return predicted;

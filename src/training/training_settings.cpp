@@ -129,6 +129,7 @@ TrainingSettings in_form_of(const CompensationModel& model, TrainingSettings set
   settings.layout = model.layout;
   settings.form = model.form;
   settings.reads_velocity = model.reads_velocity;
+  settings.reads_past_commands = !model.past_commands.empty();
   settings.ensemble = model.member_count();
   settings.hidden_units.clear();
   for (std::size_t layer = 0; layer + 1 < model.layers.size(); ++layer) {

@@ -9,6 +9,7 @@
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/error.hpp"
 #include "limber/network/backbone_layout.hpp"
+#include "limber/network/past_commands.hpp"
 #include "row_spread.hpp"
 
 namespace limber {
@@ -20,7 +21,7 @@ constexpr float kLiftedWeight = 0.1F;
 
 /// Columns of all episodes' frames in user units, backbones in the network's layout.
 struct RawFrames {
-  Eigen::MatrixXf pressure_kpa;       // n×F
+  Eigen::MatrixXf pressure_kpa;       // c×F: with past commands below
   Eigen::MatrixXf poses;              // 3m×F (7m in space), recorded, about the base
   Eigen::MatrixXf no_load_poses;      // the same of the unloaded arm
   Eigen::MatrixXf state;              // D×F, recorded, in the network's layout
@@ -57,7 +58,8 @@ void mark_untracked(const std::vector<Episode>& episodes, RawFrames& raw) {
 }
 
 RawFrames gather(const ArmDescription& arm, const std::vector<Episode>& episodes,
-                 const NetworkLayout& layout, std::vector<EpisodeRange>& ranges) {
+                 const NetworkLayout& layout, const std::vector<int>& past_commands,
+                 std::vector<EpisodeRange>& ranges) {
   if (layout.backbone_layout() == BackboneLayout::base_poses) {
     require_planar(arm, "a network of base poses (the preset paper)");
   }
@@ -74,19 +76,19 @@ RawFrames gather(const ArmDescription& arm, const std::vector<Episode>& episodes
   }
   const int poses = pose_size(arm.dimension) * arm.point_count();
   RawFrames raw;
-  raw.pressure_kpa.resize(arm.channel_count(), count);
+  raw.pressure_kpa.resize(layout.command_size(), count);
   raw.poses.resize(poses, count);
   raw.no_load_poses.resize(poses, count);
   const NoLoadModel no_load(arm);
   for (std::size_t index = 0; index < episodes.size(); ++index) {
     const EpisodeRange range = ranges[index];
     raw.pressure_kpa.middleCols(range.first, range.count) =
-        episodes[index].pressure_kpa.transpose();
+        with_past_commands(episodes[index].pressure_kpa.transpose(), past_commands);
     raw.poses.middleCols(range.first, range.count) = episodes[index].backbone.transpose();
   }
   for (Eigen::Index column = 0; column < count; ++column) {
     Eigen::VectorXf unloaded(poses);
-    no_load.poses(raw.pressure_kpa.col(column), unloaded);
+    no_load.poses(raw.pressure_kpa.col(column).head(arm.channel_count()), unloaded);
     raw.no_load_poses.col(column) = unloaded;
   }
   raw.no_load = layout.encode(raw.no_load_poses);
@@ -263,11 +265,17 @@ void require_varying_pressures(const Eigen::MatrixXf& pressure_kpa, const Comman
 
 }  // namespace
 
+std::vector<int> past_commands_of(const ArmDescription& arm, const TrainingSettings& settings) {
+  return settings.reads_past_commands ? default_past_commands(arm) : std::vector<int>();
+}
+
 TrainingTables make_training_tables(const ArmDescription& arm, const std::vector<Episode>& episodes,
                                     const TrainingSettings& settings) {
-  const NetworkLayout layout(settings.layout, settings.form, arm, settings.reads_velocity);
+  const std::vector<int> past = past_commands_of(arm, settings);
+  const NetworkLayout layout(settings.layout, settings.form, arm, settings.reads_velocity,
+                             past.size());
   TrainingTables tables;
-  RawFrames raw = gather(arm, episodes, layout, tables.episodes);
+  RawFrames raw = gather(arm, episodes, layout, past, tables.episodes);
   require_varying_pressures(raw.pressure_kpa, arm.command);
   const Normalisation pressure = measure(tracked_only(raw.pressure_kpa, raw), settings.scaling);
   const PoseScales poses = measure_poses(raw, tables.episodes, layout, settings);
@@ -284,12 +292,14 @@ TrainingTables make_training_tables(const ArmDescription& arm, const std::vector
 
 TrainingTables make_training_tables(const ArmDescription& arm, const std::vector<Episode>& episodes,
                                     const TrainingSettings& settings, const TrainingTables& like) {
-  const NetworkLayout layout(settings.layout, settings.form, arm, settings.reads_velocity);
+  const std::vector<int> past = past_commands_of(arm, settings);
+  const NetworkLayout layout(settings.layout, settings.form, arm, settings.reads_velocity,
+                             past.size());
   TrainingTables tables;
   tables.input = like.input;
   tables.output = like.output;
   tables.map = like.map;
-  RawFrames raw = gather(arm, episodes, layout, tables.episodes);
+  RawFrames raw = gather(arm, episodes, layout, past, tables.episodes);
   if (tables.map.output_scale.size() == 0) {
     set_map(raw, layout, settings, tables);
   }

@@ -26,6 +26,9 @@ struct TrainingTables {
   std::vector<EpisodeRange> episodes;
 };
 
+/// CompensationModel::past_commands of a network of `arm`.
+std::vector<int> past_commands_of(const ArmDescription& arm, const TrainingSettings& settings);
+
 /// Converts backbones to the settings' layout, measures ranges (constant columns get scale 1) and
 /// normalises.
 /// Frames in which the arm was not tracked tell nothing about ranges.

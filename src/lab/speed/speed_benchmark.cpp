@@ -18,6 +18,7 @@
 #include "limber/forward/forward_model.hpp"
 #include "limber/forward/parallel_forward.hpp"
 #include "limber/network/packed_network.hpp"
+#include "limber/network/past_commands.hpp"
 #include "limber/network/untrained_model.hpp"
 #include "peer_makers.hpp"
 
@@ -74,18 +75,20 @@ struct Queries {
 };
 
 // Random pressures; backbones as the unloaded arm has them at others.
+// With commands of frames ago for whichever network reads them.
 Queries random_queries(const ArmDescription& arm, int count, std::uint64_t seed) {
   RandomStream random(seed, 1);
-  const auto pressures = [&] {
+  const auto pressures = [&](int rows) {
     return MatrixXf(
-        MatrixXf::NullaryExpr(arm.channel_count(), count, [&](Eigen::Index i, Eigen::Index) {
-          const PressureLimits& limits = arm.limits_of_channel(static_cast<int>(i));
+        MatrixXf::NullaryExpr(rows, count, [&](Eigen::Index i, Eigen::Index) {
+          const PressureLimits& limits = arm.limits_of_channel(static_cast<int>(i) % arm.channel_count());
           return static_cast<float>(random.uniform(limits.lower_kpa, limits.upper_kpa));
         }));
   };
-  const MatrixXf before = pressures();
+  const int commands = arm.channel_count() * (1 + int(default_past_commands(arm).size()));
+  const MatrixXf before = pressures(arm.channel_count());
   const MatrixXf zero = MatrixXf::Zero(pose_size(arm.dimension) * arm.point_count(), count);
-  Queries queries{pressures(), pressures(), zero, zero};
+  Queries queries{pressures(commands), pressures(commands), zero, zero};
   ForwardModel::Workspace workspace;
   ForwardModel(arm).step_batch(before, before, queries.next, queries.previous, workspace);
   return queries;
@@ -93,11 +96,12 @@ Queries random_queries(const ArmDescription& arm, int count, std::uint64_t seed)
 
 double batch_rate(const ForwardModel& model, Queries& queries, int size, std::int64_t count) {
   ForwardModel::Workspace workspace;
+  const int commands = model.command_size();
   return rate_of(count, queries.next.cols(), [&] {
     for (Eigen::Index j = 0; j < queries.next.cols(); j += size) {
       model.step_batch(
-          queries.previous_kpa.middleCols(j, size), queries.current_kpa.middleCols(j, size),
-          queries.previous.middleCols(j, size), queries.next.middleCols(j, size), workspace);
+          queries.previous_kpa.block(0, j, commands, size),
+          queries.current_kpa.block(0, j, commands, size), queries.previous.middleCols(j, size), queries.next.middleCols(j, size), workspace);
     }
   });
 }
@@ -322,7 +326,7 @@ SpeedReport measure_speed(const ArmDescription& arm, const CompensationModel* mo
   CompensationModel paper =
       arm.is_spatial()
           ? untrained_model(arm, BackboneLayout::gap_poses, {100, 100, 100}, settings.seed,
-                            OutputForm::gated_change, true)
+                            OutputForm::gated_change, true, default_past_commands(arm))
           : untrained_model(arm, BackboneLayout::base_poses, {100, 100, 100}, settings.seed);
   const bool model_differs =
       model != nullptr && (model->layout != paper.layout || model->shape() != paper.shape());

@@ -7,7 +7,6 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "limber/arm/arm_description.hpp"
-#include "limber/arm/valve_findings.hpp"
 #include "limber/data/recording.hpp"
 
 namespace limber {
@@ -46,11 +45,6 @@ FrameMatrix predict(const SpaceFit& fit, const ArmDescription& arm, const Episod
 /// The arm with the fit as its no-load model, `no_load: fitted`, without the constants. Seven
 /// significant digits.
 ArmDescription with_space_fit(ArmDescription arm, const SpaceFit& fit);
-
-/// Dead time and lag as valves, for recordings of set points alone: one for all chambers. Ideal,
-/// with the reason, where neither shows.
-IdentifiedValves valves_of_shapes(const ArmDescription& arm, const std::vector<Episode>& episodes,
-                                  const std::string& source);
 
 /// What a chamber does to the segment that it is in, over all of its range, and what the arm file
 /// says of that.

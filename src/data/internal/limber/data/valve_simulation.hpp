@@ -16,8 +16,4 @@ FrameMatrix simulate_valves(const ValveParameters& valves, double rate_hz, const
 /// The same for the whole episode.
 FrameMatrix simulate_valves(const ValveParameters& valves, double rate_hz, const Episode& episode);
 
-/// Takes what the valves make of set points for pressures, where nothing was measured.
-void follow_setpoints(const ValveParameters& valves, const ArmDescription& arm,
-                      std::vector<Episode>& episodes);
-
 }  // namespace limber

@@ -22,6 +22,8 @@ class ForwardPipeline;
 ///
 /// Sizes:   n channels, m backbone points; batches of k queries, one per column, a backbone's 3m
 ///          numbers in row order. Of an arm in space they are 7m, and it has batches alone.
+///          Where a network reads past commands, they stand below those of each query: c numbers,
+///          CompensationModel::command_size().
 /// Threads: constant after construction; it moves but is not copied; each thread brings its own
 /// Workspace.
 class ForwardModel {
@@ -68,7 +70,10 @@ class ForwardModel {
             const Eigen::Ref<const Backbone>& previous, Eigen::Ref<Backbone> next,
             Workspace& workspace) const;
 
-  /// k queries: pressures n×k, backbones 3m×k; unchecked like `step`. Column j of `next` equals, to
+  /// Numbers that tell a query's commands: n, or c where the network reads past ones.
+  int command_size() const { return has_network() ? compensation_->command_size() : channel_count(); }
+
+  /// k queries: pressures c×k, backbones 3m×k; unchecked like `step`. Column j of `next` equals, to
   /// the bit, what `step` gives for column j of the inputs. `next` may be `previous` or `before`.
   void step_batch(const Eigen::Ref<const Eigen::MatrixXf>& previous_kpa,
                   const Eigen::Ref<const Eigen::MatrixXf>& current_kpa,
@@ -94,6 +99,9 @@ class ForwardModel {
 
  private:
   float* scratch_of(Workspace& workspace) const;
+  /// `rollout` of commands with the past ones below them.
+  void roll_out_told(const Eigen::Ref<const Eigen::MatrixXf>& pressures_kpa,
+                     Eigen::Ref<Eigen::MatrixXf> backbones, Workspace& workspace) const;
 
   NoLoadModel no_load_;
   std::optional<CompensationModel> compensation_;

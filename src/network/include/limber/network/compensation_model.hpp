@@ -99,6 +99,9 @@ struct CompensationModel {
   /// (22): it reads how the backbone changed in the frame before, B_{t−1} − B_{t−2} in the
   /// coordinates of `layout`. Whether an arm moves can't be told from one backbone.
   bool reads_velocity = false;
+  /// Frames ago, ascending, of the commands that it reads beside q_{t−1} and beside q_t; of arms in
+  /// space alone.
+  std::vector<int> past_commands;
   std::vector<Layer> layers;
   /// An ensemble's other networks, of the same shape and normalisation, in the order of their
   /// validation errors: `layers` is the best. For a single prediction, `layers` is enough.
@@ -140,6 +143,10 @@ struct CompensationModel {
   /// Numbers of q_t.
   int channel_count() const {
     return dimension == Dimension::space ? chamber_count : segment_count;
+  }
+  /// Numbers of q_t with those of `past_commands` below it, as ForwardModel::step_batch is told.
+  int command_size() const {
+    return channel_count() * (1 + static_cast<int>(past_commands.size()));
   }
   int member_count() const { return 1 + static_cast<int>(more_members.size()); }
   /// Member `index` as a model of its own, without the training record. @pre index < member_count()

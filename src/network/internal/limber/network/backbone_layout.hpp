@@ -12,7 +12,7 @@ namespace limber {
 /// Which numbers a network reads and writes, and where they sit (docs/model.md, (5)). Of an arm in
 /// space read 7 for the 3 of base poses, and 6 for that of gaps; it has gap poses alone.
 ///
-/// Input, one column per query: q_{t−1} (n), q_t (n), B_{t−1} (backbone_size), B̃_t (no_load_size);
+/// Input, one column per query: q_{t−1} and q_t (command_size each), B_{t−1} (backbone_size), B̃_t (no_load_size);
 /// where the network reads velocities, B_{t−1} − B_{t−2} (backbone_size).
 /// Output: B_t − B̃_t (backbone_size), or the change and the gates of (16) (backbone_size each).
 /// base_poses: B and B̃ are 3m numbers, poses about the arm's base: 102 → 48 for n = 3, m = 16.
@@ -23,14 +23,16 @@ namespace limber {
 /// Sizes: n channels, m points, k columns. Threads: constant after construction.
 class NetworkLayout {
  public:
+  /// @param past_commands  how many earlier commands it reads beside each
   NetworkLayout(BackboneLayout layout, OutputForm form, const ArmDescription& arm,
-                bool reads_velocity = false);
+                bool reads_velocity = false, std::size_t past_commands = 0);
 
   BackboneLayout backbone_layout() const { return layout_; }
   OutputForm output_form() const { return form_; }
   int segment_count() const { return static_cast<int>(first_gap_.size()); }
   int point_count() const { return point_count_; }
   Dimension dimension() const { return dimension_; }
+  int command_size() const { return command_size_; }  ///< n, and n for each earlier one
   int backbone_size() const;
   int no_load_size() const;
   bool reads_velocity() const { return reads_velocity_; }
@@ -41,8 +43,8 @@ class NetworkLayout {
 
   /// Rows at which the parts of an input begin.
   int previous_pressure_row() const { return 0; }
-  int pressure_row() const { return channel_count_; }
-  int backbone_row() const { return 2 * channel_count_; }
+  int pressure_row() const { return command_size_; }
+  int backbone_row() const { return 2 * command_size_; }
   int no_load_row() const { return backbone_row() + backbone_size(); }
   int change_row() const { return no_load_row() + no_load_size(); }
 
@@ -60,7 +62,7 @@ class NetworkLayout {
   OutputForm form_;
   bool reads_velocity_;
   Dimension dimension_;
-  int channel_count_;
+  int command_size_;
   int point_count_;
   std::vector<int> first_gap_;
 };

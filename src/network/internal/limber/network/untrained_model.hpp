@@ -14,6 +14,7 @@ namespace limber {
 CompensationModel untrained_model(const ArmDescription& arm, BackboneLayout layout,
                                   const std::vector<int>& hidden, std::uint64_t seed,
                                   OutputForm form = OutputForm::compensation,
-                                  bool reads_velocity = false);
+                                  bool reads_velocity = false,
+                                  const std::vector<int>& past_commands = {});
 
 }  // namespace limber

@@ -60,6 +60,9 @@ struct TrainingSettings {
   /// Whether the network reads how the backbone moved in the frame before, as
   /// CompensationModel::reads_velocity.
   bool reads_velocity = true;
+  /// Whether a network of an arm in space reads past commands (docs/space.md), as
+  /// CompensationModel::past_commands. In a plane none does.
+  bool reads_past_commands = true;
   double first_gate_bias = -4.5;  ///< of (16)'s gates, before training: they start at 1.1 %
   std::vector<int> hidden_units = {100, 100, 100};
   Scaling scaling = Scaling::unit_spread;
