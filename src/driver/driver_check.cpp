@@ -335,8 +335,8 @@ std::string scale_complaint(const std::string& channel, double setpoint_kpa, dou
       guess = scale.says;
     }
   }
-  return fmt::format("{} reads {:.2f} kPa at a set point of {:.2f} kPa: {}", channel,
-                     measured_kpa, setpoint_kpa, guess);
+  return fmt::format("{} reads {:.2f} kPa at a set point of {:.2f} kPa: {}", channel, measured_kpa,
+                     setpoint_kpa, guess);
 }
 
 StepResponse step_response(const std::vector<double>& reading_kpa, double period_s,

@@ -79,8 +79,8 @@ BodyPoses poses_in_space(const JsonReader& reader, int points) {
   BodyPoses result(points, kSpacePoseSize);
   for (int i = 0; i < points; ++i) {
     const JsonReader& row = rows[static_cast<std::size_t>(i)];
-    const std::vector<double> pose = row.numbers(
-        kSpacePoseSize, "numbers: x, y, z, qx, qy, qz and qw", -kMaxLength, kMaxLength);
+    const std::vector<double> pose =
+        row.numbers(kSpacePoseSize, "numbers: x, y, z, qx, qy, qz and qw", -kMaxLength, kMaxLength);
     result.row(i) = Eigen::Map<const Eigen::RowVectorXd>(pose.data(), kSpacePoseSize);
     const double length = result.row(i).tail<4>().norm();
     if (!(std::abs(length - 1.0) <= kMaxQuaternionOff)) {
@@ -191,12 +191,8 @@ void require_protocol(const JsonReader& root) {
 }  // namespace
 
 HostHello host_hello(const ArmDescription& arm) {
-  return {arm.name,
-          arm.segment_count(),
-          arm.is_spatial() ? arm.channel_count() : 0,
-          arm.point_count(),
-          arm.frame_rate_hz,
-          limits_of(arm)};
+  return {arm.name,          arm.segment_count(), arm.is_spatial() ? arm.channel_count() : 0,
+          arm.point_count(), arm.frame_rate_hz,   limits_of(arm)};
 }
 
 std::string to_line(const HostHello& hello) {

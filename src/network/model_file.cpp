@@ -278,7 +278,8 @@ void write_model(const std::filesystem::path& path, const CompensationModel& mod
     content.metadata[kDimensionKey] = "3";
     content.metadata[kChamberCountKey] = std::to_string(model.chamber_count);
     if (!model.past_commands.empty()) {
-      content.metadata[kPastCommandsKey] = fmt::format("[{}]", fmt::join(model.past_commands, ", "));
+      content.metadata[kPastCommandsKey] =
+          fmt::format("[{}]", fmt::join(model.past_commands, ", "));
     }
   }
   if (model.reads_velocity) {

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "limber/common/error.hpp"
@@ -27,11 +28,22 @@ namespace limber {
 namespace {
 
 constexpr double kMaxHours = 1.0;  // with more, a tenth held back costs less than it tells
-constexpr std::array<int, 3> kEpochs{100, 300, 600};
 constexpr int kLittleWindowFrames = 32;
 constexpr double kFirstFramesPower = 1.5;
 constexpr std::uint64_t kFoldStream = 0x666f6c6473;
 constexpr int kMinPartFrames = 100;  // a rollout over less says little
+
+/// What is tried: a wide layer, which learns little of the noise, and the preset's three, of the
+/// number of epochs that they need where recordings are clean; or the user's layers.
+std::vector<EpochsTried> tries(const std::vector<int>& hidden_units) {
+  std::vector<EpochsTried> tries;
+  if (hidden_units.empty()) {
+    tries = {{100, {200}}, {300, {200}}, {300, TrainingSettings().hidden_units}};
+  } else {
+    tries = {{100, hidden_units}, {300, hidden_units}};
+  }
+  return tries;
+}
 
 /// The parts that folds are made of, and what is learnt from in all of them.
 struct Parts {
@@ -111,18 +123,17 @@ class CrossValidator {
   CrossValidation run() {
     CrossValidation found;
     found.folds = kFolds;
-    for (const int epochs : kEpochs) {
+    for (const EpochsTried& next : tries(settings_.hidden_units)) {
       RunErrors errors;
-      found.tried.push_back(tried(epochs, errors));
-      const EpochsTried& best = found.tried[static_cast<std::size_t>(found.chosen)];
-      if (found.tried.size() == 1 || found.tried.back().score_cm() < best.score_cm()) {
+      found.tried.push_back(tried(next, errors));
+      if (found.tried.size() == 1 || found.tried.back().score_cm() < found.best().score_cm()) {
         found.chosen = static_cast<int>(found.tried.size()) - 1;
         found.prediction_error = errors.result(arm_.frame_period_s());
         found.tube = errors.tube(arm_.length_m());
         found.widest_where = errors.widest_where(arm_.command.unit);
       }
     }
-    if (!std::isfinite(found.tried[static_cast<std::size_t>(found.chosen)].score_cm())) {
+    if (!std::isfinite(found.best().score_cm())) {
       throw InputError(
           fmt::format("no network of cross-validation predicts finite shapes: {}",
                       message_.empty() ? "look at the data with limber inspect" : message_));
@@ -132,10 +143,10 @@ class CrossValidator {
 
  private:
   /// A network for each fold, and what they are worth together.
-  EpochsTried tried(int epochs, RunErrors& errors) {
-    set_epoch_count(settings_, epochs);
-    settings_.keep_epoch = epochs;
-    EpochsTried sum{epochs, 0.0, 0.0, 0.0};
+  EpochsTried tried(EpochsTried sum, RunErrors& errors) {
+    set_epoch_count(settings_, sum.epochs);
+    settings_.keep_epoch = sum.epochs;
+    settings_.hidden_units = sum.hidden_units;
     for (int fold = 0; fold < kFolds; ++fold) {
       TrainingData data;
       data.training = parts_.resting;
@@ -151,7 +162,7 @@ class CrossValidator {
       if (trained.status != TrainingStatus::finished ||
           !errors.add(arm_, trained.model, unseen, settings_.jobs)) {
         message_ = trained.message;
-        return {epochs, kNever, kNever, kNever};
+        return {sum.epochs, sum.hidden_units, kNever, kNever, kNever};
       }
       const ForwardModel model(arm_, std::move(trained.model));
       const double share = double(frame_count(unseen)) / double(frame_count(parts_.moving));
@@ -186,6 +197,7 @@ TrainingSettings preset_for_little() {
   TrainingSettings settings = best_preset();
   set_window_frames(settings, {kLittleWindowFrames});
   settings.first_frames_power = kFirstFramesPower;
+  settings.hidden_units.clear();
   return settings;
 }
 
@@ -202,6 +214,7 @@ TrainingResult train_on_everything(const ArmDescription& arm, const std::vector<
   data.training = episodes;
   TrainingSettings all = settings;
   set_epoch_count(all, found.epochs());
+  all.hidden_units = found.best().hidden_units;
   all.keep_epoch = found.epochs();
   TrainingResult result = train(arm, data, all, hooks);
   if (result.best_epoch > 0) {
@@ -221,12 +234,14 @@ TrainingResult train_on_everything(const ArmDescription& arm, const std::vector<
 nlohmann::ordered_json to_json(const CrossValidation& found) {
   nlohmann::ordered_json json = {{"folds", found.folds},
                                  {"epochs", found.epochs()},
+                                 {"hidden_units", found.best().hidden_units},
                                  {"tried", nlohmann::ordered_json::array()},
                                  {"prediction_error", nullptr},
                                  {"tube", nullptr},
                                  {"widest_where", found.widest_where}};
   for (const EpochsTried& tried : found.tried) {
     json["tried"].push_back({{"epochs", tried.epochs},
+                             {"hidden_units", tried.hidden_units},
                              {"one_step_cm", json_number(tried.one_step_cm)},
                              {"window_32_cm", json_number(tried.window_32_cm)},
                              {"window_600_cm", json_number(tried.window_600_cm)}});
@@ -241,6 +256,19 @@ nlohmann::ordered_json to_json(const CrossValidation& found) {
   return json;
 }
 
+namespace {
+
+std::vector<int> hidden_units_at(const JsonReader& row) {
+  constexpr int kMaxUnits = 4096;
+  std::vector<int> units;
+  for (const JsonReader& layer : row.at("hidden_units").elements("units of each hidden layer")) {
+    units.push_back(layer.integer(1, kMaxUnits));
+  }
+  return units;
+}
+
+}  // namespace
+
 CrossValidation read_cross_validation(const std::string& text, const std::string& where) {
   constexpr int kMaxEpochs = 10'000'000;
   const nlohmann::json json = parse_json_object(text, where);
@@ -248,15 +276,17 @@ CrossValidation read_cross_validation(const std::string& text, const std::string
   CrossValidation found;
   found.folds = root.at("folds").integer(1, kFolds);
   const int epochs = root.at("epochs").integer(1, kMaxEpochs);
+  const std::vector<int> hidden_units = hidden_units_at(root);
   found.chosen = -1;
   for (const JsonReader& row : root.at("tried").elements("a list of runs")) {
     const auto error_at = [&](const char* key) {
       const JsonReader field = row.at(key);
       return field.is_null() ? std::numeric_limits<double>::infinity() : field.number(0.0);
     };
-    found.tried.push_back({row.at("epochs").integer(1, kMaxEpochs), error_at("one_step_cm"),
-                           error_at("window_32_cm"), error_at("window_600_cm")});
-    if (found.tried.back().epochs == epochs) {
+    found.tried.push_back({row.at("epochs").integer(1, kMaxEpochs), hidden_units_at(row),
+                           error_at("one_step_cm"), error_at("window_32_cm"),
+                           error_at("window_600_cm")});
+    if (found.tried.back().epochs == epochs && found.tried.back().hidden_units == hidden_units) {
       found.chosen = static_cast<int>(found.tried.size()) - 1;
     }
   }
@@ -276,13 +306,13 @@ CrossValidation read_cross_validation(const std::string& text, const std::string
 
 std::string to_text(const CrossValidation& found) {
   std::string text = fmt::format(
-      "{} networks for each length, on episodes that they had not seen (one step, 32, up to 600 "
-      "frames)",
+      "{} networks each, on episodes that they had not seen (one step, 32, up to 600 frames)",
       found.folds);
   for (std::size_t i = 0; i < found.tried.size(); ++i) {
     const EpochsTried& tried = found.tried[i];
-    text += fmt::format("{} {} epochs: {:.2f}, {:.2f}, {:.2f} cm{}", i == 0 ? ":" : ";",
-                        tried.epochs, tried.one_step_cm, tried.window_32_cm, tried.window_600_cm,
+    text += fmt::format("{} {} epochs of {}: {:.2f}, {:.2f}, {:.2f} cm{}", i == 0 ? ":" : ";",
+                        tried.epochs, fmt::join(tried.hidden_units, "-"), tried.one_step_cm,
+                        tried.window_32_cm, tried.window_600_cm,
                         static_cast<int>(i) == found.chosen ? ", chosen" : "");
   }
   return text;

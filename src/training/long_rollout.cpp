@@ -5,8 +5,8 @@
 #include <functional>
 
 #include "limber/common/interrupt.hpp"
-#include "limber/network/past_commands.hpp"
 #include "limber/network/backbone_layout.hpp"
+#include "limber/network/past_commands.hpp"
 
 namespace limber {
 

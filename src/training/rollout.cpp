@@ -43,7 +43,8 @@ std::vector<Eigen::MatrixXf> told_commands(const ForwardModel& model,
 /// Rolls out pieces of a batch; they are sorted, longest first, so that those still running are the
 /// first columns.
 void roll_out_batch(const ForwardModel& model, const std::vector<Episode>& episodes,
-                    const std::vector<Eigen::MatrixXf>& commands, std::span<const RolloutPiece> pieces, OnInterrupt on_interrupt,
+                    const std::vector<Eigen::MatrixXf>& commands,
+                    std::span<const RolloutPiece> pieces, OnInterrupt on_interrupt,
                     std::vector<FrameMatrix>& predicted) {
   const auto columns = static_cast<Eigen::Index>(pieces.size());
   const Eigen::Index size = pose_size(model.dimension()) * model.point_count();

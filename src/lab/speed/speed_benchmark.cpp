@@ -79,11 +79,11 @@ struct Queries {
 Queries random_queries(const ArmDescription& arm, int count, std::uint64_t seed) {
   RandomStream random(seed, 1);
   const auto pressures = [&](int rows) {
-    return MatrixXf(
-        MatrixXf::NullaryExpr(rows, count, [&](Eigen::Index i, Eigen::Index) {
-          const PressureLimits& limits = arm.limits_of_channel(static_cast<int>(i) % arm.channel_count());
-          return static_cast<float>(random.uniform(limits.lower_kpa, limits.upper_kpa));
-        }));
+    return MatrixXf(MatrixXf::NullaryExpr(rows, count, [&](Eigen::Index i, Eigen::Index) {
+      const PressureLimits& limits =
+          arm.limits_of_channel(static_cast<int>(i) % arm.channel_count());
+      return static_cast<float>(random.uniform(limits.lower_kpa, limits.upper_kpa));
+    }));
   };
   const int commands = arm.channel_count() * (1 + int(default_past_commands(arm).size()));
   const MatrixXf before = pressures(arm.channel_count());
@@ -99,9 +99,10 @@ double batch_rate(const ForwardModel& model, Queries& queries, int size, std::in
   const int commands = model.command_size();
   return rate_of(count, queries.next.cols(), [&] {
     for (Eigen::Index j = 0; j < queries.next.cols(); j += size) {
-      model.step_batch(
-          queries.previous_kpa.block(0, j, commands, size),
-          queries.current_kpa.block(0, j, commands, size), queries.previous.middleCols(j, size), queries.next.middleCols(j, size), workspace);
+      model.step_batch(queries.previous_kpa.block(0, j, commands, size),
+                       queries.current_kpa.block(0, j, commands, size),
+                       queries.previous.middleCols(j, size), queries.next.middleCols(j, size),
+                       workspace);
     }
   });
 }

@@ -11,7 +11,7 @@ namespace limber {
 
 /// One channel's answer to a jump of its set point from zero.
 struct StepResponse {
-  int channel = 0;  ///< segment, or chamber of an arm in space
+  int channel = 0;            ///< segment, or chamber of an arm in space
   double setpoint_kpa = 0.0;  ///< signed: the side
   double reached_kpa = 0.0;   ///< mean over the last frames of the hold
   double dead_time_s = 0.0;   ///< until the reading moved; frames apart, interpolated

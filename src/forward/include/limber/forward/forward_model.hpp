@@ -71,7 +71,9 @@ class ForwardModel {
             Workspace& workspace) const;
 
   /// Numbers that tell a query's commands: n, or c where the network reads past ones.
-  int command_size() const { return has_network() ? compensation_->command_size() : channel_count(); }
+  int command_size() const {
+    return has_network() ? compensation_->command_size() : channel_count();
+  }
 
   /// k queries: pressures c×k, backbones 3m×k; unchecked like `step`. Column j of `next` equals, to
   /// the bit, what `step` gives for column j of the inputs. `next` may be `previous` or `before`.

@@ -15,11 +15,12 @@ namespace limber {
 
 inline constexpr int kFolds = 4;
 
-/// What runs of one length are worth: mean errors at the tip on episodes that the networks had not
+/// What runs of one length and shape are worth: mean errors at the tip on episodes that the networks had not
 /// seen, one step ahead, and over rollouts of 32 and of up to 600 frames. Infinite where one of
 /// them diverged.
 struct EpochsTried {
   int epochs = 0;
+  std::vector<int> hidden_units;
   double one_step_cm = 0.0;
   double window_32_cm = 0.0;
   double window_600_cm = 0.0;
@@ -28,7 +29,7 @@ struct EpochsTried {
   bool operator==(const EpochsTried&) const = default;
 };
 
-/// How long to train on a recording, and how wrong a network is that learnt from it
+/// How long to train which network on a recording, and how wrong one is that learnt from it
 /// (docs/training.md, Learning from little).
 struct CrossValidation {
   int folds = 0;
@@ -37,7 +38,8 @@ struct CrossValidation {
   std::optional<PredictionError> prediction_error;  ///< of the chosen networks' runs
   std::optional<Tube> tube;                         ///< of the same runs
   std::string widest_where;                         ///< RunErrors::widest_where of them
-  int epochs() const { return tried[static_cast<std::size_t>(chosen)].epochs; }
+  const EpochsTried& best() const { return tried[static_cast<std::size_t>(chosen)]; }
+  int epochs() const { return best().epochs; }
   bool operator==(const CrossValidation&) const = default;
 };
 
@@ -46,15 +48,16 @@ struct CrossValidation {
 bool is_little(const ArmDescription& arm, const std::vector<Episode>& episodes);
 
 /// The default preset as it learns from little: windows of 32 frames, in which early frames count
-/// more.
+/// more. It says no hidden units, which cross-validation then chooses.
 TrainingSettings preset_for_little();
 
 /// Deals the episodes that move to kFolds folds of about equal length (long ones are cut where
 /// there are few), and trains a network for each fold on all that is not in it. What rests is
-/// learnt from in all of them, and judges none. So with runs of several lengths: a learning rate
-/// that has fallen all the way teaches more than one that is stopped early. Depends on data,
-/// settings and seed, not on threads.
-/// @param settings  of each run; its checkpoint, ensemble, epochs and keep_epoch are not used
+/// learnt from in all of them, and judges none. So with runs of several lengths (a learning rate
+/// that has fallen all the way teaches more than one that is stopped early) and shapes (one wide
+/// layer learns less noise than three). Depends on data, settings and seed, not on threads.
+/// @param settings  of each run; its checkpoint, ensemble, epochs and keep_epoch are not used. With
+/// hidden units, networks have those
 /// @param valves  of the recording, before the network; PredictionError is about set points
 /// @throws InputError as `train`, and where no fold's network is finite; Interrupted on Ctrl-C, or
 /// where hooks.should_stop says so.
