@@ -8,6 +8,8 @@
 #include "limber/common/random_stream.hpp"
 #include "limber/data/space_fit.hpp"
 #include "limber/forward/forward_model.hpp"
+#include "limber/network/past_commands.hpp"
+#include "limber/network/untrained_model.hpp"
 #include "limber/training/evaluation.hpp"
 #include "limber/training/trainer.hpp"
 #include "limber/training/yardsticks.hpp"
@@ -80,12 +82,15 @@ TEST(SpaceFit, NamesColumnsInAnotherOrder) {
 TEST(SpaceTraining, ANetworkLearnsWhatTheSimpleModelsLack) {
   const ArmDescription arm = space_arm();
   TrainingData data;
-  data.training = {toy_episode(arm, 1500, 1), toy_episode(arm, 1500, 2)};
-  data.validation = {toy_episode(arm, 400, 3)};
+  constexpr int kLate = 3;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    data.training.push_back(toy_episode(arm, 1500, seed, kLate));
+  }
+  data.validation = {toy_episode(arm, 400, 5, kLate)};
   TrainingSettings settings = best_preset();
   set_window_frames(settings, {16});
-  set_epoch_count(settings, 300);
-  settings.hidden_units = {40, 40};
+  set_epoch_count(settings, 100);
+  settings.hidden_units = {60};
   settings.jobs = 2;
   const TrainingResult result = train(arm, data, settings);
   ASSERT_EQ(result.status, TrainingStatus::finished);
@@ -97,13 +102,19 @@ TEST(SpaceTraining, ANetworkLearnsWhatTheSimpleModelsLack) {
   const CompensationModel read = read_model(folder.path() / "m.safetensors");
   EXPECT_EQ(read.dimension, Dimension::space);
   EXPECT_EQ(read.channel_count(), 6);
+  EXPECT_EQ(read.past_commands, default_past_commands(arm));
 
-  const std::vector<Episode> unseen = {toy_episode(arm, 600, 4)};
+  const std::vector<Episode> unseen = {toy_episode(arm, 600, 6, kLate)};
   const ForwardModel no_load(arm);
   const ForwardModel network(arm, read);
   const Evaluation errors = evaluate(no_load, &network, unseen);
   EXPECT_LT(errors.network->window_32.position_cm.mean,
             0.3 * errors.no_load_open_loop.position_cm.mean);
+
+  settings.reads_past_commands = false;
+  const ForwardModel forgetful(arm, train(arm, data, settings).model);
+  EXPECT_LT(errors.network->window_32.position_cm.mean,
+            0.7 * evaluate(no_load, &forgetful, unseen).network->window_32.position_cm.mean);
   EXPECT_TRUE(errors.long_rollout.bounded);
 }
 
@@ -119,8 +130,10 @@ TEST(SpaceForward, ManyQueriesAreAsOne) {
   const ForwardModel model(arm, train(arm, data, settings).model);
   constexpr Eigen::Index kQueries = 150;
   const Episode& episode = data.training.front();
-  const Eigen::MatrixXf before_kpa = episode.pressure_kpa.topRows(kQueries).transpose();
-  const Eigen::MatrixXf now_kpa = episode.pressure_kpa.middleRows(1, kQueries).transpose();
+  const Eigen::MatrixXf told =
+      with_past_commands(episode.pressure_kpa.transpose(), model.compensation().past_commands);
+  const Eigen::MatrixXf before_kpa = told.leftCols(kQueries);
+  const Eigen::MatrixXf now_kpa = told.middleCols(1, kQueries);
   const Eigen::MatrixXf before = episode.backbone.topRows(kQueries).transpose();
   const Eigen::MatrixXf previous = episode.backbone.middleRows(1, kQueries).transpose();
   Eigen::MatrixXf next(previous.rows(), kQueries);
@@ -131,6 +144,31 @@ TEST(SpaceForward, ManyQueriesAreAsOne) {
     model.step_batch(before_kpa.col(j), now_kpa.col(j), before.col(j), previous.col(j), one,
                      workspace);
     ASSERT_EQ(one.col(0), next.col(j)) << j;
+  }
+}
+
+TEST(SpaceForward, ARolloutIsToldTheCommandsOfBefore) {
+  const ArmDescription arm = space_arm();
+  const std::vector<int> past = {1, 3};
+  const ForwardModel model(arm, untrained_model(arm, BackboneLayout::gap_poses, {20}, 1,
+                                                OutputForm::gated_change, true, past));
+  EXPECT_EQ(model.command_size(), 3 * arm.channel_count());
+  const Eigen::MatrixXf commands = toy_episode(arm, 8, 1).pressure_kpa.transpose();
+  Eigen::MatrixXf shapes = toy_episode(arm, 8, 2).backbone.transpose();
+  ForwardModel::Workspace workspace;
+  model.rollout(commands, shapes, workspace);
+  Eigen::MatrixXf before = shapes.col(0), now = shapes.col(0);
+  for (int t = 1; t < 8; ++t) {
+    const auto told = [&](int at) {
+      Eigen::VectorXf all(model.command_size());
+      all << commands.col(at), commands.col(std::max(at - 1, 0)), commands.col(std::max(at - 3, 0));
+      return all;
+    };
+    Eigen::MatrixXf next(now.rows(), 1);
+    model.step_batch(told(t - 1), told(t), before, now, next, workspace);
+    ASSERT_EQ(next.col(0), shapes.col(t)) << t;
+    before = now;
+    now = next;
   }
 }
 
