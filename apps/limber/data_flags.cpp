@@ -9,7 +9,6 @@
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/data/episode_slice.hpp"
-#include "limber/data/space_fit.hpp"
 #include "limber/data/valve_simulation.hpp"
 #include "limber/training/cross_validation.hpp"
 #include "limber/training/episode_slices.hpp"
@@ -63,10 +62,7 @@ IdentifiedValves DataFlags::valves_of(const std::vector<Episode>& episodes,
   for (const std::string& path : data_) {
     files.push_back(fs::path(path).filename().string());
   }
-  const std::string source = fmt::format("{}", fmt::join(files, ", "));
-  return arm.is_spatial() && !episodes.empty() && episodes.front().setpoints_only
-             ? valves_of_shapes(arm, episodes, source)
-             : identify_valves(episodes, arm, source);
+  return identify_valves(episodes, arm, fmt::format("{}", fmt::join(files, ", ")));
 }
 
 EpisodeChoice DataFlags::load_arms(const CommonFlags& flags, const ArmDescription& arm,
