@@ -53,8 +53,8 @@ class EvaluateVerb final : public Verb {
   int run(const CommonFlags& flags) override {
     require_free_paths(flags);
     const ArmDescription arm = load_any_arm(arm_);
-    if (!predictions_.empty() || !out_.empty()) {
-      require_planar(arm, predictions_.empty() ? "evaluate --out" : "evaluate --predictions");
+    if (!out_.empty()) {
+      require_planar(arm, "evaluate --out");
     }
     const ForwardModel no_load(arm);
     std::optional<ForwardModel> network;

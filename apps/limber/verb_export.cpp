@@ -156,9 +156,6 @@ class ExportVerb final : public Verb {
 
   void export_model() {
     const CompensationModel model = read_model_of_one_arm(file_);
-    if (model.dimension == Dimension::space) {
-      throw InputError(fmt::format("{}: of an arm in space, which can't be exported yet", file_));
-    }
     if (!onnx_.empty()) {
       write_onnx(onnx_, model);
       add({onnx_});
@@ -206,7 +203,6 @@ class ExportVerb final : public Verb {
 
   void export_arm() {
     const ArmDescription arm = load_arm(file_);
-    require_planar(arm, "limber export");
     require_pressure_driven(arm, "the virtual arm");
     const VirtualArmParameters parameters = virtual_arm_parameters(arm);
     write_file_atomically(mjcf_, chain_mjcf(arm, parameters, parameters.time_step_s));

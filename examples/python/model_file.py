@@ -4,6 +4,9 @@ docs/formats.md.
 Layout base_poses, output compensation: the network is asked with (pressures before, pressures now,
 backbone before, no-load backbone now), n + n + 3m + 3m numbers, and answers with what the backbone
 has beside the no-load one, 3m numbers. ReLU is behind every layer but the last.
+
+Of an arm in space the layout is gap_poses: 6 (m - 1) numbers for 3m, each plate's place about the
+plate before and the rotation vector to it, and of the no-load backbone 6 for each segment.
 """
 
 import json
@@ -34,10 +37,13 @@ def write_network(path: str, arm: limber.ArmDescription, layers: list[tuple[Floa
     for name, (offset, scale) in (("input", inputs), ("output", outputs)):
         tensors[f"normalisation.{name}.offset"] = offset
         tensors[f"normalisation.{name}.scale"] = scale
-    header: dict[str, object] = {"__metadata__": {
+    metadata = {
         "schema": "limber/model/1", "arm_name": arm.name, "arm_hash": arm.hash(),
         "segment_count": str(arm.segment_count), "point_count": str(arm.point_count),
-        "preset": "paper", "layout": "base_poses", "output_form": "compensation"}}
+        "preset": "paper", "layout": "base_poses", "output_form": "compensation"}
+    if arm.dimension == 3:
+        metadata.update(layout="gap_poses", dimension="3", chamber_count=str(arm.channel_count))
+    header: dict[str, object] = {"__metadata__": metadata}
     content = b""
     for name, values in tensors.items():
         data = np.ascontiguousarray(values, "<f4").tobytes()

@@ -22,7 +22,11 @@ void bind_segments(py::module_& module) {
       .value("strain_polynomial", NoLoadKind::strain_polynomial,
              "the pressure of one side, which contracts by P(|p|)")
       .value("curvature", NoLoadKind::curvature, "proportional to the segment's curvature")
-      .value("straight", NoLoadKind::straight, "nothing: the network learns the rest");
+      .value("straight", NoLoadKind::straight, "nothing: the network learns the rest")
+      .value("chambers", NoLoadKind::chambers,
+             "in space: strains of chambers, by where they lie in the segment")
+      .value("fitted", NoLoadKind::fitted,
+             "in space: a matrix from all strains to the segment's bend and extension");
   Record<Command>(module, "Command",
                   "What a segment is told. Of another command than a pressure, names that end in "
                   "_kpa hold numbers in this unit.")
@@ -31,9 +35,28 @@ void bind_segments(py::module_& module) {
       .read_only("unit", &Command::unit,
                  "\"kPa\", or the unit of that other command, such as \"rad\".")
       .done();
+  Record<Chamber>(module, "Chamber",
+                  "What bends a segment of an arm in space: a chamber, a muscle or a tendon, with "
+                  "a command of its own.")
+      .read_only("angle_deg", &Chamber::angle_deg,
+                 "Where it lies in the cross-section, seen from the tip, from y toward z [deg].")
+      .read_only("radius_m", &Chamber::radius_m, "Distance from the segment's axis [m].")
+      .read_only("sense", &Chamber::sense,
+                 "1 where it extends under positive commands, -1 where it contracts.")
+      .property(
+          "pressure_range_kpa",
+          [](const Chamber& chamber) {
+            return std::pair(chamber.limit_kpa.lower_kpa, chamber.limit_kpa.upper_kpa);
+          },
+          "(lower, upper) limit of its command [kPa].")
+      .read_only("strain_polynomial", &Chamber::strain_polynomial,
+                 "c1 to c4 of the strain c1 p + c2 p^2 + c3 p^3 + c4 p^4, p in kPa. All 0: the "
+                 "strain is the command.")
+      .done();
   Record<Segment>(module, "Segment",
                   "One bending segment, with two actuators on each side. A positive pressure "
-                  "inflates its right side, a negative one its left side.")
+                  "inflates its right side, a negative one its left side. In space it has "
+                  "chambers, and what is said of its pressure stands for nothing.")
       .read_only("length_m", &Segment::length_m, "Length without pressure [m], > 0, at most 10.")
       .read_only("width_m", &Segment::width_m,
                  "Between the centre lines of its two sides [m], > 0, at most 10.")
@@ -54,7 +77,8 @@ void bind_segments(py::module_& module) {
             const PressureLimits& limits = segment.pressure_limit_kpa;
             return std::pair(limits.lower_kpa, limits.upper_kpa);
           },
-          "(lower, upper) limit of its command [kPa], signed: positive bends right.");
+          "(lower, upper) limit of its command [kPa], signed: positive bends right.")
+      .def_readonly("chambers", &Segment::chambers, "In space its Chambers; else empty.");
 }
 
 Eigen::VectorXd vector_from(const DoubleArray& array, const char* name) {
@@ -107,8 +131,7 @@ void bind_command_sums(py::module_& module) {
 py::array_t<float> largest_pressures_of(const ArmDescription& arm) {
   py::array_t<float> limits(arm.channel_count());
   for (int i = 0; i < arm.channel_count(); ++i) {
-    const Segment& segment = arm.segments[static_cast<std::size_t>(i)];
-    limits.mutable_at(i) = static_cast<float>(segment.pressure_limit_kpa.largest_kpa());
+    limits.mutable_at(i) = static_cast<float>(arm.limits_of_channel(i).largest_kpa());
   }
   return limits;
 }
@@ -116,7 +139,7 @@ py::array_t<float> largest_pressures_of(const ArmDescription& arm) {
 py::array_t<float> pressure_ranges_of(const ArmDescription& arm) {
   py::array_t<float> ranges({arm.channel_count(), 2});
   for (int i = 0; i < arm.channel_count(); ++i) {
-    const PressureLimits& limits = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+    const PressureLimits& limits = arm.limits_of_channel(i);
     ranges.mutable_at(i, 0) = static_cast<float>(limits.lower_kpa);
     ranges.mutable_at(i, 1) = static_cast<float>(limits.upper_kpa);
   }
@@ -125,13 +148,8 @@ py::array_t<float> pressure_ranges_of(const ArmDescription& arm) {
 
 void bind_arm_functions(py::module_& module) {
   module.def(
-      "load_arm",
-      [](const std::filesystem::path& path) {
-        ArmDescription arm = load_arm(path);
-        require_planar(arm, "limber.load_arm");
-        return arm;
-      },
-      py::arg("path"), py::call_guard<OthersMayRun>(),
+      "load_arm", [](const std::filesystem::path& path) { return load_arm(path); }, py::arg("path"),
+      py::call_guard<OthersMayRun>(),
       "Reads and checks an arm file (YAML). Raises InputError naming file, line and "
       "field, what was found and what is allowed.");
   module.def("arm_to_yaml", &arm_to_yaml, py::arg("arm"), py::call_guard<OthersMayRun>(),
@@ -154,14 +172,19 @@ void bind_arm(py::module_& module) {
   bind_segments(module);
   bind_commands(module);
   Record<ArmDescription>(module, "ArmDescription",
-                         "A planar arm as its file describes it. Models borrow it, so it does not "
+                         "An arm as its file describes it. Models borrow it, so it does not "
                          "change: load_arm reads one.")
       .read_only("name", &ArmDescription::name, "The arm's name, as its file has it.")
       .read_only("command", &ArmDescription::command,
                  "What its segments are told: Command, pressures in kPa by default.")
       .read_only("no_load", &ArmDescription::no_load,
                  "NoLoadKind: what the no-load model makes of the command.")
-      .property("segment_count", &ArmDescription::segment_count, "n: segments of the arm.")
+      .property(
+          "dimension", [](const ArmDescription& arm) { return position_size(arm.dimension); },
+          "2: it moves in a plane, 3: in space.")
+      .property("segment_count", &ArmDescription::segment_count, "Segments of the arm.")
+      .property("channel_count", &ArmDescription::channel_count,
+                "n: its pressures, one for each segment, in space for each chamber, base first.")
       .property("point_count", &ArmDescription::point_count,
                 "m: plates along the backbone, base included. One more than gaps in all.")
       .property("length_m", &ArmDescription::length_m,
@@ -184,9 +207,10 @@ void bind_arm(py::module_& module) {
                              "Largest change of a set point within one frame [kPa].")
       .def_property_readonly(
           "pressure_limits_kpa", &largest_pressures_of,
-          "Largest pressure of each segment, of either side, float32 (n,) [kPa].")
-      .def_property_readonly("pressure_ranges_kpa", &pressure_ranges_of,
-                             "Lower and upper limit of each segment, float32 (n, 2) [kPa].")
+          "Largest pressure of each segment, of either side, or chamber, float32 (n,) [kPa].")
+      .def_property_readonly(
+          "pressure_ranges_kpa", &pressure_ranges_of,
+          "Lower and upper limit of each segment or chamber, float32 (n, 2) [kPa].")
       .def("frames_in", &ArmDescription::frames_in, py::arg("seconds"),
            "Fewest frames that take at least so long. seconds: >= 0.")
       .def("segment_of_gap", &ArmDescription::segment_of_gap, py::arg("gap"),

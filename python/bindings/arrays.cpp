@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "limber/common/error.hpp"
+#include "planar.hpp"
 
 namespace limber::python {
 
@@ -62,6 +63,15 @@ void require_jobs(int jobs) {
   if (jobs < 0) {
     throw InputError(
         fmt::format("jobs = {}; expected threads, 1 or more, or 0: one per core", jobs));
+  }
+}
+
+void require_planar_model(Dimension dimension, const char* name) {
+  if (dimension == Dimension::space) {
+    throw InputError(
+        fmt::format("{} can't use the model of an arm in space yet. ForwardModel.step, step_batch "
+                    "and rollout, predict and evaluate can",
+                    name));
   }
 }
 

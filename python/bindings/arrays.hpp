@@ -95,6 +95,12 @@ py::array_t<Scalar> backbone_array(const BackboneOf<Scalar>& backbone) {
   return copy_of<Scalar>(backbone, {backbone.rows(), kPoseSize});
 }
 
+/// The same of an arm in space, shape (m, 7).
+template <class Scalar>
+py::array_t<Scalar> backbone_array(const SpaceBackboneOf<Scalar>& backbone) {
+  return copy_of<Scalar>(backbone, {backbone.rows(), kSpacePoseSize});
+}
+
 /// A view of numbers that `owner` holds: no copy, and `owner` lives as long as the view.
 template <class Scalar>
 py::array_t<Scalar> view_of(const Scalar* data, const Shape& shape, const py::object& owner) {
@@ -112,6 +118,9 @@ inline Eigen::Map<const Pressures> pressures_map(const FloatArray& array) {
 }
 inline Eigen::Map<const Backbone> backbone_map(const FloatArray& array) {
   return {array.data(), array.size() / kPoseSize, kPoseSize};
+}
+inline Eigen::Map<const SpaceBackbone> space_backbone_map(const FloatArray& array) {
+  return {array.data(), array.size() / kSpacePoseSize, kSpacePoseSize};
 }
 /// k rows of NumPy are k columns of limber's batches: the same numbers in the same order.
 inline Eigen::Map<const Eigen::MatrixXf> batch_map(const FloatArray& array) {

@@ -15,6 +15,7 @@ void bind_inverse_kinematics(pybind11::module_& module);
 void bind_valves(pybind11::module_& module);
 void bind_networks(pybind11::module_& module);
 void bind_forward_model(pybind11::module_& module);
+void bind_ensemble_forward(pybind11::module_& module);
 void bind_motion_model(pybind11::module_& module);
 void bind_recordings(pybind11::module_& module);
 void bind_logs(pybind11::module_& module);

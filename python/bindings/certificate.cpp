@@ -73,8 +73,11 @@ void bind_certificate(py::module_& module) {
   py::class_<Certifier>(module, "Certifier",
                         "Certifies plans for one problem with nothing "
                         "of the planner's. Constant: share it freely.")
-      .def(py::init<const ArmDescription&, const CompensationModel*, const ValveParameters&,
-                    const Environment&>(),
+      .def(py::init([](const ArmDescription& arm, const CompensationModel* network,
+                       const ValveParameters& valves, const Environment& environment) {
+             require_planar(arm, "limber.Certifier");
+             return Certifier(arm, network, valves, environment);
+           }),
            py::arg("arm"), py::arg("network"), py::arg("valves"), py::arg("environment"),
            py::keep_alive<1, 2>(), py::keep_alive<1, 3>(), py::keep_alive<1, 4>(),
            py::keep_alive<1, 5>(), py::call_guard<OthersMayRun>(),
@@ -97,6 +100,7 @@ void bind_certificate(py::module_& module) {
         if (plan == nullptr) {
           throw InputError("there is no plan: the reason of its PlanResult says why");
         }
+        require_planar(arm, "limber.certify");
         return certified(Certifier(arm, network, valves, environment), *plan);
       },
       py::arg("plan"), py::arg("arm"), py::arg("network"), py::arg("valves"),

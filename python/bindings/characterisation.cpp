@@ -9,14 +9,33 @@
 #include "caller_thread.hpp"
 #include "episodes.hpp"
 #include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
 #include "limber/data/simple_model.hpp"
+#include "limber/data/space_fit.hpp"
 #include "limber/sim/bench_test.hpp"
 #include "others_may_run.hpp"
+#include "planar.hpp"
 #include "record.hpp"
 
 namespace limber::python {
 
 namespace {
+
+/// @throws InputError for an arm in a plane, or where the fit is another arm's.
+void require_spatial(const ArmDescription& arm, const char* what, const SpaceFit* fit = nullptr) {
+  if (!arm.is_spatial()) {
+    throw InputError(
+        fmt::format("{} is of arms in space; '{}' is in a plane: fit_simple_model and fitted_arm "
+                    "are of those",
+                    what, arm.name));
+  }
+  if (fit != nullptr && (fit->shape.rows() != 3 * arm.segment_count() ||
+                         fit->shape.cols() != arm.channel_count() + 1)) {
+    throw InputError(fmt::format("{}: a fit of {} segments and {} chambers; arm '{}' has {} and {}",
+                                 what, fit->shape.rows() / 3, fit->shape.cols() - 1, arm.name,
+                                 arm.segment_count(), arm.channel_count()));
+  }
+}
 
 void bind_simple_model(py::module_& module) {
   py::class_<SimpleFit>(module, "SimpleFit",
@@ -29,11 +48,15 @@ void bind_simple_model(py::module_& module) {
            })
       .def(
           "describe",
-          [](const SimpleFit& fit, const ArmDescription& arm) { return to_text(fit, arm); },
+          [](const SimpleFit& fit, const ArmDescription& arm) {
+            require_planar(arm, "SimpleFit.describe");
+            return to_text(fit, arm);
+          },
           py::arg("arm"), "Each number with its 95 % interval, as text.");
   module.def(
       "fit_simple_model",
       [](const ArmDescription& arm, const EpisodeList& episodes) {
+        require_planar(arm, "limber.fit_simple_model (fit_space_model is its like)");
         const std::vector<Episode> runs = episodes_from(episodes);
         CallerThread caller;
         return caller.run_interruptible([&] { return fit_simple_model(arm, runs); });
@@ -45,6 +68,7 @@ void bind_simple_model(py::module_& module) {
   module.def(
       "fitted_arm",
       [](const ArmDescription& arm, const SimpleFit& fit, const EpisodeList& episodes) {
+        require_planar(arm, "limber.fitted_arm (with_space_fit is its like)");
         const std::vector<Episode> runs = episodes_from(episodes);
         CallerThread caller;
         return caller.run_interruptible([&] { return fitted_arm(arm, fit, runs); });
@@ -54,10 +78,76 @@ void bind_simple_model(py::module_& module) {
       "those that were fitted.");
 }
 
+/// float64 (rows, columns), a copy.
+template <Eigen::MatrixXd SpaceFit::*kMatrix>
+py::array_t<double> matrix_of(const SpaceFit& fit) {
+  return copy_of<double>(fit.*kMatrix, {(fit.*kMatrix).rows(), (fit.*kMatrix).cols()});
+}
+
+void bind_space_fit(py::module_& module) {
+  py::class_<SpaceFit>(module, "SpaceFit",
+                       "Constant curvature of an arm in space, fitted to recordings by "
+                       "fit_space_model: s segments, n chambers.")
+      .def_property_readonly("shape", &matrix_of<&SpaceFit::shape>,
+                             "Bend about y and z [rad] and extension [share of the length] of each "
+                             "segment, float64 (3 s, n + 1): over chambers' strains, and a "
+                             "constant last.")
+      .def_property_readonly("shape_sd", &matrix_of<&SpaceFit::shape_sd>,
+                             "Standard deviation of each number of `shape`, of ten pieces of the "
+                             "recordings, in its units.")
+      .def_readonly("dead_time_s", &SpaceFit::dead_time_s,
+                    "From a command to its first effect [s].")
+      .def_readonly("lag_s", &SpaceFit::lag_s, "Time constant of shapes behind commands [s].")
+      .def_readonly("plates_mm", &SpaceFit::plates_mm,
+                    "Mean distance of the plates from the fit [mm].")
+      .def_readonly("tip_mm", &SpaceFit::tip_mm, "Mean distance of the tip from the fit [mm].")
+      .def(
+          "describe",
+          [](const SpaceFit& fit, const ArmDescription& arm) {
+            require_spatial(arm, "SpaceFit.describe", &fit);
+            return to_text(fit, arm);
+          },
+          py::arg("arm"), "What each chamber does, and what is odd about it, as text.")
+      .def(
+          "predict",
+          [](const SpaceFit& fit, const ArmDescription& arm, const Episode& episode) {
+            require_spatial(arm, "SpaceFit.predict", &fit);
+            require_episodes_of({episode}, arm);
+            const FrameMatrix rows = predict(fit, arm, episode);
+            return copy_of<float>(rows, {rows.rows(), arm.point_count(), kSpacePoseSize});
+          },
+          py::arg("arm"), py::arg("episode"),
+          "Backbones float32 (T, m, 7) that it expects under an episode's commands.")
+      .def("__repr__", [](const SpaceFit& fit) {
+        return fmt::format("SpaceFit(dead_time_s={:.3f}, lag_s={:.3f}, tip_mm={:.1f})",
+                           fit.dead_time_s, fit.lag_s, fit.tip_mm);
+      });
+  module.def(
+      "fit_space_model",
+      [](const ArmDescription& arm, const EpisodeList& episodes) {
+        require_spatial(arm, "limber.fit_space_model");
+        const std::vector<Episode> runs = episodes_from(episodes);
+        CallerThread caller;
+        return caller.run_interruptible([&] { return fit_space_model(arm, runs); });
+      },
+      py::arg("arm"), py::arg("episodes"),
+      "SpaceFit: how chambers bend and extend every segment of an arm in space, from the "
+      "recordings. Raises InputError where too few frames were tracked.");
+  module.def(
+      "with_space_fit",
+      [](const ArmDescription& arm, const SpaceFit& fit) {
+        require_spatial(arm, "limber.with_space_fit", &fit);
+        return with_space_fit(arm, fit);
+      },
+      py::arg("arm"), py::arg("fit"),
+      "The arm with the fit as its no-load model, an ArmDescription. fit: a SpaceFit.");
+}
+
 }  // namespace
 
 void bind_characterisation(py::module_& module) {
   bind_simple_model(module);
+  bind_space_fit(module);
   Record<BenchPoint>(module, "BenchPoint", "One settled reading of a bench test.")
       .field("pressure_kpa", &BenchPoint::pressure_kpa,
              "Gauge pressure of the inflated side [kPa], >= 0.")
@@ -87,18 +177,21 @@ void bind_characterisation(py::module_& module) {
   module.def(
       "load_arm_to_characterise",
       [](const std::filesystem::path& path) {
-        ArmDescription arm = load_arm(path, PolynomialsOf::characterisation);
-        require_planar(arm, "limber.load_arm_to_characterise");
-        return arm;
+        return load_arm(path, PolynomialsOf::characterisation);
       },
       py::arg("path"), py::call_guard<OthersMayRun>(),
       "An arm file whose strain polynomials may be missing or outdated.");
-  module.def("read_bench_csv", &read_bench_csv, py::arg("path"), py::arg("arm"),
-             py::call_guard<OthersMayRun>(),
-             "Bench points of every segment from a CSV file with the columns pressure_kpa, strain "
-             "and, optionally, segment.");
-  module.def("characterise", &characterise, py::arg("arm"), py::arg("bench"),
-             py::call_guard<OthersMayRun>(),
+  module.def(
+      "read_bench_csv",
+      [](const std::filesystem::path& path, const ArmDescription& arm) {
+        require_planar(arm, "limber.read_bench_csv");
+        return read_bench_csv(path, arm);
+      },
+      py::arg("path"), py::arg("arm"), py::call_guard<OthersMayRun>(),
+      "Bench points of every segment from a CSV file with the columns pressure_kpa, strain "
+      "and, optionally, segment.");
+  module.def("characterise", of_planar_arms("limber.characterise", &characterise), py::arg("arm"),
+             py::arg("bench"), py::call_guard<OthersMayRun>(),
              "Fits a monotone quartic to every segment's bench points: a CharacterisedArm. "
              "bench: a list of BenchPoint for each segment, base first, at least 5 different "
              "pressures up to the limit. Raises InputError naming the segment.");

@@ -30,6 +30,7 @@ void bind_collision(py::module_& module) {
   py::class_<CollisionChecker>(module, "CollisionChecker",
                                "Collision of a thick backbone with obstacles. Constant: share it.")
       .def(py::init([](const ArmDescription& arm, const Environment& environment, double margin_m) {
+             require_planar(arm, "limber.CollisionChecker");
              return CollisionChecker(arm, environment.obstacles, margin_m);
            }),
            py::arg("arm"), py::arg("environment"), py::arg("margin_m") = 0.0,

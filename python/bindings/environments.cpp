@@ -143,6 +143,9 @@ void bind_environments(py::module_& module) {
   module.def(
       "load_environment",
       [](const std::filesystem::path& path, const ArmDescription* arm) {
+        if (arm != nullptr) {
+          require_planar(*arm, "limber.load_environment");
+        }
         return arm == nullptr ? load_environment(path) : load_environment(path, *arm);
       },
       py::arg("path"), py::arg("arm") = py::none(), py::call_guard<OthersMayRun>(),
@@ -163,9 +166,14 @@ void bind_environments(py::module_& module) {
              py::call_guard<OthersMayRun>(),
              "Hash of everything that planning depends on, a text; the name is no part of "
              "it.");
-  module.def("start_state", &start_state, py::arg("environment"), py::arg("arm"),
-             py::call_guard<OthersMayRun>(),
-             "Where the arm starts, an ArmStart: as the environment has it, or at rest.");
+  module.def(
+      "start_state",
+      [](const Environment& environment, const ArmDescription& arm) {
+        require_planar(arm, "limber.start_state");
+        return start_state(environment, arm);
+      },
+      py::arg("environment"), py::arg("arm"), py::call_guard<OthersMayRun>(),
+      "Where the arm starts, an ArmStart: as the environment has it, or at rest.");
 }
 
 }  // namespace limber::python

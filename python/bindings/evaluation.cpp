@@ -30,7 +30,7 @@ void bind_errors_of_tips(py::module_& module) {
   Record<TipErrors>(module, "TipErrors", "Errors of the predicted end effector.")
       .read_only("position_cm", &TipErrors::position_cm, "ErrorStatistics of its distance [cm].")
       .read_only("orientation_rad", &TipErrors::orientation_rad,
-                 "ErrorStatistics of its heading [rad].")
+                 "ErrorStatistics of its heading, in space of its rotation [rad].")
       .done();
   Record<RolloutErrors>(module, "RolloutErrors",
                         "TipErrors by how often a prediction is corrected by what was recorded.")
@@ -108,11 +108,12 @@ void bind_evaluation(py::module_& module) {
         CallerThread caller;
         const FrameMatrix predicted =
             caller.run_interruptible([&] { return predict(model, episode, restart, jobs); });
-        return copy_of<float>(predicted,
-                              {predicted.rows(), predicted.cols() / kPoseSize, kPoseSize});
+        return copy_of<float>(
+            predicted, {predicted.rows(), model.point_count(), pose_size(model.dimension())});
       },
       py::arg("model"), py::arg("episode"), py::arg("restart"), py::arg("jobs") = 0,
-      "Predicted backbones float32 (T, m, 3) of an episode, fed with its pressures; "
+      "Predicted backbones float32 (T, m, 3), in space (T, m, 7), of an episode, fed with its "
+      "pressures; "
       "NaN where a frame is only a start. restart: a Restart; jobs: threads, 0: one "
       "per core.");
   module.def(

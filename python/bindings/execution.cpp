@@ -79,6 +79,7 @@ ExecutionResult run_with(const ArmDescription& arm, const Environment& environme
 ResultObject execute_with(const ArmDescription& arm, const Environment& environment,
                           const Plan& plan, const py::object& driver,
                           const ExecutionSettings& settings, const py::object& controller) {
+  require_planar(arm, "limber.execute");
   py::object result = py::cast(run_with(arm, environment, plan, driver, settings, controller));
   result.attr(kParts) = py::make_tuple(py::cast(&arm), py::cast(&environment), py::cast(&plan));
   return ResultObject{std::move(result)};
@@ -153,6 +154,7 @@ void bind_controllers(py::module_& module) {
           py::init([](const ArmDescription& arm, const MotionModel& model,
                       const Environment& environment, const std::optional<ErrorRoom>& room,
                       std::uint64_t seed, bool adapts) {
+            require_planar(arm, "limber.ClosedLoop");
             return ClosedLoopOf{
                 make_closed_loop(arm, model, environment,
                                  room ? *room : error_room(model.forward()), seed, adapts),

@@ -10,8 +10,10 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "limber/forward/checked_query.hpp"
 #include "limber/forward/parallel_forward.hpp"
 #include "others_may_run.hpp"
+#include "planar.hpp"
 
 namespace limber::python {
 
@@ -41,18 +43,19 @@ void require_query_shapes(const ForwardModel& model, py::ssize_t rows,
                           const FloatArray& previous, const Before& before) {
   const py::ssize_t n = model.channel_count();
   const py::ssize_t m = model.point_count();
+  const py::ssize_t size = pose_size(model.dimension());
   const bool fits = rows < 0 ? previous_kpa.ndim() == 1 && previous_kpa.shape(0) == n &&
                                    current_kpa.ndim() == 1 && current_kpa.shape(0) == n &&
                                    previous.ndim() == 2 && previous.shape(0) == m &&
-                                   previous.shape(1) == kPoseSize
+                                   previous.shape(1) == size
                              : false;
   if (!fits) {
     require_shape(previous_kpa, rows < 0 ? Shape{n} : Shape{rows, n}, "previous_kpa");
     require_shape(current_kpa, rows < 0 ? Shape{n} : Shape{rows, n}, "current_kpa");
-    require_shape(previous, rows < 0 ? Shape{m, kPoseSize} : Shape{rows, m, kPoseSize}, "previous");
+    require_shape(previous, rows < 0 ? Shape{m, size} : Shape{rows, m, size}, "previous");
   }
   if (before) {
-    require_shape(*before, rows < 0 ? Shape{m, kPoseSize} : Shape{rows, m, kPoseSize}, "before");
+    require_shape(*before, rows < 0 ? Shape{m, size} : Shape{rows, m, size}, "before");
   }
 }
 
@@ -68,11 +71,18 @@ py::array_t<float> step(const ForwardModel& model, const FloatArray& previous_kp
                         const FloatArray& current_kpa, const FloatArray& previous,
                         const py::object& out, const Before& before) {
   require_query(model, previous_kpa, current_kpa, previous, before);
-  py::array_t<float> next = result_array(out, {model.point_count(), kPoseSize});
-  model.step(pressures_map(previous_kpa), pressures_map(current_kpa),
-             backbone_map(before.value_or(previous)), backbone_map(previous),
-             Eigen::Map<Backbone>(next.mutable_data(), model.point_count(), kPoseSize),
-             workspace());
+  const int size = pose_size(model.dimension());
+  py::array_t<float> next = result_array(out, {model.point_count(), size});
+  const FloatArray& earlier = before ? *before : previous;
+  if (model.dimension() == Dimension::space) {
+    model.step_batch(pressures_map(previous_kpa), pressures_map(current_kpa),
+                     pressures_map(earlier), pressures_map(previous),
+                     Eigen::Map<Eigen::VectorXf>(next.mutable_data(), next.size()), workspace());
+    return next;
+  }
+  model.step(pressures_map(previous_kpa), pressures_map(current_kpa), backbone_map(earlier),
+             backbone_map(previous),
+             Eigen::Map<Backbone>(next.mutable_data(), model.point_count(), size), workspace());
   return next;
 }
 
@@ -80,9 +90,16 @@ py::array_t<float> checked_step(const ForwardModel& model, const FloatArray& pre
                                 const FloatArray& current_kpa, const FloatArray& previous,
                                 const Before& before) {
   require_query(model, previous_kpa, current_kpa, previous, before);
-  return backbone_array<float>(
-      model.checked_step(pressures_map(previous_kpa), pressures_map(current_kpa),
-                         backbone_map(before.value_or(previous)), backbone_map(previous)));
+  const FloatArray& earlier = before ? *before : previous;
+  const Pressures from = pressures_map(previous_kpa);
+  const Pressures to = pressures_map(current_kpa);
+  if (model.dimension() == Dimension::space) {
+    return backbone_array<float>(checked_query(model, from, to,
+                                               SpaceBackbone(space_backbone_map(earlier)),
+                                               SpaceBackbone(space_backbone_map(previous))));
+  }
+  return backbone_array<float>(model.checked_step(from, to, Backbone(backbone_map(earlier)),
+                                                  Backbone(backbone_map(previous))));
 }
 
 constexpr py::ssize_t kRowsAtOnce = 1 << 15;  // some 0.2 s of one core; signals wait no longer
@@ -102,7 +119,8 @@ py::array_t<float> batch(const ForwardModel& model, const FloatArray& previous_k
                          const Before& before, const py::object& out, const Query& query) {
   const py::ssize_t rows = batch_size(previous_kpa, "previous_kpa");
   require_query_shapes(model, rows, previous_kpa, current_kpa, previous, before);
-  py::array_t<float> next = result_array(out, {rows, model.point_count(), kPoseSize});
+  py::array_t<float> next =
+      result_array(out, {rows, model.point_count(), pose_size(model.dimension())});
   require_no_part_of(next, previous, "previous");
   if (before) {
     require_no_part_of(next, *before, "before");
@@ -148,6 +166,7 @@ double processor_s() {
 double pass_s(const ForwardModel& model, const FloatArray& previous_kpa,
               const FloatArray& current_kpa, const FloatArray& previous, py::array_t<float>& out,
               Eigen::Index size) {
+  require_planar_model(model.dimension(), "_pass_s");
   require_query_shapes(model, previous_kpa.shape(0), previous_kpa, current_kpa, previous, {});
   require_shape(out, shape_of(previous), "out");
   const auto from = batch_map(previous_kpa);
@@ -174,9 +193,10 @@ py::array_t<float> rollout(const ForwardModel& model, const FloatArray& pressure
                            const FloatArray& first) {
   const py::ssize_t frames = batch_size(pressures_kpa, "pressures_kpa");
   require_shape(pressures_kpa, {frames, model.channel_count()}, "pressures_kpa");
-  require_shape(first, {model.point_count(), kPoseSize}, "first");
+  const py::ssize_t size = pose_size(model.dimension());
+  require_shape(first, {model.point_count(), size}, "first");
   require_finite(first, "first");
-  py::array_t<float> backbones({frames, py::ssize_t{model.point_count()}, py::ssize_t{kPoseSize}});
+  py::array_t<float> backbones({frames, py::ssize_t{model.point_count()}, size});
   if (frames == 0) {
     return backbones;
   }
@@ -212,7 +232,7 @@ void bind_parallel_forward(py::module_& module) {
           py::arg("model"), py::arg("previous_kpa"), py::arg("current_kpa"), py::arg("previous"),
           py::arg("out") = py::none(), py::arg("before") = py::none(),
           "ForwardModel.step_batch, in parts of some hundred queries: float32 (k, n), (k, n) [kPa] "
-          "and (k, m, 3) give (k, m, 3). `before` as in ForwardModel.step.")
+          "and (k, m, 3) give (k, m, 3), in space 7 for 3. `before` as in ForwardModel.step.")
       .def("__repr__", [](const ParallelForward& parallel) {
         return fmt::format("ParallelForward(jobs={})", parallel.jobs());
       });
@@ -232,8 +252,13 @@ void bind_forward_model(py::module_& module) {
            py::arg("arm"), py::arg("compensation") = py::none(), py::call_guard<OthersMayRun>(),
            "compensation: a CompensationModel, None: the no-load model alone. Raises "
            "InputError where it was trained for another arm.")
-      .def_property_readonly("segment_count", &ForwardModel::segment_count,
-                             "n: segments of the arm.")
+      .def_property_readonly("segment_count", &ForwardModel::segment_count, "Segments of the arm.")
+      .def_property_readonly("channel_count", &ForwardModel::channel_count,
+                             "n: pressures of a query, one for each segment, in space for each "
+                             "chamber.")
+      .def_property_readonly(
+          "dimension", [](const ForwardModel& model) { return position_size(model.dimension()); },
+          "2: the arm moves in a plane, backbones are (m, 3); 3: in space, (m, 7).")
       .def_property_readonly("point_count", &ForwardModel::point_count,
                              "m: plates of the arm, base included.")
       .def_property_readonly("has_network", &ForwardModel::has_network, "Whether it has a network.")
@@ -255,7 +280,8 @@ void bind_forward_model(py::module_& module) {
            "backbone a frame ago (m, 3) give the backbone now (m, 3). It is written to "
            "`out` where one is given, which may be `previous`. `before` is the backbone two "
            "frames ago (m, 3), for models of which reads_velocity says so; None: the arm stood "
-           "still. Raises InputError for a wrong shape, NaN or infinity.")
+           "still. In space (m, 7) for (m, 3), here and below. Raises InputError for a wrong "
+           "shape, NaN or infinity.")
       .def("checked_step", &checked_step, py::arg("previous_kpa"), py::arg("current_kpa"),
            py::arg("previous"), py::arg("before") = py::none(),
            "One query: float32 (n,), (n,) [kPa] and (m, 3) give (m, 3); pressures beyond their "

@@ -6,6 +6,7 @@
 #include "bindings.hpp"
 #include "limber/common/random_stream.hpp"
 #include "others_may_run.hpp"
+#include "planar.hpp"
 #include "record.hpp"
 
 namespace limber::python {
@@ -50,13 +51,19 @@ void bind_inverse_kinematics(py::module_& module) {
       .read_only("reason", &Result::reason, "Why there is no solution; empty where there is one.")
       .property("reachable", &Result::reachable, "Whether there is at least one solution.")
       .done();
-  module.def("solve_inverse_kinematics", &solve_inverse_kinematics, py::arg("model"),
-             py::arg("goal"), py::arg("settings"), py::arg("random"),
-             py::call_guard<OthersMayRun>(),
-             "Pressures whose no-load tip is at the goal: Newton-Raphson from random starts. "
-             "model: a NoLoadModel; goal: a PoseGoal; random: a RandomStream. Not complete: "
-             "if none is found, there may still be one. Raises InputError where the goal or "
-             "a setting is out of range.");
+  module.def(
+      "solve_inverse_kinematics",
+      [](const NoLoadModel& model, const PoseGoal& goal, const Settings& settings,
+         RandomStream& random) {
+        require_planar_model(model.dimension(), "limber.solve_inverse_kinematics");
+        return solve_inverse_kinematics(model, goal, settings, random);
+      },
+      py::arg("model"), py::arg("goal"), py::arg("settings"), py::arg("random"),
+      py::call_guard<OthersMayRun>(),
+      "Pressures whose no-load tip is at the goal: Newton-Raphson from random starts. "
+      "model: a NoLoadModel; goal: a PoseGoal; random: a RandomStream. Not complete: "
+      "if none is found, there may still be one. Raises InputError where the goal or "
+      "a setting is out of range.");
 }
 
 }  // namespace limber::python

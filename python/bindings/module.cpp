@@ -40,15 +40,16 @@ PYBIND11_MODULE(_limber, module) {
   bind_goals(module);
   bind_arm(module);
   bind_no_load_model(module);
-  bind_characterisation(module);
   bind_inverse_kinematics(module);
   bind_valves(module);
   bind_recordings(module);
+  bind_characterisation(module);
   bind_logs(module);
   bind_networks(module);
   bind_environments(module);
   bind_collision(module);
   bind_forward_model(module);
+  bind_ensemble_forward(module);
   bind_motion_model(module);
   bind_plans(module);
   bind_certificate(module);

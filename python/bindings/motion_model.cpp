@@ -9,6 +9,7 @@
 #include "limber/forward/error_room.hpp"
 #include "limber/forward/recorded_region.hpp"
 #include "others_may_run.hpp"
+#include "planar.hpp"
 #include "record.hpp"
 
 namespace limber::python {
@@ -69,6 +70,7 @@ void bind_error_room(py::module_& module) {
       [](const ForwardModel& model, std::optional<double> margin_m,
          std::optional<double> goal_margin_m, std::optional<double> goal_margin_rad,
          std::optional<double> tube_level) {
+        require_planar_model(model.dimension(), "limber.error_room");
         return error_room(model, {margin_m, goal_margin_m, goal_margin_rad, tube_level});
       },
       py::arg("model"), py::arg("margin_m") = py::none(), py::arg("goal_margin_m") = py::none(),
@@ -116,6 +118,7 @@ void bind_motion_model(py::module_& module) {
                           "Set points to backbones, frame by frame: valves, and behind them the "
                           "forward model. Constant: share it freely.")
       .def(py::init([](const ForwardModel& forward, const ValveModel* valves) {
+             require_planar_model(forward.dimension(), "limber.MotionModel");
              return valves == nullptr ? MotionModel(forward) : MotionModel(forward, *valves);
            }),
            py::arg("forward"), py::arg("valves") = py::none(), py::keep_alive<1, 2>(),

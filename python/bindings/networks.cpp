@@ -60,6 +60,9 @@ void bind_gap_bounds(py::module_& module) {
       .def_property_readonly(
           "max_turn_rad", &numbers_of<&GapBounds::max_turn_rad>,
           "Largest turn from one plate to the next, signed, float32 (m - 1,) [rad].")
+      .def_property_readonly("max_bend_rad", &numbers_of<&GapBounds::max_bend_rad>,
+                             "Largest bend from one plate to the next, in space, where a turn is a "
+                             "twist; else float32 (0,) [rad].")
       .def("__repr__", [](const GapBounds& bounds) {
         return fmt::format(
             "GapBounds(gaps={}, length_m=({:.4f}, {:.4f}), turn_rad=({:.3f}, {:.3f}))",
@@ -121,6 +124,10 @@ void bind_network(py::module_& module) {
                              "Networks of the ensemble, 1 where it is none.")
       .def_property_readonly("shape", &CompensationModel::shape,
                              "Sizes of the layers, inputs first: \"102-100-100-100-48\".")
+      .def_property_readonly(
+          "dimension",
+          [](const CompensationModel& model) { return position_size(model.dimension); },
+          "2: of an arm in a plane, 3: in space.")
       .def_readonly("arm_name", &CompensationModel::arm_name,
                     "Name of the arm that it was trained for.")
       .def_readonly("arm_hash", &CompensationModel::arm_hash, "ArmDescription.hash() of that arm.")
@@ -162,15 +169,7 @@ void bind_networks(py::module_& module) {
   bind_learnt_region(module);
   bind_network(module);
   module.def(
-      "read_model",
-      [](const std::filesystem::path& path) {
-        CompensationModel model = read_model(path);
-        if (model.dimension == Dimension::space) {
-          throw InputError(path.string() +
-                           ": the model of an arm in space, which Python can't use yet");
-        }
-        return model;
-      },
+      "read_model", [](const std::filesystem::path& path) { return read_model(path); },
       py::arg("path"), py::call_guard<OthersMayRun>(),
       "Reads and checks a model (safetensors). Raises InputError naming file and key.");
   module.def("write_model", &write_model, py::arg("path"), py::arg("model"),

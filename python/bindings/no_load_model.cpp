@@ -8,29 +8,30 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "others_may_run.hpp"
+#include "planar.hpp"
 #include "record.hpp"
 
 namespace limber::python {
 
 namespace {
 
-/// Shape (m, 3) of (n,), or (k, m, 3) of (k, n).
+/// Shape (m, 3) of (n,), or (k, m, 3) of (k, n); in space 7 for 3.
 py::array_t<float> backbone(const NoLoadModel& model, const FloatArray& pressures_kpa,
                             const py::object& out) {
   const py::ssize_t n = model.channel_count();
   const py::ssize_t m = model.point_count();
+  const py::ssize_t size = pose_size(model.dimension());
   const bool batch = pressures_kpa.ndim() == 2;
   const py::ssize_t count = batch ? pressures_kpa.shape(0) : 1;
   require_shape(pressures_kpa, batch ? Shape{count, n} : Shape{n}, "pressures_kpa");
-  py::array_t<float> result =
-      result_array(out, batch ? Shape{count, m, kPoseSize} : Shape{m, kPoseSize});
+  py::array_t<float> result = result_array(out, batch ? Shape{count, m, size} : Shape{m, size});
   float* to = result.mutable_data();
   const float* from = pressures_kpa.data();
   const auto run = [&] {
     require_finite(pressures_kpa, "pressures_kpa");
     for (py::ssize_t i = 0; i < count; ++i) {
-      model.backbone(Eigen::Map<const Eigen::VectorXf>(from + i * n, n),
-                     Eigen::Map<Backbone>(to + i * kPoseSize * m, m, kPoseSize));
+      model.poses(Eigen::Map<const Eigen::VectorXf>(from + i * n, n),
+                  Eigen::Map<Eigen::VectorXf>(to + i * size * m, size * m));
     }
   };
   if (batch) {
@@ -42,7 +43,8 @@ py::array_t<float> backbone(const NoLoadModel& model, const FloatArray& pressure
   return result;
 }
 
-void require_segment(const NoLoadModel& model, int segment) {
+void require_segment(const NoLoadModel& model, int segment, const char* method) {
+  require_planar_model(model.dimension(), method);
   if (segment < 0 || segment >= model.segment_count()) {
     throw py::index_error(
         fmt::format("segment {}; expected 0 to {}", segment, model.segment_count() - 1));
@@ -72,17 +74,19 @@ void bind_no_load_model(py::module_& module) {
                           "Shape of the unloaded, frictionless arm at given "
                           "pressures. Constant: any number of threads may share it.")
       .def(py::init<const ArmDescription&>(), py::arg("arm"), "The simple model of an arm.")
-      .def_property_readonly("segment_count", &NoLoadModel::segment_count,
-                             "n: segments of the arm.")
+      .def_property_readonly("segment_count", &NoLoadModel::segment_count, "Segments of the arm.")
+      .def_property_readonly("channel_count", &NoLoadModel::channel_count,
+                             "n: pressures, one for each segment, in space for each chamber.")
       .def_property_readonly("point_count", &NoLoadModel::point_count,
                              "m: plates of the arm, base included.")
       .def("backbone", &backbone, py::arg("pressures_kpa"), py::arg("out") = py::none(),
            "Backbone at pressures [kPa]: float32 (n,) gives (m, 3), rows x_m, y_m, theta_rad from "
-           "base to tip; (k, n) gives (k, m, 3). Written to `out` where one is given.")
+           "base to tip, in space (m, 7), rows x_m, y_m, z_m, qx, qy, qz, qw; (k, n) gives "
+           "(k, m, 3) or (k, m, 7). Written to `out` where one is given.")
       .def(
           "segment_shape",
           [](const NoLoadModel& model, int segment, double pressure_kpa) {
-            require_segment(model, segment);
+            require_segment(model, segment, "NoLoadModel.segment_shape");
             return model.segment_shape(segment, pressure_kpa);
           },
           py::arg("segment"), py::arg("pressure_kpa"),
@@ -92,7 +96,7 @@ void bind_no_load_model(py::module_& module) {
       .def(
           "pressure_for_curvature",
           [](const NoLoadModel& model, int segment, double curvature_per_m) {
-            require_segment(model, segment);
+            require_segment(model, segment, "NoLoadModel.pressure_for_curvature");
             return model.pressure_for_curvature(segment, curvature_per_m);
           },
           py::arg("segment"), py::arg("curvature_per_m"),
@@ -102,7 +106,7 @@ void bind_no_load_model(py::module_& module) {
       .def(
           "curvature_limit_per_m",
           [](const NoLoadModel& model, int segment) {
-            require_segment(model, segment);
+            require_segment(model, segment, "NoLoadModel.curvature_limit_per_m");
             return model.curvature_limit_per_m(segment);
           },
           py::arg("segment"),
@@ -124,7 +128,7 @@ void bind_no_load_model(py::module_& module) {
         const py::ssize_t last = backbone.shape(0) - 1;
         return Pose{rows(last, 0), rows(last, 1), rows(last, 2)};
       },
-      py::arg("backbone"), "Pose of the end effector: the last row of a backbone (m, 3).");
+      py::arg("backbone"), "Pose of the end effector: the last row of a planar backbone (m, 3).");
 }
 
 }  // namespace limber::python

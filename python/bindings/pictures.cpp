@@ -15,6 +15,7 @@
 #include "limber/run/executor.hpp"
 #include "limber/world/obstacle_shape.hpp"
 #include "others_may_run.hpp"
+#include "planar.hpp"
 
 namespace limber::python {
 
@@ -77,7 +78,10 @@ std::string backbone_picture(const ArmDescription& arm, const Backbone& backbone
   return drawing.svg();
 }
 
-std::string arm_picture(const ArmDescription& arm) {
+std::optional<std::string> arm_picture(const ArmDescription& arm) {
+  if (arm.is_spatial()) {
+    return std::nullopt;  // a notebook then shows its repr
+  }
   return backbone_picture(arm, start_state(Environment(), arm).backbone);
 }
 
@@ -142,31 +146,40 @@ std::string evaluation_picture(const Evaluation& evaluation) {
 }
 
 void bind_pictures(py::module_& module) {
-  module.def("environment_picture", &environment_picture, py::arg("arm"), py::arg("environment"),
-             py::call_guard<OthersMayRun>(),
+  module.def("environment_picture",
+             of_planar_arms("limber.environment_picture", &environment_picture), py::arg("arm"),
+             py::arg("environment"), py::call_guard<OthersMayRun>(),
              "The environment with the arm at its start, as an SVG file's text.");
-  module.def("plan_picture", &plan_picture, py::arg("arm"), py::arg("environment"),
-             py::arg("result"), py::call_guard<OthersMayRun>(),
+  module.def("plan_picture", of_planar_arms("limber.plan_picture", &plan_picture), py::arg("arm"),
+             py::arg("environment"), py::arg("result"), py::call_guard<OthersMayRun>(),
              "Environment, search tree and plan (or the nearest motion, dashed), as SVG text.");
-  module.def("plan_animation", &plan_animation, py::arg("arm"), py::arg("environment"),
-             py::arg("plan"), py::call_guard<OthersMayRun>(),
+  module.def("plan_animation", of_planar_arms("limber.plan_animation", &plan_animation),
+             py::arg("arm"), py::arg("environment"), py::arg("plan"),
+             py::call_guard<OthersMayRun>(),
              "One self-contained HTML page in which the arm moves.");
   module.def(
       "pressure_picture",
-      [](const ArmDescription& arm, const Plan& plan) { return pressure_picture(arm, plan); },
+      [](const ArmDescription& arm, const Plan& plan) {
+        require_planar(arm, "limber.pressure_picture");
+        return pressure_picture(arm, plan);
+      },
       py::arg("arm"), py::arg("plan"), py::call_guard<OthersMayRun>(),
       "Set points and the pressures predicted from them over time, as SVG text.");
-  module.def("execution_picture", &execution_picture, py::arg("arm"), py::arg("environment"),
-             py::arg("plan"), py::arg("result"), py::call_guard<OthersMayRun>(),
+  module.def("execution_picture", of_planar_arms("limber.execution_picture", &execution_picture),
+             py::arg("arm"), py::arg("environment"), py::arg("plan"), py::arg("result"),
+             py::call_guard<OthersMayRun>(),
              "One run beside its prediction, as an SVG file's text.");
-  module.def("execution_animation", &execution_animation, py::arg("arm"), py::arg("environment"),
-             py::arg("plan"), py::arg("result"), py::call_guard<OthersMayRun>(),
+  module.def("execution_animation",
+             of_planar_arms("limber.execution_animation", &execution_animation), py::arg("arm"),
+             py::arg("environment"), py::arg("plan"), py::arg("result"),
+             py::call_guard<OthersMayRun>(),
              "A page in which the arm moves, as predicted and as measured.");
   module.def("learning_curve_svg", &learning_curve_svg, py::arg("curve"),
              py::call_guard<OthersMayRun>(), "Loss and validation error over epochs, as SVG text.");
   module.def(
       "arm_svg",
       [](const ArmDescription& arm, const FloatArray& backbone) {
+        require_planar(arm, "limber.arm_svg");
         return backbone_picture(arm, backbone_from(backbone, arm.point_count(), "backbone"));
       },
       py::arg("arm"), py::arg("backbone"), "The arm with this backbone, float32 (m, 3), as SVG.");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "limber/arm/arm_description.hpp"
@@ -13,7 +14,7 @@ namespace limber::python {
 // What `_repr_svg_` shows in a notebook: the text of an SVG file.
 
 /// The arm at rest.
-std::string arm_picture(const ArmDescription& arm);
+std::optional<std::string> arm_picture(const ArmDescription& arm);
 std::string backbone_picture(const ArmDescription& arm, const Backbone& backbone);
 /// Obstacles and goal; nothing is known of the arm.
 std::string obstacles_picture(const Environment& environment);

@@ -15,6 +15,7 @@
 #include "limber/planning/planner_factory.hpp"
 #include "others_may_run.hpp"
 #include "pictures.hpp"
+#include "planar.hpp"
 #include "record.hpp"
 
 namespace limber::python {
@@ -124,6 +125,7 @@ void bind_problem(py::module_& module) {
                       const RecordedRegion* stay_within, bool margin_yields_to_start,
                       const std::vector<std::pair<double, double>>& limits_kpa,
                       const std::optional<PlanTube>& tube) {
+            require_planar(arm, "limber.PlanningProblem");
             PlanningProblem problem{arm, model, environment, margin_m, goal_margin};
             problem.stay_within = stay_within;
             problem.margin_yields_to_start = margin_yields_to_start;
@@ -156,9 +158,9 @@ void bind_problem(py::module_& module) {
 }
 
 void bind_problem_with_room(py::module_& module) {
-  module.def("problem_with_room", &problem_with_room, py::arg("arm"), py::arg("model"),
-             py::arg("environment"), py::arg("room"), py::keep_alive<0, 1>(),
-             py::keep_alive<0, 2>(), py::keep_alive<0, 3>(),
+  module.def("problem_with_room", of_planar_arms("limber.problem_with_room", &problem_with_room),
+             py::arg("arm"), py::arg("model"), py::arg("environment"), py::arg("room"),
+             py::keep_alive<0, 1>(), py::keep_alive<0, 2>(), py::keep_alive<0, 3>(),
              "The PlanningProblem whose plans keep that room: the model's tube, or one "
              "clearance everywhere. room: an ErrorRoom, as error_room makes it.");
 }
@@ -265,6 +267,7 @@ PlanResult plan_with(const ArmDescription& arm, const AnyModel& model,
                      const Environment& environment, const PlannerLimits& limits,
                      std::uint64_t seed, const py::object& callback, PlanSettings settings) {
   require_jobs(settings.jobs);
+  require_planar(arm, "limber.plan");
   CallerThread caller;
   settings.callback = watched(caller, callback);
   return caller.run([&] {

@@ -49,6 +49,7 @@ struct Asked {
 ProcessDriverSettings settings_from(const ArmDescription& arm, const Asked& asked) {
   const auto& [command, arm_file, limit_scale, check_rate, simulated, calibration, log,
                on_message] = asked;
+  require_planar(arm, "limber.ProcessDriver");
   if (!command.starts_with(kExec) || command.size() == kExec.size()) {
     throw InputError(fmt::format(
         "driver '{}': expected exec:COMMAND, as in \"exec:python3 my_driver.py\"", command));

@@ -11,6 +11,7 @@
 #include "limber/data/recording_export.hpp"
 #include "limber/data/recording_inspection.hpp"
 #include "limber/data/valve_identification.hpp"
+#include "limber/data/valve_simulation.hpp"
 #include "others_may_run.hpp"
 #include "record.hpp"
 
@@ -45,7 +46,7 @@ Episode make_episode(
     const DoubleArray& time_s, const FloatArray& pressure_kpa, const FloatArray& setpoint_kpa,
     const FloatArray& backbone,
     const py::array_t<int, py::array::c_style | py::array::forcecast>& motion_index,
-    const py::object& tracked, bool setpoints_only, const std::string& physics) {
+    const py::object& tracked, bool setpoints_only, const std::string& physics, bool lifted) {
   using Flags = py::array_t<std::uint8_t, py::array::c_style | py::array::forcecast>;
   std::optional<Flags> seen;
   if (!tracked.is_none()) {
@@ -67,10 +68,13 @@ Episode make_episode(
   }
   episode.pressure_kpa = frames_from(pressure_kpa, frames, "pressure_kpa");
   episode.setpoint_kpa = frames_from(setpoint_kpa, frames, "setpoint_kpa");
-  if (backbone.ndim() != 3 || backbone.shape(2) != kPoseSize) {
-    throw InputError(
-        fmt::format("backbone has shape {}; expected (T, m, 3)", to_text(shape_of(backbone))));
+  const bool in_space = backbone.ndim() == 3 && backbone.shape(2) == kSpacePoseSize;
+  if (backbone.ndim() != 3 || (!in_space && backbone.shape(2) != kPoseSize)) {
+    throw InputError(fmt::format("backbone has shape {}; expected (T, m, 3), in space (T, m, 7)",
+                                 to_text(shape_of(backbone))));
   }
+  episode.dimension = in_space ? Dimension::space : Dimension::plane;
+  episode.lifted = lifted;
   episode.backbone = frames_from(backbone, frames, "backbone");
   episode.motion_index = numbers_from<int>(motion_index, frames, "motion_index");
   if (seen) {
@@ -98,10 +102,11 @@ void bind_episode(py::module_& module) {
       .def(py::init(&make_episode), py::arg("time_s"), py::arg("pressure_kpa"),
            py::arg("setpoint_kpa"), py::arg("backbone"), py::arg("motion_index"),
            py::arg("tracked") = py::none(), py::arg("setpoints_only") = false,
-           py::arg("physics") = "",
+           py::arg("physics") = "", py::arg("lifted") = false,
            "Copies its arrays once: time_s (T,) [s], pressure_kpa and setpoint_kpa (T, n) "
-           "[kPa], backbone (T, m, 3) in frame B, motion_index (T,), and tracked (T,) or "
-           "None: all frames. With setpoints_only, pressure_kpa has to be setpoint_kpa. "
+           "[kPa], backbone (T, m, 3) in frame B, in space (T, m, 7), motion_index (T,), and "
+           "tracked (T,) or None: all frames. With setpoints_only, pressure_kpa has to be "
+           "setpoint_kpa. lifted: in space, rotations were made from positions. "
            "Raises InputError naming the array whose shape does not fit.")
       .def_property_readonly(
           "time_s",
@@ -126,10 +131,20 @@ void bind_episode(py::module_& module) {
       .def_property_readonly(
           "backbone",
           [](const py::object& self) {
-            const FrameMatrix& rows = self.cast<const Episode&>().backbone;
-            return view_of(rows.data(), {rows.rows(), rows.cols() / kPoseSize, kPoseSize}, self);
+            const auto& episode = self.cast<const Episode&>();
+            const FrameMatrix& rows = episode.backbone;
+            return view_of(rows.data(),
+                           {rows.rows(), episode.point_count(), pose_size(episode.dimension)},
+                           self);
           },
-          "Poses x_m, y_m, theta_rad of the plates, float32 (T, m, 3).")
+          "Poses x_m, y_m, theta_rad of the plates, float32 (T, m, 3); in space x_m, y_m, z_m, "
+          "qx, qy, qz, qw, (T, m, 7).")
+      .def_property_readonly(
+          "dimension", [](const Episode& episode) { return position_size(episode.dimension); },
+          "2: poses in a plane, 3: in space.")
+      .def_readonly("lifted", &Episode::lifted,
+                    "In space: rotations were made from positions, and no error is measured "
+                    "of them.")
       .def_property_readonly(
           "motion_index",
           [](const py::object& self) {
@@ -151,8 +166,9 @@ void bind_episode(py::module_& module) {
                              "Number of frames without a measured backbone.")
       .def("__len__", &Episode::frame_count)
       .def("__repr__", [](const Episode& episode) {
-        return fmt::format("Episode(frames={}, segments={}, points={})", episode.frame_count(),
-                           episode.pressure_kpa.cols(), episode.backbone.cols() / kPoseSize);
+        return fmt::format("Episode(frames={}, {}={}, points={})", episode.frame_count(),
+                           episode.dimension == Dimension::space ? "chambers" : "segments",
+                           episode.pressure_kpa.cols(), episode.point_count());
       });
 }
 
@@ -161,7 +177,14 @@ void bind_recording(py::module_& module) {
                         "Recorded motion of an arm: episodes of pressures and backbones.")
       .def_readonly("arm_name", &Recording::arm_name, "Name of the arm that moved.")
       .def_readonly("arm_hash", &Recording::arm_hash, "ArmDescription.hash() of it.")
-      .def_readonly("segment_count", &Recording::segment_count, "n: segments of that arm.")
+      .def_readonly("segment_count", &Recording::segment_count, "Segments of that arm.")
+      .def_property_readonly("channel_count", &Recording::channel_count,
+                             "n: commands of that arm, one for each segment, in space for each "
+                             "chamber.")
+      .def_property_readonly(
+          "dimension",
+          [](const Recording& recording) { return position_size(recording.dimension); },
+          "2: poses in a plane, backbones are (T, m, 3); 3: in space, (T, m, 7).")
       .def_readonly("point_count", &Recording::point_count, "m: plates of that arm.")
       .def_readonly("rate_hz", &Recording::rate_hz, "Frames per second [Hz].")
       .def_readonly("seed", &Recording::seed,
@@ -262,9 +285,23 @@ void bind_recording_inspection(py::module_& module) {
         return identify_valves(copies, arm, source);
       },
       py::arg("episodes"), py::arg("arm"), py::arg("source") = "recordings",
-      "IdentifiedValves between set points and measured pressures; the findings say "
-      "how well they fit, or why there are none. source: the recordings' name in the "
-      "findings.");
+      "IdentifiedValves between set points and measured pressures, or, in space where nothing "
+      "was measured, shapes; the findings say how well they fit, or why there are none. source: "
+      "the recordings' name in the findings.");
+  module.def(
+      "follow_setpoints",
+      [](const EpisodeList& episodes, const ArmDescription& arm, const ValveParameters& valves) {
+        std::vector<Episode> copies = episodes_from(episodes);
+        {
+          const OthersMayRun others_may_run;
+          require_episodes_of(copies, arm, "recordings");
+          follow_setpoints(valves, arm, copies);
+        }
+        return episodes_to(std::move(copies));
+      },
+      py::arg("episodes"), py::arg("arm"), py::arg("valves"),
+      "Copies of the episodes in which pressure_kpa is what the valves make of set points [kPa], "
+      "where nothing was measured: what a network of an arm in space learns from.");
 }
 
 /// @throws TypeError with what to write instead.
@@ -346,15 +383,7 @@ void bind_recordings(py::module_& module) {
       "Copies of the episodes without measured pressures: set points take their "
       "place.");
   module.def(
-      "read_recording",
-      [](const std::filesystem::path& path) {
-        Recording recording = read_recording(path);
-        if (recording.dimension == Dimension::space) {
-          throw InputError(path.string() +
-                           ": a recording of an arm in space, which Python can't use yet");
-        }
-        return recording;
-      },
+      "read_recording", [](const std::filesystem::path& path) { return read_recording(path); },
       py::arg("path"), py::call_guard<OthersMayRun>(),
       "Reads and checks a recording (HDF5). Raises InputError naming file and field.");
   module.def("write_recording", &write_recording, py::arg("path"), py::arg("recording"),

@@ -11,6 +11,7 @@
 #include "limber/training/trainer.hpp"
 #include "limber/training/unseen_error.hpp"
 #include "others_may_run.hpp"
+#include "planar.hpp"
 #include "record.hpp"
 
 namespace limber::python {
@@ -164,6 +165,9 @@ void bind_runs(py::module_& module) {
       "train",
       [](const ArmDescription& arm, const TrainingData& data, const TrainingSettings& settings,
          const py::object& on_epoch) {
+        if (settings.family_size > 0) {
+          require_planar(arm, "limber.train of a family");
+        }
         CallerThread caller;
         const TrainingHooks hooks = hooks_for(caller, on_epoch);
         return caller.run([&] { return train(arm, data, settings, hooks); });
@@ -196,13 +200,20 @@ void bind_runs(py::module_& module) {
       py::arg("episodes"),
       "The bounds of a model that learnt from these episodes, for the model.bounds of an old one.");
   module.def(
-      "learnt_region_of", [](const TrainingData& data) { return learnt_region_of(data); },
+      "learnt_region_of",
+      [](const TrainingData& data) {
+        if (!data.training.empty()) {
+          require_planar_model(data.training.front().dimension, "limber.learnt_region_of");
+        }
+        return learnt_region_of(data);
+      },
       py::arg("data"), py::call_guard<OthersMayRun>(),
       "What a model has learnt that was trained on these data, for model.learnt.");
   module.def(
       "note_unseen",
       [](const ArmDescription& arm, CompensationModel& model, const EpisodeList& unseen, int jobs) {
         require_jobs(jobs);
+        require_planar(arm, "limber.note_unseen");
         const std::vector<Episode> episodes = episodes_from(unseen);
         CallerThread caller;
         caller.run_interruptible([&] {

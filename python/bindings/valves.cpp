@@ -53,7 +53,8 @@ void bind_parameters(py::module_& module) {
              "Whether a command has two sides, one of which vents before the other inflates: "
              "True for pressures, False for a curvature or an angle.")
       .list("segments", &ValveParameters::segments,
-            "List of SegmentValves, one for each segment, base first; empty: ideal valves. "
+            "List of SegmentValves, one for each segment, in space for each chamber, base first; "
+            "empty: ideal valves. "
             "A copy, whose fields can't be set: assign whole lists. ValveModel raises InputError "
             "where their number or a value does not fit the arm.")
       .keywords()
@@ -135,7 +136,8 @@ void bind_valves(py::module_& module) {
       .def_property_readonly(
           "parameters", [](const ValveModel& model) { return fixed_copy(model.parameters()); },
           "ValveParameters, as given; a copy, whose fields can't be set.")
-      .def_property_readonly("segment_count", &ValveModel::segment_count, "n: segments of the arm.")
+      .def_property_readonly("segment_count", &ValveModel::segment_count,
+                             "n: segments of the arm, in space chambers.")
       .def("run", &run, py::arg("setpoint_kpa"), py::arg("first_pressure_kpa"),
            "Pressures along set points float64 (T, n) [kPa] from a settled start (n,): float64 "
            "(T, n), row k after frame k; row 0 is the start.")

@@ -16,27 +16,31 @@ using ArmUse = SharedVirtualArm::Use;
 void bind_state(py::module_& module) {
   py::class_<ArmState>(module, "ArmState",
                        "What is known of the arm at one frame: pressures and shape.")
-      .def(
-          py::init([](double time_s, const FloatArray& pressure_kpa, const py::object& backbone,
-                      const py::object& setpoint_kpa, std::optional<double> tracker_t) {
-            ArmState state;
-            state.time_s = time_s;
-            state.pressure_kpa = pressures_from(pressure_kpa, pressure_kpa.size(), "pressure_kpa");
-            if (!backbone.is_none()) {
-              const auto rows = backbone.cast<FloatArray>();
-              state.backbone = backbone_from(rows, rows.size() / kPoseSize, "backbone");
-            }
-            if (!setpoint_kpa.is_none()) {
-              state.setpoint_kpa = pressures_from(setpoint_kpa.cast<FloatArray>(),
-                                                  pressure_kpa.size(), "setpoint_kpa");
-            }
-            state.tracker_s = tracker_t;
-            return state;
-          }),
-          py::arg("time_s"), py::arg("pressure_kpa"), py::arg("backbone") = py::none(),
-          py::arg("setpoint_kpa") = py::none(), py::arg("tracker_t") = py::none(),
-          "[s]; (n,) [kPa]; (m, 3) or None where nothing tracks it; (n,) [kPa], in force when this "
-          "was measured, None: the one commanded last; [s] or None.")
+      .def(py::init([](double time_s, const FloatArray& pressure_kpa, const py::object& backbone,
+                       const py::object& setpoint_kpa, std::optional<double> tracker_t) {
+             ArmState state;
+             state.time_s = time_s;
+             state.pressure_kpa = pressures_from(pressure_kpa, pressure_kpa.size(), "pressure_kpa");
+             if (!backbone.is_none()) {
+               const auto rows = backbone.cast<FloatArray>();
+               if (rows.ndim() == 2 && rows.shape(1) == kSpacePoseSize) {
+                 require_finite(rows, "backbone");
+                 state.space_backbone = space_backbone_map(rows);
+               } else {
+                 state.backbone = backbone_from(rows, rows.size() / kPoseSize, "backbone");
+               }
+             }
+             if (!setpoint_kpa.is_none()) {
+               state.setpoint_kpa = pressures_from(setpoint_kpa.cast<FloatArray>(),
+                                                   pressure_kpa.size(), "setpoint_kpa");
+             }
+             state.tracker_s = tracker_t;
+             return state;
+           }),
+           py::arg("time_s"), py::arg("pressure_kpa"), py::arg("backbone") = py::none(),
+           py::arg("setpoint_kpa") = py::none(), py::arg("tracker_t") = py::none(),
+           "[s]; (n,) [kPa]; (m, 3), in space (m, 7), or None where nothing tracks it; (n,) [kPa], "
+           "in force when this was measured, None: the one commanded last; [s] or None.")
       .def_readonly("time_s", &ArmState::time_s, "When it was measured [s].")
       .def_property_readonly(
           "pressure_kpa", [](const ArmState& state) { return vector_array(state.pressure_kpa); },
@@ -44,10 +48,12 @@ void bind_state(py::module_& module) {
       .def_property_readonly(
           "backbone",
           [](const ArmState& state) -> py::object {
-            return state.backbone ? py::object(backbone_array<float>(*state.backbone)) : py::none();
+            return state.backbone         ? py::object(backbone_array<float>(*state.backbone))
+                   : state.space_backbone ? py::object(backbone_array<float>(*state.space_backbone))
+                                          : py::none();
           },
-          "Measured shape, float32 (m, 3): x_m, y_m, theta_rad of each plate; None where "
-          "nothing tracked it.")
+          "Measured shape, float32 (m, 3): x_m, y_m, theta_rad of each plate; in space (m, 7): "
+          "x_m, y_m, z_m, qx, qy, qz, qw; None where nothing tracked it.")
       .def_property_readonly(
           "setpoint_kpa",
           [](const ArmState& state) -> py::object {
@@ -76,9 +82,9 @@ void bind_virtual_arm_options(py::module_& module) {
   Record<VirtualArmOptions>(module, "VirtualArmOptions",
                             "Faults of a real laboratory, all off by default.")
       .field("noise_m", &VirtualArmOptions::noise_m,
-             "Standard deviation of measured x and y [m], >= 0.")
+             "Standard deviation of measured x, y and z [m], >= 0.")
       .field("noise_rad", &VirtualArmOptions::noise_rad,
-             "Standard deviation of measured headings [rad], >= 0.")
+             "Standard deviation of measured headings, in space about each axis [rad], >= 0.")
       .field("noise_kpa", &VirtualArmOptions::noise_kpa,
              "Standard deviation of measured pressures [kPa], >= 0.")
       .field("drop_rate", &VirtualArmOptions::drop_rate,
@@ -98,7 +104,7 @@ void bind_virtual_arm(py::module_& module) {
   bind_state(module);
   bind_virtual_arm_options(module);
   py::class_<SharedVirtualArm>(module, "VirtualArm",
-                               "A soft arm lying on a table, simulated; an ArmDriver.")
+                               "A soft arm, simulated: on a table, or in space; an ArmDriver.")
       .def(py::init<const ArmDescription&, const VirtualArmOptions&>(), py::arg("arm"),
            py::arg("options") = VirtualArmOptions{}, py::call_guard<OthersMayRun>(),
            "At rest: straight, vented, at time 0. Raises InputError where an option is out "
@@ -132,9 +138,11 @@ void bind_virtual_arm(py::module_& module) {
       .def(
           "true_backbone",
           [](SharedVirtualArm& arm) {
-            return backbone_array<double>(ArmUse(arm)->true_backbone());
+            return arm.dimension() == Dimension::space
+                       ? backbone_array<double>(ArmUse(arm)->true_plates())
+                       : backbone_array<double>(ArmUse(arm)->true_backbone());
           },
-          "Shape now, float64 (m, 3), without noise, drops or latency.")
+          "Shape now, float64 (m, 3), in space (m, 7), without noise, drops or latency.")
       .def(
           "true_pressure_kpa",
           [](SharedVirtualArm& arm) { return vector_array(ArmUse(arm)->true_pressure_kpa()); },

@@ -11,7 +11,9 @@ namespace limber::python {
 class SharedVirtualArm {
  public:
   SharedVirtualArm(const ArmDescription& arm, const VirtualArmOptions& options)
-      : arm_(arm, options) {}
+      : arm_(arm, options), dimension_(arm.dimension) {}
+
+  Dimension dimension() const { return dimension_; }
 
   /// The arm, for as long as the use lives. @throws InputError where another thread uses it.
   class Use {
@@ -34,6 +36,7 @@ class SharedVirtualArm {
 
  private:
   VirtualArm arm_;
+  Dimension dimension_;
   std::atomic<bool> busy_{false};
 };
 

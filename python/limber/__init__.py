@@ -22,6 +22,9 @@ Counts   Segments, plates, gaps, obstacles, frames and episodes are counted from
 Arrays   NumPy's: a C-contiguous float32 array is not copied, anything else is copied once.
          n: segments, m: plates, k: queries of a batch, T: frames. Pressures are (n,), (k, n) or
          (T, n); a backbone is (m, 3), with a row x_m, y_m, theta_rad for each plate.
+Space    Of an arm in space (arm.dimension is 3) n counts chambers, and a backbone is (m, 7): x_m,
+         y_m, z_m and a unit quaternion qx, qy, qz, qw; z is up where the arm lies. It is recorded,
+         trained, evaluated, asked and exported; what can't use it yet raises InputError and says so.
 Errors   InputError (a ValueError) is a mistake in an argument or file, SystemFault a failure of
          the machine or a driver, Interrupted work that was stopped. No plan is no error: see
          PlanResult.status and PlanResult.reason.
@@ -47,8 +50,8 @@ from .controller import Controller
 __all__ = [
     "Adaptation", "Approach", "ArmDescription", "ArmDriver", "ArmEstimate", "ArmStart", "ArmState", "BackboneLayout",
     "BenchPoint", "Certificate", "CertificateFailure", "CertifiedFigures", "Certifier",
-    "CharacterisedArm", "Circle", "Clearance", "ClosedLoop", "CollectionResult", "CollectionSettings",
-    "CollisionChecker", "Command", "CompensationModel", "Contact", "Controller", "DriverFactory", "Environment",
+    "Chamber", "CharacterisedArm", "Circle", "Clearance", "ClosedLoop", "CollectionResult", "CollectionSettings",
+    "CollisionChecker", "Command", "CompensationModel", "Contact", "Controller", "DriverFactory", "EnsembleForward", "Environment",
     "Episode", "EpisodeErrors", "ErrorRoom", "ErrorStatistics", "Evaluation", "ExecutedError",
     "ExecutionResult", "ExecutionSettings", "ExecutionStatus", "FirstSolution", "ForwardModel",
     "GapBounds", "IdentifiedValves", "ImportResult", "InputError", "Interrupted",
@@ -60,14 +63,15 @@ __all__ = [
     "PredictionError", "ProcessDriver", "ProgressMode", "RandomStream", "RecordedRegion", "Recording", "Rectangle",
     "Restart", "RolloutErrors", "Scaling", "ScheduleKind", "ScheduleSettings",
     "Segment", "SegmentPressure", "SegmentShape", "SegmentValves", "SimpleFit",
-    "StrainFit", "SystemFault", "TipErrors", "TrainingData", "TrainingResult", "TrainingSettings",
+    "SpaceFit", "SpreadRollout", "StrainFit", "SystemFault", "TipErrors", "TrainingData", "TrainingResult", "TrainingSettings",
     "TrainingStage", "TrainingStatus", "ValveDirection", "ValveErrors",
     "ValveFindings", "ValveModel", "ValveParameters", "VirtualArm", "VirtualArmOptions",
     "adapt", "arm_differences", "arm_svg", "arm_to_yaml", "bench_test_all", "best_preset",
     "certify", "characterise", "collect", "content_hash", "data_folder",
     "environment_hash", "environment_picture", "environment_to_yaml", "episode_errors",
     "error_room", "evaluate", "execute", "execution_animation", "execution_picture", "export_csv",
-    "fine_tune", "fine_tuning_of", "fit_simple_model", "fitted_arm", "gap_bounds_of", "hold_back_arms",
+    "fine_tune", "fine_tuning_of", "fit_simple_model", "fit_space_model", "fitted_arm",
+    "follow_setpoints", "gap_bounds_of", "hold_back_arms",
     "hold_back_unseen", "hold_back_validation", "identify_valves", "import_csv", "import_motive",
     "inspect", "is_family", "is_within", "learning_curve_svg", "learnt_region_of", "load_arm",
     "load_arm_to_characterise", "load_environment", "make_planner", "make_recording",
@@ -78,7 +82,7 @@ __all__ = [
     "rest_positions_m", "set_epoch_count", "set_family_size", "set_window_frames",
     "solve_inverse_kinematics",
     "start_state", "tip_pose", "to_json", "train", "training_preset", "virtual_arm_factory",
-    "virtual_collection", "with_setpoints_only", "write_arm", "write_backbones_csv",
+    "virtual_collection", "with_setpoints_only", "with_space_fit", "write_arm", "write_backbones_csv",
     "write_environment", "write_model", "write_plan", "write_recording", "write_setpoints_csv",
     "write_valves",
 ]

@@ -194,7 +194,7 @@ void require_planar(const ArmDescription& arm, const std::string& what) {
   if (arm.is_spatial()) {
     throw InputError(
         fmt::format("{} can't use an arm in space yet, and '{}' is one. collect, import, inspect, "
-                    "characterize --recording, train, evaluate and bench can",
+                    "characterize --recording, train, evaluate, export and bench can",
                     what, arm.name));
   }
 }

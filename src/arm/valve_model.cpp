@@ -44,7 +44,7 @@ void require_size(const char* what, Eigen::Index found, Eigen::Index expected) {
 ValveModel::ValveModel(const ArmDescription& arm) : ValveModel(arm, ValveParameters{}) {}
 
 ValveModel::ValveModel(const ArmDescription& arm, ValveParameters parameters)
-    : parameters_(std::move(parameters)), segment_count_(arm.segment_count()) {
+    : parameters_(std::move(parameters)), segment_count_(arm.channel_count()) {
   const std::string fault = why_unusable(parameters_, arm);
   if (!fault.empty()) {
     throw InputError("valves: " + fault);

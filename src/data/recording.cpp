@@ -306,6 +306,11 @@ void require_alike(const std::vector<Episode>& episodes, int channel_count, int 
         static_cast<int>(episodes.front().backbone.cols() / pose_size(episodes.front().dimension));
   }
   for (std::size_t e = 0; e < episodes.size(); ++e) {
+    if (episodes[e].dimension != episodes.front().dimension) {
+      throw InputError(fmt::format("{}: {} has {} numbers per position; {} has {}", where,
+                                   episode_path(e), position_size(episodes[e].dimension),
+                                   episode_path(0), position_size(episodes.front().dimension)));
+    }
     validate_frames(episodes[e], EpisodeCheck(where, e), channel_count, point_count);
   }
 }

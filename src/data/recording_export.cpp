@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "limber/arm/names.hpp"
+#include "limber/arm/pose_columns.hpp"
+#include "limber/arm/space_pose.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
@@ -30,7 +32,7 @@ std::vector<std::string> command_names(const Recording& recording) {
 std::string command_header(const Recording& recording) {
   std::string text;
   for (const std::string& what : command_names(recording)) {
-    for (int i = 0; i < recording.segment_count; ++i) {
+    for (int i = 0; i < recording.channel_count(); ++i) {
       text += "," + quantity_column(recording.command, what, i);
     }
   }
@@ -59,7 +61,7 @@ std::string command_mapping(const Recording& recording) {
   }
   for (const std::string& what : command_names(recording)) {
     text += fmt::format("  {}: [", what == "setpoint" ? "setpoints" : "columns");
-    for (int i = 0; i < recording.segment_count; ++i) {
+    for (int i = 0; i < recording.channel_count(); ++i) {
       text += (i > 0 ? ", " : "") + quantity_column(recording.command, what, i);
     }
     text += "]\n";
@@ -76,6 +78,58 @@ bool is_tracked(const Episode& episode, Eigen::Index t) {
   return episode.tracked.empty() || episode.tracked[static_cast<std::size_t>(t)] != 0;
 }
 
+/// The plates' columns in a table, and what a mapping says of them. Rotations that were made from
+/// places are left out: an import makes them again.
+class PlateColumns {
+ public:
+  explicit PlateColumns(const Recording& recording)
+      : points_(recording.point_count),
+        in_space_(recording.dimension == Dimension::space),
+        keys_(pose_columns(recording.dimension)) {
+    if (recording.lifted()) {
+      keys_.resize(std::size_t(position_size(Dimension::space)));
+    }
+  }
+
+  std::string header() const {
+    std::string text;
+    for (int p = 0; p < points_; ++p) {
+      for (const auto& [key, unit] : keys_) {
+        text += fmt::format(",{}_{}{}", key, p, unit);
+      }
+    }
+    return text;
+  }
+
+  std::string cells(const Episode& episode, Eigen::Index t) const {
+    std::string text;
+    for (Eigen::Index p = 0; p < points_; ++p) {
+      for (std::size_t i = 0; i < keys_.size(); ++i) {
+        const float value = episode.backbone(t, pose_size(episode.dimension) * p + Eigen::Index(i));
+        text += is_tracked(episode, t) ? fmt::format(",{:.9g}", value) : std::string(",");
+      }
+    }
+    return text;
+  }
+
+  std::string mapping() const {
+    std::string text = in_space_ ? "  points:\n" : "  angle_unit: rad\n  points:\n";
+    for (int p = 0; p < points_; ++p) {
+      text += fmt::format("    - {{plate: {}", p);
+      for (const auto& [key, unit] : keys_) {
+        text += fmt::format(", {0}: {0}_{1}{2}", key, p, unit);
+      }
+      text += "}\n";
+    }
+    return text;
+  }
+
+ private:
+  Eigen::Index points_;
+  bool in_space_;
+  std::vector<std::pair<std::string, std::string>> keys_;
+};
+
 fs::path write(const fs::path& path, const std::string& text) {
   write_file_atomically(path, text);
   return path;
@@ -88,6 +142,7 @@ class MotionLog {
       : recording_(recording),
         episode_(recording.episodes[index]),
         settings_(settings),
+        in_space_(recording.dimension == Dimension::space),
         random_(settings.seed, index) {
     const double length_s = episode_.time_s.tail<1>()[0] - episode_.time_s[0];
     for (int k = 0; k < settings.occlusions; ++k) {
@@ -132,7 +187,10 @@ class MotionLog {
       }
     };
     for (int p = 0; p < m; ++p) {
-      if (settings_.markers) {
+      if (settings_.markers && in_space_) {
+        object("Marker", fmt::format("Arm:Plate{:02}", p), p,
+               {{"Position", "X"}, {"Position", "Y"}, {"Position", "Z"}});
+      } else if (settings_.markers) {
         for (const char* side : {"Right", "Left"}) {
           object("Marker", fmt::format("Arm:{}{:02}", side, p), 2 * p + (side[0] == 'L'),
                  {{"Position", "X"}, {"Position", "Y"}, {"Position", "Z"}});
@@ -180,12 +238,42 @@ class MotionLog {
     std::string text;
     for (int p = 0; p < recording_.point_count; ++p) {
       // Drawn whether hidden or not, so that an occlusion changes nothing else.
+      if (in_space_) {
+        const SpacePose pose = noisy(poses.segment<kSpacePoseSize>(kSpacePoseSize * p).transpose());
+        text += plate_cells(pose, tracked && !is_hidden(p, time_s));
+        continue;
+      }
       const double x = poses[kPoseSize * p] + settings_.noise_m * random_.normal();
       const double y = poses[kPoseSize * p + 1] + settings_.noise_m * random_.normal();
       const double theta = poses[kPoseSize * p + 2] + settings_.noise_rad * random_.normal();
       text += plate_cells(x, y, theta, tracked && !is_hidden(p, time_s));
     }
     return text;
+  }
+
+  SpacePose noisy(const Eigen::Matrix<double, kSpacePoseSize, 1>& numbers) {
+    const auto normal = [&](double deviation) -> Eigen::Vector3d {
+      const double x = random_.normal();
+      const double y = random_.normal();
+      return deviation * Eigen::Vector3d(x, y, random_.normal());
+    };
+    SpacePose pose = space_pose_of(numbers);
+    pose.position_m += normal(settings_.noise_m);
+    pose.rotation = pose.rotation.normalized() * rotation_of_vector(normal(settings_.noise_rad));
+    return pose;
+  }
+
+  /// In space as it is, in frame B.
+  std::string plate_cells(const SpacePose& pose, bool tracked) const {
+    if (!tracked) {
+      return settings_.markers ? ",,," : ",,,,,,,";
+    }
+    const Eigen::Vector4d& q = pose.rotation.coeffs();
+    const Eigen::Vector3d& at = pose.position_m;
+    return (settings_.markers
+                ? std::string()
+                : fmt::format(",{:.7f},{:.7f},{:.7f},{:.7f}", q[0], q[1], q[2], q[3])) +
+           fmt::format(",{:.7f},{:.7f},{:.7f}", at[0], at[1], at[2]);
   }
 
   /// Motive's own axes, y up: a point (x, y) of the plane lies at (x, height, −y).
@@ -207,6 +295,7 @@ class MotionLog {
   const Recording& recording_;
   const Episode& episode_;
   const LogExportSettings& settings_;
+  bool in_space_;
   RandomStream random_;
   std::vector<Hidden> hidden_;
 };
@@ -246,50 +335,29 @@ void require_valid(const Recording& recording, const LogExportSettings& settings
 
 }  // namespace
 
-namespace {
-
-void refuse_in_space(const Recording& recording) {
-  if (recording.dimension == Dimension::space) {
-    throw InputError("a recording of an arm in space can't be exported yet");
-  }
-}
-
-}  // namespace
-
 std::vector<fs::path> export_csv(const Recording& recording, const fs::path& folder) {
-  refuse_in_space(recording);
   std::vector<fs::path> files;
-  std::string header = "time_s" + command_header(recording);
-  std::string points;
-  for (int p = 0; p < recording.point_count; ++p) {
-    header += fmt::format(",x_{0}_m,y_{0}_m,theta_{0}_rad", p);
-    points +=
-        fmt::format("    - {{plate: {0}, x: x_{0}_m, y: y_{0}_m, theta: theta_{0}_rad}}\n", p);
-  }
-  header += ",motion\n";
+  const PlateColumns columns(recording);
+  const std::string header = "time_s" + command_header(recording) + columns.header() + ",motion\n";
   for (std::size_t e = 0; e < recording.episodes.size(); ++e) {
     const Episode& episode = recording.episodes[e];
     std::string text = header;
     for (Eigen::Index t = 0; t < episode.time_s.size(); ++t) {
       throw_if_interrupted();
       text += fmt::format("{}{}", episode.time_s[t], command_cells(episode, t));
-      for (const float value : episode.backbone.row(t)) {
-        text += is_tracked(episode, t) ? fmt::format(",{:.9g}", value) : std::string(",");
-      }
+      text += columns.cells(episode, t);
       text += fmt::format(",{}\n", episode.motion_index[static_cast<std::size_t>(t)]);
     }
     files.push_back(write(folder / fmt::format("episode_{:03}.csv", e), text));
   }
   files.push_back(write(folder / "mapping.yaml",
-                        fmt::format("{}motion: motion\n{}backbone:\n  unit: m\n  angle_unit: rad\n"
-                                    "  points:\n{}alignment: none\n",
-                                    kMappingHead, command_mapping(recording), points)));
+                        fmt::format("{}motion: motion\n{}backbone:\n  unit: m\n{}alignment: none\n",
+                                    kMappingHead, command_mapping(recording), columns.mapping())));
   return files;
 }
 
 std::vector<fs::path> export_motive(const Recording& recording, const fs::path& folder,
                                     const LogExportSettings& settings) {
-  refuse_in_space(recording);
   require_valid(recording, settings);
   std::vector<fs::path> files;
   for (std::size_t e = 0; e < recording.episodes.size(); ++e) {
@@ -298,17 +366,20 @@ std::vector<fs::path> export_motive(const Recording& recording, const fs::path& 
     files.push_back(write(folder / fmt::format("episode_{:03}_pressures.csv", e),
                           pressure_log(recording, recording.episodes[e], settings.time_offset_s)));
   }
-  std::string points;
+  const bool in_space = recording.dimension == Dimension::space;
+  std::string points = in_space ? "" : "  up: y\n";
+  points += recording.lifted() ? "  headings: tangent\n  points:\n" : "  points:\n";
   for (int p = 0; p < recording.point_count; ++p) {
-    points += settings.markers ? fmt::format(
-                                     "    - {{plate: {0}, right: "
-                                     "'Arm:Right{0:02}', left: 'Arm:Left{0:02}'}}\n",
-                                     p)
-                               : fmt::format("    - {{plate: {0}, body: Plate{0:02}}}\n", p);
+    points += !settings.markers ? fmt::format("    - {{plate: {0}, body: Plate{0:02}}}\n", p)
+              : in_space ? fmt::format("    - {{plate: {0}, marker: 'Arm:Plate{0:02}'}}\n", p)
+                         : fmt::format(
+                               "    - {{plate: {0}, right: 'Arm:Right{0:02}', left: "
+                               "'Arm:Left{0:02}'}}\n",
+                               p);
   }
   files.push_back(write(folder / "mapping.yaml",
-                        fmt::format("{}{}backbone:\n  up: y\n  points:\n{}", kMappingHead,
-                                    command_mapping(recording), points)));
+                        fmt::format("{}{}backbone:\n{}{}", kMappingHead, command_mapping(recording),
+                                    points, in_space ? "alignment: none\n" : "")));
   return files;
 }
 

@@ -1,9 +1,11 @@
 #include "limber/forward/ensemble_forward.hpp"
 
 #include <cassert>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "limber/arm/space_pose.hpp"
 #include "limber/common/error.hpp"
 
 namespace limber {
@@ -17,13 +19,14 @@ EnsembleForward::EnsembleForward(const ArmDescription& arm, const CompensationMo
 EnsembleForward::Prediction EnsembleForward::rollout(
     const Eigen::Ref<const Eigen::MatrixXf>& pressures_kpa,
     const Eigen::Ref<const Eigen::VectorXf>& first) const {
-  const int segments = members_.front().segment_count();
-  const int size = kPoseSize * members_.front().point_count();
-  if (pressures_kpa.rows() != segments || pressures_kpa.cols() < 1 || first.size() != size) {
+  const Dimension dimension = members_.front().dimension();
+  const int channels = members_.front().channel_count();
+  const int size = pose_size(dimension) * members_.front().point_count();
+  if (pressures_kpa.rows() != channels || pressures_kpa.cols() < 1 || first.size() != size) {
     throw InputError(fmt::format(
         "an ensemble's rollout got {} pressures per frame, {} frames and a backbone of {} numbers; "
         "expected {}, at least 1 and {}",
-        pressures_kpa.rows(), pressures_kpa.cols(), first.size(), segments, size));
+        pressures_kpa.rows(), pressures_kpa.cols(), first.size(), channels, size));
   }
   if (!pressures_kpa.allFinite() || !first.allFinite()) {
     throw InputError("an ensemble's rollout got a number that is not finite");
@@ -35,10 +38,11 @@ EnsembleForward::Prediction EnsembleForward::rollout(
     predicted.back().col(0) = first;
     member.rollout(pressures_kpa, predicted.back(), workspace);
   }
-  return mean_and_deviation(predicted);
+  return mean_and_deviation(predicted, dimension);
 }
 
-EnsembleForward::Prediction mean_and_deviation(const std::vector<Eigen::MatrixXf>& members) {
+EnsembleForward::Prediction mean_and_deviation(const std::vector<Eigen::MatrixXf>& members,
+                                               Dimension dimension) {
   assert(!members.empty());
   const auto count = static_cast<float>(members.size());
   // Deviations from the first member: members that agree have a spread of exactly 0.
@@ -51,7 +55,11 @@ EnsembleForward::Prediction mean_and_deviation(const std::vector<Eigen::MatrixXf
   for (const Eigen::MatrixXf& member : members) {
     variance += (member - origin - mean).cwiseAbs2() / count;
   }
-  return {mean + origin, variance.cwiseSqrt()};
+  mean += origin;
+  if (dimension == Dimension::space) {
+    normalise_rotations(mean);
+  }
+  return {std::move(mean), variance.cwiseSqrt()};
 }
 
 }  // namespace limber

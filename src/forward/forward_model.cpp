@@ -4,12 +4,15 @@
 #include <cassert>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "forward_pipeline.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
+#include "limber/forward/checked_query.hpp"
 #include "limber/network/past_commands.hpp"
 
 namespace limber {
@@ -29,34 +32,75 @@ ConstColumns columns_of(const Eigen::MatrixBase<Derived>& m) {
   return {m.derived().data(), static_cast<int>(m.derived().outerStride())};
 }
 
-void require_pressures(const char* name, const Pressures& pressures, const NoLoadModel& arm) {
-  if (pressures.size() != arm.channel_count()) {
-    throw InputError(fmt::format("{}: {} {}s; the arm has {} segments", name, pressures.size(),
-                                 followed_name(arm.command()), arm.channel_count()));
+/// Of every channel.
+std::vector<PressureLimits> limits_of(const NoLoadModel& arm) {
+  std::vector<PressureLimits> limits;
+  for (int i = 0; i < arm.segment_count(); ++i) {
+    for (const Chamber& chamber : arm.segment(i).chambers) {
+      limits.push_back(chamber.limit_kpa);
+    }
+    if (arm.dimension() == Dimension::plane) {
+      limits.push_back(arm.segment(i).pressure_limit_kpa);
+    }
   }
+  return limits;
+}
+
+void require_pressures(const char* name, const Pressures& pressures, const NoLoadModel& arm) {
+  const char* part = arm.dimension() == Dimension::space ? "chamber" : "segment";
+  if (pressures.size() != arm.channel_count()) {
+    throw InputError(fmt::format("{}: {} {}s; the arm has {} {}s", name, pressures.size(),
+                                 followed_name(arm.command()), arm.channel_count(), part));
+  }
+  const std::vector<PressureLimits> all = limits_of(arm);
   for (int i = 0; i < arm.channel_count(); ++i) {
-    const PressureLimits& limits = arm.segment(i).pressure_limit_kpa;
+    const PressureLimits& limits = all[std::size_t(i)];
     const PressureLimits allowed = limits.widened(kOvershootSlack);
     if (!(pressures[i] >= allowed.lower_kpa && pressures[i] <= allowed.upper_kpa)) {
       throw InputError(
-          fmt::format("{}[{}] = {} {unit}; expected {:.6g} to {:.6g} {unit}, the segment's "
+          fmt::format("{}[{}] = {} {unit}; expected {:.6g} to {:.6g} {unit}, the {}'s "
                       "limits of {} {unit} and 5 % for overshoot",
-                      name, i, pressures[i], allowed.lower_kpa, allowed.upper_kpa,
+                      name, i, pressures[i], allowed.lower_kpa, allowed.upper_kpa, part,
                       to_string(limits), fmt::arg("unit", arm.command().unit)));
     }
   }
 }
 
-void require_backbone(const char* name, const Backbone& backbone, int points) {
+template <class Rows>
+void require_backbone(const char* name, const Rows& backbone, int points) {
   if (backbone.rows() != points) {
     throw InputError(fmt::format("{}: {} points; the arm has {}", name, backbone.rows(), points));
   }
   for (int p = 0; p < points; ++p) {
     if (!backbone.row(p).allFinite()) {
-      throw InputError(fmt::format("{}[{}] = ({}, {}, {}); expected finite metres and radians",
-                                   name, p, backbone(p, 0), backbone(p, 1), backbone(p, 2)));
+      throw InputError(fmt::format(
+          "{}[{}] = ({}); expected finite {}", name, p, fmt::join(backbone.row(p), ", "),
+          Rows::ColsAtCompileTime == kPoseSize ? "metres and radians"
+                                               : "metres and a unit quaternion"));
     }
   }
+}
+
+/// @tparam Rows  Backbone or SpaceBackbone
+template <class Rows>
+Rows checked_rows(const ForwardModel& model, const Pressures& previous_kpa,
+                  const Pressures& current_kpa, const Rows& before, const Rows& previous) {
+  constexpr int kSize = Rows::ColsAtCompileTime;
+  if (kSize != pose_size(model.dimension())) {
+    throw InputError(fmt::format("checked_step: poses of {} numbers; the arm's have {}", kSize,
+                                 pose_size(model.dimension())));
+  }
+  require_pressures("previous_kpa", previous_kpa, model.no_load());
+  require_pressures("current_kpa", current_kpa, model.no_load());
+  require_backbone("previous", previous, model.point_count());
+  require_backbone("before", before, model.point_count());
+  using Column = Eigen::Map<const Eigen::VectorXf>;
+  Rows next(model.point_count(), kSize);
+  ForwardModel::Workspace workspace;
+  model.step_batch(previous_kpa, current_kpa, Column(before.data(), before.size()),
+                   Column(previous.data(), previous.size()),
+                   Eigen::Map<Eigen::VectorXf>(next.data(), next.size()), workspace);
+  return next;
 }
 
 }  // namespace
@@ -144,17 +188,13 @@ Backbone ForwardModel::checked_step(const Pressures& previous_kpa, const Pressur
 
 Backbone ForwardModel::checked_step(const Pressures& previous_kpa, const Pressures& current_kpa,
                                     const Backbone& before, const Backbone& previous) const {
-  if (dimension() == Dimension::space) {
-    throw InputError("checked_step: a model of an arm in space answers batches alone");
-  }
-  require_pressures("previous_kpa", previous_kpa, no_load_);
-  require_pressures("current_kpa", current_kpa, no_load_);
-  require_backbone("previous", previous, point_count());
-  require_backbone("before", before, point_count());
-  Backbone next(point_count(), kPoseSize);
-  Workspace workspace;
-  step(previous_kpa, current_kpa, before, previous, next, workspace);
-  return next;
+  return checked_rows(*this, previous_kpa, current_kpa, before, previous);
+}
+
+SpaceBackbone checked_query(const ForwardModel& model, const Pressures& previous_kpa,
+                            const Pressures& current_kpa, const SpaceBackbone& before,
+                            const SpaceBackbone& previous) {
+  return checked_rows(model, previous_kpa, current_kpa, before, previous);
 }
 
 void ForwardModel::rollout(const Eigen::Ref<const Eigen::MatrixXf>& pressures_kpa,

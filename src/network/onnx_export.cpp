@@ -4,6 +4,8 @@
 #include <onnx/onnx_pb.h>
 #endif
 
+#include <span>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
@@ -138,34 +140,61 @@ class BoundedNext {
   BoundedNext(OnnxGraph& graph, const CompensationModel& model)
       : graph_(graph),
         model_(model),
+        gap_(gap_size(model.dimension)),
         gaps_(model.point_count - 1),
         size_(model.output.scale.size()) {}
 
   void add() {
     const std::string next = composed();
-    const std::string x = graph_.linear("step.x", next, steps(0));
-    const std::string y = graph_.linear("step.y", next, steps(1));
-    const std::string turn = graph_.linear("step.turn", next, steps(2));
-    const std::string square = graph_.apply(
-        "Add", "step.square",
-        {graph_.apply("Mul", "step.xx", {x, x}), graph_.apply("Mul", "step.yy", {y, y})});
-    const std::string length = graph_.apply("Sqrt", "step.length", {square});
+    const bool in_space = model_.dimension == Dimension::space;
+    const std::vector<std::string> names =
+        in_space ? std::vector<std::string>{"x", "y", "z", "turn", "bend_y", "bend_z"}
+                 : std::vector<std::string>{"x", "y", "turn"};
+    std::vector<std::string> parts;
+    for (int part = 0; part < gap_; ++part) {
+      parts.push_back(graph_.linear("step." + names[std::size_t(part)], next, steps(part)));
+    }
     const GapBounds& bounds = *model_.bounds;
-    const std::string kept =
-        clamped("bounds.length", length, bounds.min_length_m, bounds.max_length_m);
-    const std::string ratio = graph_.apply("Div", "step.ratio", {kept, length});
-    const std::string ways =
-        graph_.apply("Add", "next.way",
-                     {placed("next.x", graph_.apply("Mul", "kept.x", {x, ratio}), 0),
-                      placed("next.y", graph_.apply("Mul", "kept.y", {y, ratio}), 1)});
-    const std::string turns = placed(
-        "next.turn", clamped("bounds.turn", turn, bounds.min_turn_rad, bounds.max_turn_rad), 2);
-    graph_.apply("Add", "next.sum", {ways, turns});
+    const int turn = position_size(model_.dimension);
+    const auto begin = parts.begin();
+    scale("length", {begin, begin + turn}, bounds.min_length_m, bounds.max_length_m);
+    parts[std::size_t(turn)] =
+        clamped("bounds.turn", parts[std::size_t(turn)], bounds.min_turn_rad, bounds.max_turn_rad);
+    if (in_space) {
+      scale("bend", {begin + turn + 1, parts.end()}, Eigen::VectorXf::Zero(gaps_),
+            bounds.max_bend_rad);
+    }
+    std::string sum;
+    for (int part = 0; part < gap_; ++part) {
+      const std::string& name = names[std::size_t(part)];
+      const std::string place = placed("next." + name, parts[std::size_t(part)], part);
+      sum = part == 0 ? place : graph_.apply("Add", "next.with." + name, {sum, place});
+    }
     graph_.output("next", size_);
   }
 
  private:
   bool of_base() const { return model_.layout == BackboneLayout::base_poses; }
+
+  /// Scales numbers of every gap so that their length as a vector is within bounds.
+  void scale(const std::string& what, std::span<std::string> parts, const Eigen::VectorXf& low,
+             const Eigen::VectorXf& high) {
+    // Added to the length, which may be 0 of a bend; of any other it is below rounding.
+    constexpr float kShortest = 1e-12F;
+    std::string square;
+    for (std::string& part : parts) {
+      const std::string own = graph_.apply("Mul", part + "." + what, {part, part});
+      square = square.empty() ? own : graph_.apply("Add", own + ".sum", {square, own});
+    }
+    const std::string length = graph_.apply("Sqrt", "step." + what, {square});
+    const std::string kept = clamped("bounds." + what, length, low, high);
+    const std::string divisor = graph_.combined("Add", "step." + what + ".divisor", length,
+                                                Eigen::VectorXf::Constant(gaps_, kShortest));
+    const std::string ratio = graph_.apply("Div", "step." + what + ".ratio", {kept, divisor});
+    for (std::string& part : parts) {
+      part = graph_.apply("Mul", part + ".kept", {part, ratio});
+    }
+  }
 
   /// Chooses `count` numbers from `first` on.
   static Eigen::MatrixXf chosen(Eigen::Index from, Eigen::Index first, Eigen::Index count) {
@@ -177,15 +206,14 @@ class BoundedNext {
   /// B̃ as the query has it, spread over the gaps where a segment's stands for all of its own.
   Eigen::MatrixXf no_load() const {
     const Eigen::Index inputs = model_.input.scale.size();
-    const Eigen::Index first = 2 * model_.segment_count + size_;
+    const Eigen::Index first = 2 * model_.channel_count() + size_;
     if (of_base()) {
       return chosen(inputs, first, size_);
     }
     const ArmDescription arm = read_arm_keys(model_.arm_description, "the model's arm");
     Eigen::MatrixXf matrix = Eigen::MatrixXf::Zero(inputs, size_);
     for (int g = 0; g < gaps_; ++g) {
-      matrix.block<kPoseSize, kPoseSize>(first + kPoseSize * arm.segment_of_gap(g), kPoseSize * g)
-          .setIdentity();
+      matrix.block(first + gap_ * arm.segment_of_gap(g), gap_ * g, gap_, gap_).setIdentity();
     }
     return matrix;
   }
@@ -197,7 +225,7 @@ class BoundedNext {
       return graph_.apply("Add", "composed", {no_load_now, "answer"});
     }
     const std::string previous =
-        graph_.linear("previous", "query", chosen(inputs, 2 * model_.segment_count, size_));
+        graph_.linear("previous", "query", chosen(inputs, 2 * model_.channel_count(), size_));
     const std::string change = graph_.linear("change", "answer", chosen(2 * size_, 0, size_));
     const std::string gate = graph_.apply(
         "Sigmoid", "gate", {graph_.linear("gates", "answer", chosen(2 * size_, size_, size_))});
@@ -211,9 +239,9 @@ class BoundedNext {
   Eigen::MatrixXf steps(int part) const {
     Eigen::MatrixXf matrix = Eigen::MatrixXf::Zero(size_, gaps_);
     for (int g = 0; g < gaps_; ++g) {
-      matrix(kPoseSize * (of_base() ? g + 1 : g) + part, g) = 1.0F;
+      matrix(gap_ * (of_base() ? g + 1 : g) + part, g) = 1.0F;
       if (of_base() && g > 0) {
-        matrix(kPoseSize * g + part, g) = -1.0F;
+        matrix(gap_ * g + part, g) = -1.0F;
       }
     }
     return matrix;
@@ -224,7 +252,7 @@ class BoundedNext {
     Eigen::MatrixXf matrix = Eigen::MatrixXf::Zero(gaps_, size_);
     for (int g = 0; g < gaps_; ++g) {
       for (int to = g; to < (of_base() ? gaps_ : g + 1); ++to) {
-        matrix(g, kPoseSize * (of_base() ? to + 1 : to) + part) = 1.0F;
+        matrix(g, gap_ * (of_base() ? to + 1 : to) + part) = 1.0F;
       }
     }
     return graph_.linear(name, source, matrix);
@@ -245,6 +273,7 @@ class BoundedNext {
 
   OnnxGraph& graph_;
   const CompensationModel& model_;
+  int gap_;  ///< numbers of each; of planar base poses, those of a step from plate to plate
   int gaps_;
   Eigen::Index size_;
 };
@@ -264,10 +293,6 @@ std::string onnx_version() {
 void write_onnx(const std::filesystem::path& path, const CompensationModel& model) {
   validate(model, path.string());
   require_one_arm(model, "ONNX");
-  if (model.dimension == Dimension::space) {
-    throw InputError(fmt::format("{}: the model of an arm in space can't be exported to ONNX yet",
-                                 path.string()));
-  }
   onnx::ModelProto file;
   file.set_ir_version(kIrVersion);
   file.set_producer_name("limber");
@@ -282,6 +307,10 @@ void write_onnx(const std::filesystem::path& path, const CompensationModel& mode
   add_metadata(file, "reads_velocity", model.reads_velocity ? "yes" : "no");
   add_metadata(file, "segment_count", std::to_string(model.segment_count));
   add_metadata(file, "point_count", std::to_string(model.point_count));
+  if (model.dimension == Dimension::space) {
+    add_metadata(file, "dimension", std::to_string(position_size(model.dimension)));
+    add_metadata(file, "chamber_count", std::to_string(model.chamber_count));
+  }
   add_metadata(file, "preset", model.preset);
   add_metadata(file, "learnt_from", commands_are(model.learnt_from_setpoints));
   file.mutable_graph()->set_name("compensation");

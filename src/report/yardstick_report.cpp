@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/arm/names.hpp"
+#include "limber/arm/pose_columns.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/json_number.hpp"
 #include "limber/plot/chart.hpp"
@@ -60,10 +61,12 @@ std::string worst_episodes(const YardstickReport& report) {
   return text + fmt::format(" (of {})\n", order.size());
 }
 
-std::string poses_header(const std::string& name, Eigen::Index plates) {
+std::string poses_header(const std::string& name, const Episode& episode) {
   std::string text;
-  for (Eigen::Index p = 0; p < plates; ++p) {
-    text += fmt::format(",{0}_x{1}_m,{0}_y{1}_m,{0}_theta{1}_rad", name, p);
+  for (int p = 0; p < episode.point_count(); ++p) {
+    for (const auto& [key, unit] : pose_columns(episode.dimension)) {
+      text += fmt::format(",{}_{}{}{}", name, key, p, unit);
+    }
   }
   return text;
 }
@@ -79,10 +82,10 @@ std::string pose_cells(const FrameMatrix& poses, Eigen::Index t) {
 std::string predictions_csv(const std::vector<Episode>& episodes,
                             const std::vector<FrameMatrix>& no_load,
                             const std::vector<FrameMatrix>* network) {
-  const Eigen::Index plates = episodes.front().backbone.cols() / kPoseSize;
-  std::string text = "episode,frame,time_s,tracked" + poses_header("recorded", plates) +
-                     poses_header("no_load", plates) +
-                     (network != nullptr ? poses_header("network", plates) : "") + "\n";
+  const Episode& first = episodes.front();
+  std::string text = "episode,frame,time_s,tracked" + poses_header("recorded", first) +
+                     poses_header("no_load", first) +
+                     (network != nullptr ? poses_header("network", first) : "") + "\n";
   for (std::size_t e = 0; e < episodes.size(); ++e) {
     for (int t = 0; t < episodes[e].frame_count(); ++t) {
       text += fmt::format("{},{},{:.6f},{}", e, t, episodes[e].time_s[t],

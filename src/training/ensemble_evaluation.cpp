@@ -60,7 +60,7 @@ EnsembleErrors errors_of(const EnsembleForward& ensemble, const std::vector<Epis
   for (int member = 0; member < ensemble.member_count(); ++member) {
     members.push_back(predict(ensemble.member(member), episodes, restart, jobs));
   }
-  const std::vector<FrameMatrix> mean = mean_of(members);
+  const std::vector<FrameMatrix> mean = mean_of(members, ensemble.member(0).dimension());
   TipErrorSeries series;
   std::vector<double> spread_cm;
   std::vector<double> error_cm;

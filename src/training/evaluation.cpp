@@ -122,7 +122,11 @@ void require_models(const ForwardModel& no_load, const ForwardModel* network) {
                     : !network->has_network() ? "and a no-load model"
                                               : "and a network"));
   }
+  if (network != nullptr && network->dimension() != no_load.dimension()) {
+    throw InputError("a model of an arm in space and one in a plane; expected models of one arm");
+  }
   if (network != nullptr && (network->segment_count() != no_load.segment_count() ||
+                             network->channel_count() != no_load.channel_count() ||
                              network->point_count() != no_load.point_count())) {
     throw InputError(fmt::format(
         "the no-load model has {} segments and {} points, the network's arm {} and {}; expected "

@@ -8,6 +8,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "limber/arm/space_pose.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/units.hpp"
 #include "limber/network/past_commands.hpp"
@@ -221,13 +222,17 @@ RolloutErrors errors_at_every_restart(
           std::nullopt};
 }
 
-std::vector<FrameMatrix> mean_of(const std::vector<std::vector<FrameMatrix>>& predicted) {
+std::vector<FrameMatrix> mean_of(const std::vector<std::vector<FrameMatrix>>& predicted,
+                                 Dimension dimension) {
   std::vector<FrameMatrix> mean = predicted.front();
   for (std::size_t episode = 0; episode < mean.size(); ++episode) {
     for (std::size_t member = 1; member < predicted.size(); ++member) {
       mean[episode] += predicted[member][episode];
     }
     mean[episode] /= static_cast<float>(predicted.size());
+    if (dimension == Dimension::space) {
+      normalise_rotations(mean[episode]);
+    }
   }
   return mean;
 }

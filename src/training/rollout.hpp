@@ -62,7 +62,8 @@ RolloutErrors errors_at_every_restart(
     const std::function<std::vector<FrameMatrix>(Restart)>& predict);
 
 /// Mean over an ensemble's members of what `roll_out` gave for each, episode by episode.
-std::vector<FrameMatrix> mean_of(const std::vector<std::vector<FrameMatrix>>& predicted);
+std::vector<FrameMatrix> mean_of(const std::vector<std::vector<FrameMatrix>>& predicted,
+                                 Dimension dimension);
 
 /// Mean distance of the predicted tips from the recorded ones over those of the pieces' frames in
 /// which the arm was tracked; NaN if there are none.

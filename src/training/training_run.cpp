@@ -89,7 +89,7 @@ void TrainingRun::validate(LearningCurvePoint& point) {
       predicted.push_back(roll_out(model, data_.validation, pieces, settings_.jobs));
       members_m.push_back(mean_tip_error_m(predicted.back(), data_.validation, pieces));
     }
-    error_m = mean_tip_error_m(mean_of(predicted), data_.validation, pieces);
+    error_m = mean_tip_error_m(mean_of(predicted, arm_.dimension), data_.validation, pieces);
     point.validation_position_error_cm = kCmPerM * error_m;
   }
   if (!std::isfinite(error_m)) {

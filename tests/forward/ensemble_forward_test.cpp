@@ -3,9 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "limber/arm/space_pose.hpp"
 #include "limber/common/error.hpp"
 #include "limber/network/untrained_model.hpp"
 #include "support/sample_arm.hpp"
+#include "support/space_arm.hpp"
 
 namespace limber {
 namespace {
@@ -56,6 +58,39 @@ TEST(EnsembleForward, MeanAndSpreadAreThoseOfTheMembersOwnRollouts) {
   const MatrixXf variance = square / 3.0F - mean.cwiseAbs2();
   EXPECT_LT((prediction.standard_deviation.cwiseAbs2() - variance).cwiseAbs().maxCoeff(),
             10 * kRounding);
+  EXPECT_TRUE(prediction.standard_deviation.col(0).isZero(0.0F));
+  EXPECT_GT(prediction.standard_deviation.col(11).maxCoeff(), 1e-3F);
+}
+
+// Against the members' own rollouts, and rotations by the mean rotation of two: their half way.
+TEST(EnsembleForward, OfAnArmInSpaceMeansPosesOfItsMembers) {
+  const ArmDescription arm = testing_support::space_arm();
+  const CompensationModel model = ensemble(arm, 2);
+  const EnsembleForward forward(arm, model);
+  const MatrixXf pressures = ramp(6, 12).cwiseAbs();
+  Eigen::VectorXf first(kSpacePoseSize * arm.point_count());
+  NoLoadModel(arm).poses(pressures.col(0), first);
+  const EnsembleForward::Prediction prediction = forward.rollout(pressures, first);
+  MatrixXf members[2];
+  for (int k = 0; k < 2; ++k) {
+    ForwardModel::Workspace workspace;
+    members[k] = MatrixXf::Zero(first.size(), 12);
+    members[k].col(0) = first;
+    ForwardModel(arm, model.member(k)).rollout(pressures, members[k], workspace);
+  }
+  for (int plate = 0; plate < arm.point_count(); ++plate) {
+    const auto pose = [&](const MatrixXf& of) {
+      return space_pose_of(of.col(11).segment<kSpacePoseSize>(kSpacePoseSize * plate));
+    };
+    const SpacePoseOf<float> mean = pose(prediction.mean);
+    const SpacePoseOf<float> a = pose(members[0]);
+    const SpacePoseOf<float> b = pose(members[1]);
+    EXPECT_LT((mean.position_m - 0.5F * (a.position_m + b.position_m)).norm(), kRounding);
+    EXPECT_NEAR(mean.rotation.norm(), 1.0F, kRounding);
+    EXPECT_LT(mean.rotation.angularDistance(a.rotation.slerp(0.5F, b.rotation)), 1e-3F);
+    const auto spread = prediction.standard_deviation.col(11).segment<3>(kSpacePoseSize * plate);
+    EXPECT_NEAR(spread.norm(), 0.5F * (a.position_m - b.position_m).norm(), 10 * kRounding);
+  }
   EXPECT_TRUE(prediction.standard_deviation.col(0).isZero(0.0F));
   EXPECT_GT(prediction.standard_deviation.col(11).maxCoeff(), 1e-3F);
 }

@@ -16,6 +16,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = os.environ.get("LIMBER_PROGRAM", str(ROOT / "build" / "release" / "bin" / "limber"))
 EXAMPLES = ROOT / "examples" / "python"
 TWO_SEGMENT = ROOT / "arms" / "two_segment.yaml"
+HANGING = ROOT / "arms" / "hanging_3x2.yaml"
 
 
 def run_program(*arguments, folder, code=0):
@@ -79,3 +80,27 @@ class Chain:
 def chain():
     """Made once a process."""
     return Chain()
+
+
+class SpaceChain:
+    """A recording of the hanging arm and a network of few epochs, made by the program."""
+
+    def __init__(self):
+        self.temporary = tempfile.TemporaryDirectory(prefix="limber_space_")
+        self.folder = pathlib.Path(self.temporary.name)
+        self.recording = self.folder / "train.h5"
+        self.model = self.folder / "model.safetensors"
+        run_program("collect", "--arm", HANGING, "--schedule", "random", "--count", 6,
+                    "--episodes", 3, "--hold-s", 1, "--seed", 4, "--out", self.recording,
+                    folder=self.folder)
+        run_program("train", "--arm", HANGING, "--data", self.recording, "--hidden", 16, 16,
+                    "--epochs", 30, "--ensemble", 2, "--seed", 4, "--out", self.model,
+                    folder=self.folder)
+        self.arm = limber.load_arm(HANGING)
+        self.episodes = limber.read_recording(self.recording).episodes
+
+
+@functools.cache
+def space():
+    """Made once a process."""
+    return SpaceChain()

@@ -108,14 +108,25 @@ class Arguments:
             np.zeros((100000, 3), np.float32), np.array("x"), np.array([None] * 3),
             np.zeros(n, complex), np.ones((3, 3, 3, 3)), lambda *a: None, lambda *a: 1 / 0,
             object(), sys, int, str(folder / "none"), str(folder / "null"), str(folder), "x" * 5000,
-            *halves, self.other_arm, limber.ForwardModel(self.other_arm), *self.good.values()]
+            *halves, self.other_arm, limber.ForwardModel(self.other_arm), *self.of_space(),
+            *self.good.values()]
+
+    def of_space(self):
+        """What no planar function may take, and what takes it may not mix with a plane."""
+        arm = limber.load_arm(ROOT / "arms" / "hanging_3x2.yaml")
+        forward = limber.ForwardModel(arm)
+        episode = self.episode_of(arm)
+        backbone = forward.no_load.backbone(np.zeros(arm.channel_count))
+        return [arm, forward, forward.no_load, limber.VirtualArm(arm), backbone, episode,
+                [episode], limber.make_recording(arm, [episode]), limber.TrainingData([episode]),
+                limber.fit_space_model(arm, [episode] * 8)]
 
     def episode_of(self, arm):
         """A short one, of an arm that is commanded by hand."""
         driver = limber.VirtualArm(arm)
         states = [driver.state()]
         for k in range(40):
-            states.append(driver.command(np.full(len(arm.segments), k % 20, np.float32)))
+            states.append(driver.command(np.full(arm.channel_count, k % 20, np.float32)))
         kpa = np.array([s.pressure_kpa for s in states])
         return limber.Episode([s.time_s for s in states], kpa, kpa,
                               np.array([s.backbone for s in states]), [0] * len(states))

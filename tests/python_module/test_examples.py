@@ -66,6 +66,13 @@ class Examples(InFolder):
         self.run_to_end("10_draw_the_arm.py", "arm.svg", 40, -40, 40)
         self.assertIn("<svg", (self.folder / "arm.svg").read_text(encoding="utf-8"))
 
+    def test_an_arm_in_space(self):
+        printed = self.run_to_end("12_arm_in_space.py", "space.h5", "space.safetensors", 40)
+        off_mm = dict(re.findall(r"(?m)^(no load|networks): tip ([\d.]+) mm off", printed))
+        self.assertLess(float(off_mm["networks"]), float(off_mm["no load"]))
+        self.assertRegex(printed, r"(?m)^at the end: tip at .* m, give or take [\d.]+ mm$")
+        self.assertRegex(printed, r"(?m)^after one frame: tip [\d.]+ mm off$")
+
     def test_every_example_has_its_twin(self):
         own = {path.stem for path in EXAMPLES.glob("[0-9]*.py")}
         theirs = {path.stem for path in (ROOT / "examples" / "cpp").glob("[0-9]*.cpp")}

@@ -8,7 +8,8 @@ import unittest
 import numpy as np
 
 import limber
-from chain import EXAMPLES, ROOT, TWO_SEGMENT, InFolder, chain, run_example
+import space_oracle as oracle
+from chain import EXAMPLES, HANGING, ROOT, TWO_SEGMENT, InFolder, chain, run_example
 
 sys.path.insert(0, str(EXAMPLES))
 from model_file import write_network  # noqa: E402
@@ -53,6 +54,27 @@ class ModelFile(InFolder):
         expected = free + (answer / out_scale + out_offset).reshape(-1, 3)
         np.testing.assert_allclose(model.step(before, after, backbone), expected, atol=TOLERANCE)
         self.assertGreater(np.abs(expected - free).max(), 1000 * TOLERANCE)
+
+    def test_in_space_limber_answers_as_numpy_does(self):
+        arm = limber.load_arm(HANGING)
+        n, gaps = arm.channel_count, 6 * (arm.point_count - 1)
+        asked = 2 * n + gaps + 6 * arm.segment_count
+        layers = [(0.2 * numbers(8, asked, seed=1), 0.1 * numbers(8, seed=2)),
+                  (0.05 * numbers(gaps, 8, seed=3), 0.01 * numbers(gaps, seed=4))]
+        inputs = (0.1 * numbers(asked, seed=5), 1 + 0.1 * numbers(asked, seed=6))
+        outputs = (0.001 * numbers(gaps, seed=7), 2 + 0.1 * numbers(gaps, seed=8))
+        write_network(str(self.folder / "own.safetensors"), arm, layers, inputs, outputs)
+        model = limber.ForwardModel(arm, limber.read_model(self.folder / "own.safetensors"))
+        before, after = np.float32([[10, 0, 40, 0, 5, 60]]), np.float32([[15, 5, 30, 9, 0, 70]])
+        backbone = model.no_load.backbone(before)
+        free = oracle.no_load_gaps(arm, after)
+        x = np.concatenate([before[0], after[0], oracle.gaps_of(backbone).ravel(), free.ravel()])
+        x = np.maximum(layers[0][0] @ ((x - inputs[0]) * inputs[1]) + layers[0][1], 0)
+        answer = (layers[1][0] @ x + layers[1][1]) / outputs[1] + outputs[0]
+        expected = oracle.chained(oracle.over_gaps(arm, free) + answer.reshape(1, -1, 6))
+        np.testing.assert_allclose(model.step_batch(before, after, backbone), expected,
+                                   atol=5 * TOLERANCE)
+        self.assertGreater(np.abs(expected - model.no_load.backbone(after)).max(), 1e-2)
 
     def test_another_arms_file_is_refused(self):
         arm = limber.load_arm(limber.data_folder() / "arms" / "three_segment.yaml")

@@ -72,6 +72,8 @@ if "$run/07_ompl" model.safetensors "$environment" >ompl.txt 2>&1; then
 else
   grep -q 'libompl-dev' ompl.txt
 fi
+"$run/12_arm_in_space" space.h5 space.safetensors 9 | tee space.txt
+grep -q '^after one frame: tip' space.txt
 "$prefix/bin/limber" export train.h5 --csv logs --quiet
 at_most_1 "$run/05_bring_your_own_arm" "$prefix/share/limber/arms/three_segment.yaml" \
   logs/mapping.yaml "$environment" own_arm.json 9 logs/episode_*.csv | tee own_arm.txt

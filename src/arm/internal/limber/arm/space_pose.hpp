@@ -36,6 +36,16 @@ Eigen::Matrix<Scalar, kSpacePoseSize, 1> numbers_of(const SpacePoseOf<Scalar>& p
   return numbers;
 }
 
+/// Makes the rotations of poses, whose kSpacePoseSize numbers lie one after the other, unit
+/// quaternions again: a mean of them is none.
+template <class Matrix>
+void normalise_rotations(Matrix& poses) {
+  using Quaternion = Eigen::Matrix<typename Matrix::Scalar, 4, 1>;
+  for (Eigen::Index i = position_size(Dimension::space); i < poses.size(); i += kSpacePoseSize) {
+    Eigen::Map<Quaternion>(poses.data() + i).normalize();
+  }
+}
+
 /// Where `step`, a pose about `from`, lies in the frame of `from`.
 template <class Scalar>
 SpacePoseOf<Scalar> compose(const SpacePoseOf<Scalar>& from, const SpacePoseOf<Scalar>& step) {

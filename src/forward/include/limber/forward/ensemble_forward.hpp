@@ -13,7 +13,7 @@ namespace limber {
 /// one backbone is needed (planning, execution), ForwardModel on the same file is the member with
 /// the smallest validation error.
 ///
-/// Sizes: N members, n segments, m backbone points.
+/// Sizes: N members, n channels, m backbone points; of an arm in space read 7m for 3m.
 /// Threads: constant after construction.
 class EnsembleForward {
  public:
@@ -23,8 +23,9 @@ class EnsembleForward {
   int member_count() const { return static_cast<int>(members_.size()); }
   const ForwardModel& member(int index) const { return members_[static_cast<std::size_t>(index)]; }
 
-  /// Of a rollout: 3m×(T + 1) each. The standard deviation is the members' own (divided by N): 0
-  /// for a single network, and 0 in the given first column.
+  /// Of a rollout: 3m×(T + 1) each. The standard deviation is the members' own (divided by N), of
+  /// each number: 0 for a single network, and 0 in the given first column. Mean rotations in space
+  /// are unit quaternions.
   struct Prediction {
     Eigen::MatrixXf mean;
     Eigen::MatrixXf standard_deviation;
@@ -39,7 +40,9 @@ class EnsembleForward {
   std::vector<ForwardModel> members_;
 };
 
-/// Mean and standard deviation, number by number, of N ≥ 1 matrices of one size.
-EnsembleForward::Prediction mean_and_deviation(const std::vector<Eigen::MatrixXf>& members);
+/// Mean and standard deviation, number by number, of N ≥ 1 matrices of one size: in space of poses
+/// whose quaternions have one sign, as those have that are chained from a common base.
+EnsembleForward::Prediction mean_and_deviation(const std::vector<Eigen::MatrixXf>& members,
+                                               Dimension dimension = Dimension::plane);
 
 }  // namespace limber
