@@ -65,8 +65,8 @@ int main(int argc, char** argv) try {
   const limber::ForwardModel forward(arm, model);
   Eigen::VectorXf after(seen.rows());
   limber::ForwardModel::Workspace workspace;
-  forward.step_batch(pressures.col(1), pressures.col(2), seen.col(0), seen.col(1), after,
-                     workspace);
+  const Eigen::MatrixXf told = forward.told_commands(pressures);  // networks read past ones too
+  forward.step_batch(told.col(1), told.col(2), seen.col(0), seen.col(1), after, workspace);
   std::cout << "after one frame: tip " << 1000.0F * (after - seen.col(2)).segment<3>(tip).norm()
             << " mm off\n";
   return 0;

@@ -42,8 +42,8 @@ def main() -> None:
 
     # One frame from where it was seen: pressures before and now, and two backbones before.
     forward = limber.ForwardModel(arm, model)
-    after = forward.step(unseen.pressure_kpa[1], unseen.pressure_kpa[2], unseen.backbone[1],
-                         before=unseen.backbone[0])
+    told_kpa = forward.told_commands(unseen.pressure_kpa)  # networks read past ones too
+    after = forward.step(told_kpa[1], told_kpa[2], unseen.backbone[1], before=unseen.backbone[0])
     off_m = np.linalg.norm(after[-1, :3] - unseen.backbone[2, -1, :3])
     print(f"after one frame: tip {off_m * 1000:.2f} mm off")
 

@@ -41,7 +41,7 @@ void require_finite_query(const FloatArray& previous_kpa, const FloatArray& curr
 void require_query_shapes(const ForwardModel& model, py::ssize_t rows,
                           const FloatArray& previous_kpa, const FloatArray& current_kpa,
                           const FloatArray& previous, const Before& before) {
-  const py::ssize_t n = model.channel_count();
+  const py::ssize_t n = model.command_size();
   const py::ssize_t m = model.point_count();
   const py::ssize_t size = pose_size(model.dimension());
   const bool fits = rows < 0 ? previous_kpa.ndim() == 1 && previous_kpa.shape(0) == n &&
@@ -209,6 +209,14 @@ py::array_t<float> rollout(const ForwardModel& model, const FloatArray& pressure
   return backbones;
 }
 
+py::array_t<float> told_commands(const ForwardModel& model, const FloatArray& commands) {
+  const py::ssize_t frames = batch_size(commands, "commands");
+  require_shape(commands, {frames, model.channel_count()}, "commands");
+  py::array_t<float> told({frames, py::ssize_t{model.command_size()}});
+  batch_map(told) = model.told_commands(batch_map(commands));
+  return told;
+}
+
 void bind_parallel_forward(py::module_& module) {
   py::class_<ParallelForward>(module, "ParallelForward",
                               "Large batches over several threads; the answers are the same for "
@@ -253,6 +261,13 @@ void bind_forward_model(py::module_& module) {
            "compensation: a CompensationModel, None: the no-load model alone. Raises "
            "InputError where it was trained for another arm.")
       .def_property_readonly("segment_count", &ForwardModel::segment_count, "Segments of the arm.")
+      .def_property_readonly("command_size", &ForwardModel::command_size,
+                             "Numbers that tell one query's commands: n, or of networks that read "
+                             "past commands what told_commands makes of them.")
+      .def("told_commands", &told_commands, py::arg("commands"),
+           "Commands (frames, channel_count) of frames one after the other as step and step_batch "
+           "are told them, (frames, command_size): a network of an arm in space reads those of "
+           "earlier frames too. Before the first frame they were what they are there.")
       .def_property_readonly("channel_count", &ForwardModel::channel_count,
                              "n: pressures of a query, one for each segment, in space for each "
                              "chamber.")

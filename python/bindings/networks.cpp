@@ -135,6 +135,8 @@ void bind_network(py::module_& module) {
                     "Preset it was trained by: \"paper\" or \"best\".")
       .def_readonly("reads_velocity", &CompensationModel::reads_velocity,
                     "Whether it reads how the backbone changed in the frame before.")
+      .def_readonly("past_commands", &CompensationModel::past_commands,
+                    "How many frames ago the commands were that it reads beside the latest ones.")
       .def_readwrite("training", &CompensationModel::training,
                      "Record of the training, a dict of texts; assign a whole one.")
       .def_readonly("learnt_from_setpoints", &CompensationModel::learnt_from_setpoints,

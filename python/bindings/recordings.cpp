@@ -285,23 +285,8 @@ void bind_recording_inspection(py::module_& module) {
         return identify_valves(copies, arm, source);
       },
       py::arg("episodes"), py::arg("arm"), py::arg("source") = "recordings",
-      "IdentifiedValves between set points and measured pressures, or, in space where nothing "
-      "was measured, shapes; the findings say how well they fit, or why there are none. source: "
-      "the recordings' name in the findings.");
-  module.def(
-      "follow_setpoints",
-      [](const EpisodeList& episodes, const ArmDescription& arm, const ValveParameters& valves) {
-        std::vector<Episode> copies = episodes_from(episodes);
-        {
-          const OthersMayRun others_may_run;
-          require_episodes_of(copies, arm, "recordings");
-          follow_setpoints(valves, arm, copies);
-        }
-        return episodes_to(std::move(copies));
-      },
-      py::arg("episodes"), py::arg("arm"), py::arg("valves"),
-      "Copies of the episodes in which pressure_kpa is what the valves make of set points [kPa], "
-      "where nothing was measured: what a network of an arm in space learns from.");
+      "IdentifiedValves between set points and measured pressures; the findings say how well they "
+      "fit, or why there are none. source: the recordings' name in the findings.");
 }
 
 /// @throws TypeError with what to write instead.

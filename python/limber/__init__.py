@@ -71,7 +71,7 @@ __all__ = [
     "environment_hash", "environment_picture", "environment_to_yaml", "episode_errors",
     "error_room", "evaluate", "execute", "execution_animation", "execution_picture", "export_csv",
     "fine_tune", "fine_tuning_of", "fit_simple_model", "fit_space_model", "fitted_arm",
-    "follow_setpoints", "gap_bounds_of", "hold_back_arms",
+    "gap_bounds_of", "hold_back_arms",
     "hold_back_unseen", "hold_back_validation", "identify_valves", "import_csv", "import_motive",
     "inspect", "is_family", "is_within", "learning_curve_svg", "learnt_region_of", "load_arm",
     "load_arm_to_characterise", "load_environment", "make_planner", "make_recording",

@@ -10,7 +10,6 @@
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/statistics.hpp"
-#include "limber/data/space_fit.hpp"
 #include "limber/data/valve_simulation.hpp"
 #include "valve_fit.hpp"
 
@@ -329,9 +328,6 @@ IdentifiedValves identify_valves(const Recording& recording, std::vector<double>
 
 IdentifiedValves identify_valves(const std::vector<Episode>& episodes, const ArmDescription& arm,
                                  const std::string& source) {
-  if (arm.is_spatial() && !episodes.empty() && episodes.front().setpoints_only) {
-    return valves_of_shapes(arm, episodes, source);
-  }
   Recording recording = make_recording(arm, source, 0);
   recording.episodes = episodes;
   validate(recording, source);

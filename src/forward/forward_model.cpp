@@ -46,15 +46,20 @@ std::vector<PressureLimits> limits_of(const NoLoadModel& arm) {
   return limits;
 }
 
-void require_pressures(const char* name, const Pressures& pressures, const NoLoadModel& arm) {
+void require_pressures(const char* name, const Pressures& pressures, const ForwardModel& model) {
+  const NoLoadModel& arm = model.no_load();
   const char* part = arm.dimension() == Dimension::space ? "chamber" : "segment";
-  if (pressures.size() != arm.channel_count()) {
-    throw InputError(fmt::format("{}: {} {}s; the arm has {} {}s", name, pressures.size(),
-                                 followed_name(arm.command()), arm.channel_count(), part));
+  if (pressures.size() != model.command_size()) {
+    throw InputError(fmt::format(
+        "{}: {} {}s; the arm has {} {}s{}", name, pressures.size(), followed_name(arm.command()),
+        arm.channel_count(), part,
+        model.command_size() == arm.channel_count()
+            ? ""
+            : fmt::format(", and the network reads {} with past ones", model.command_size())));
   }
   const std::vector<PressureLimits> all = limits_of(arm);
-  for (int i = 0; i < arm.channel_count(); ++i) {
-    const PressureLimits& limits = all[std::size_t(i)];
+  for (int i = 0; i < model.command_size(); ++i) {
+    const PressureLimits& limits = all[std::size_t(i) % all.size()];
     const PressureLimits allowed = limits.widened(kOvershootSlack);
     if (!(pressures[i] >= allowed.lower_kpa && pressures[i] <= allowed.upper_kpa)) {
       throw InputError(
@@ -90,8 +95,8 @@ Rows checked_rows(const ForwardModel& model, const Pressures& previous_kpa,
     throw InputError(fmt::format("checked_step: poses of {} numbers; the arm's have {}", kSize,
                                  pose_size(model.dimension())));
   }
-  require_pressures("previous_kpa", previous_kpa, model.no_load());
-  require_pressures("current_kpa", current_kpa, model.no_load());
+  require_pressures("previous_kpa", previous_kpa, model);
+  require_pressures("current_kpa", current_kpa, model);
   require_backbone("previous", previous, model.point_count());
   require_backbone("before", before, model.point_count());
   using Column = Eigen::Map<const Eigen::VectorXf>;
@@ -197,12 +202,17 @@ SpaceBackbone checked_query(const ForwardModel& model, const Pressures& previous
   return checked_rows(model, previous_kpa, current_kpa, before, previous);
 }
 
+Eigen::MatrixXf ForwardModel::told_commands(
+    const Eigen::Ref<const Eigen::MatrixXf>& commands) const {
+  return with_past_commands(commands,
+                            has_network() ? compensation_->past_commands : std::vector<int>());
+}
+
 void ForwardModel::rollout(const Eigen::Ref<const Eigen::MatrixXf>& pressures_kpa,
                            Eigen::Ref<Eigen::MatrixXf> backbones, Workspace& workspace) const {
   assert(pressures_kpa.cols() == backbones.cols());
   if (command_size() != channel_count()) {
-    roll_out_told(with_past_commands(pressures_kpa, compensation_->past_commands), backbones,
-                  workspace);
+    roll_out_told(told_commands(pressures_kpa), backbones, workspace);
   } else {
     roll_out_told(pressures_kpa, backbones, workspace);
   }

@@ -206,7 +206,7 @@ class BoundedNext {
   /// B̃ as the query has it, spread over the gaps where a segment's stands for all of its own.
   Eigen::MatrixXf no_load() const {
     const Eigen::Index inputs = model_.input.scale.size();
-    const Eigen::Index first = 2 * model_.channel_count() + size_;
+    const Eigen::Index first = 2 * model_.command_size() + size_;
     if (of_base()) {
       return chosen(inputs, first, size_);
     }
@@ -225,7 +225,7 @@ class BoundedNext {
       return graph_.apply("Add", "composed", {no_load_now, "answer"});
     }
     const std::string previous =
-        graph_.linear("previous", "query", chosen(inputs, 2 * model_.channel_count(), size_));
+        graph_.linear("previous", "query", chosen(inputs, 2 * model_.command_size(), size_));
     const std::string change = graph_.linear("change", "answer", chosen(2 * size_, 0, size_));
     const std::string gate = graph_.apply(
         "Sigmoid", "gate", {graph_.linear("gates", "answer", chosen(2 * size_, size_, size_))});

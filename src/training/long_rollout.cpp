@@ -6,7 +6,6 @@
 
 #include "limber/common/interrupt.hpp"
 #include "limber/network/backbone_layout.hpp"
-#include "limber/network/past_commands.hpp"
 
 namespace limber {
 
@@ -87,9 +86,7 @@ bool walk_in_space(const ForwardModel& model, const Episode& episode, int frames
   const int count = frames_from_tracked(episode);
   const int begin = episode.frame_count() - count;
   ForwardModel::Workspace workspace;
-  const Eigen::MatrixXf told = with_past_commands(
-      episode.pressure_kpa.transpose(),
-      model.has_network() ? model.compensation().past_commands : std::vector<int>());
+  const Eigen::MatrixXf told = model.told_commands(episode.pressure_kpa.transpose());
   Eigen::MatrixXf state = episode.backbone.row(begin).transpose();
   Eigen::MatrixXf before = state;
   for (int frame = 0; frame < frames && state.allFinite(); ++frame) {

@@ -11,7 +11,6 @@
 #include "limber/arm/space_pose.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/units.hpp"
-#include "limber/network/past_commands.hpp"
 
 namespace limber {
 
@@ -27,18 +26,6 @@ std::vector<FrameMatrix> nothing_predicted(const std::vector<Episode>& episodes)
                                               std::numeric_limits<float>::quiet_NaN()));
   }
   return predicted;
-}
-
-/// Commands of every episode as `model` is told them, a frame in each column.
-std::vector<Eigen::MatrixXf> told_commands(const ForwardModel& model,
-                                           const std::vector<Episode>& episodes) {
-  const std::vector<int> past =
-      model.has_network() ? model.compensation().past_commands : std::vector<int>();
-  std::vector<Eigen::MatrixXf> told;
-  for (const Episode& episode : episodes) {
-    told.push_back(with_past_commands(episode.pressure_kpa.transpose(), past));
-  }
-  return told;
 }
 
 /// Rolls out pieces of a batch; they are sorted, longest first, so that those still running are the
@@ -154,7 +141,10 @@ std::vector<FrameMatrix> roll_out(const ForwardModel& model, const std::vector<E
   std::stable_sort(pieces.begin(), pieces.end(), [](const RolloutPiece& a, const RolloutPiece& b) {
     return a.frames > b.frames;
   });
-  const std::vector<Eigen::MatrixXf> commands = told_commands(model, episodes);
+  std::vector<Eigen::MatrixXf> commands;  // as the model is told them, a frame in each column
+  for (const Episode& episode : episodes) {
+    commands.push_back(model.told_commands(episode.pressure_kpa.transpose()));
+  }
   const std::size_t batches = (pieces.size() + kPiecesPerBatch - 1) / kPiecesPerBatch;
   const std::atomic<bool>* const stop = stop_of_thread();
   tbb::task_arena arena(jobs > 0 ? jobs : tbb::task_arena::automatic);

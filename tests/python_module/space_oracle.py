@@ -126,11 +126,11 @@ def tighten_bounds(path, share=0.02):
 
 
 def query_of(arm, previous_kpa, current_kpa, previous, before):
-    """What the network is asked, in kPa, m and rad."""
-    k = len(previous)
+    """What the network is asked, in kPa, m and rad. Past commands stand behind the latest."""
+    k, n = len(previous), arm.channel_count
     gaps = gaps_of(previous)
     return np.concatenate([previous_kpa, current_kpa, gaps.reshape(k, -1),
-                           no_load_gaps(arm, current_kpa).reshape(k, -1),
+                           no_load_gaps(arm, current_kpa[:, :n]).reshape(k, -1),
                            (gaps - gaps_of(before)).reshape(k, -1)], -1)
 
 
@@ -161,7 +161,7 @@ def bounded(tensors, gaps):
 def next_gaps(arm, tensors, query, answer):
     """(16) and (20): (k, m - 1, 6), and the shares of gaps whose length, twist and bend are held."""
     size = len(tensors["normalisation.output.scale"])
-    first = 2 * arm.channel_count
+    first = query.shape[1] - 2 * size - 6 * arm.segment_count
     previous = query[:, first:first + size].reshape(len(query), -1, 6)
     no_load = query[:, first + size:first + size + 6 * arm.segment_count]
     no_load = over_gaps(arm, no_load.reshape(len(query), -1, 6))

@@ -18,11 +18,17 @@ FLOAT = 2e-6  # [m], of a quaternion: single precision against double, over a ch
 NETWORK = 2e-5  # the same behind sums of hundreds of terms
 
 
-def queries(episode, stride=3):
+def told(model, episode):
+    """Pressures with those of past frames beside them."""
+    frames = np.arange(len(episode))
+    return np.hstack([episode.pressure_kpa[np.maximum(frames - ago, 0)]
+                      for ago in (0, *model.past_commands)])
+
+
+def queries(model, episode, stride=3):
     """Pressures of two frames and backbones of the two before the second, as they were recorded."""
-    t = np.arange(2, len(episode), stride)
-    return (episode.pressure_kpa[t - 1], episode.pressure_kpa[t], episode.backbone[t - 1],
-            episode.backbone[t - 2])
+    t, kpa = np.arange(2, len(episode), stride), told(model, episode)
+    return kpa[t - 1], kpa[t], episode.backbone[t - 1], episode.backbone[t - 2]
 
 
 class Models(unittest.TestCase):
@@ -60,7 +66,7 @@ class Models(unittest.TestCase):
                     oracle.tighten_bounds(path, share)
                 tensors, _ = oracle.read_tensors(path)
                 forward = limber.ForwardModel(self.arm, limber.read_model(path))
-                from_kpa, to_kpa, previous, before = queries(space().episodes[0])
+                from_kpa, to_kpa, previous, before = queries(self.model, space().episodes[0])
                 found = forward.step_batch(from_kpa, to_kpa, previous, before=before)
                 query = oracle.query_of(self.arm, from_kpa, to_kpa, previous, before)
                 gaps, held = oracle.next_gaps(self.arm, tensors, query,
@@ -70,7 +76,7 @@ class Models(unittest.TestCase):
                     self.assertGreater(min(held), 0.05, "bounds that hold nothing prove nothing")
 
     def test_one_query_is_a_batchs_row_and_a_rollouts_frame_to_the_bit(self):
-        from_kpa, to_kpa, previous, before = queries(space().episodes[0])
+        from_kpa, to_kpa, previous, before = queries(self.model, space().episodes[0])
         rows = self.forward.step_batch(from_kpa, to_kpa, previous, before=before)
         beside = limber.ParallelForward(2).step_batch(self.forward, from_kpa, to_kpa, previous,
                                                       before=before)
@@ -85,19 +91,20 @@ class Models(unittest.TestCase):
             self.assertTrue(np.array_equal(out, rows[k]))
         kpa, first = space().episodes[1].pressure_kpa[:30], space().episodes[1].backbone[0]
         rollout = self.forward.rollout(kpa, first)
-        now, earlier = first, first
+        kpa, now, earlier = self.forward.told_commands(kpa), first, first
+        self.assertTrue(np.array_equal(kpa, told(self.model, space().episodes[1])[:30]))
         for t in range(1, 30):
             now, earlier = self.forward.step(kpa[t - 1], kpa[t], now, before=earlier), now
             self.assertTrue(np.array_equal(rollout[t], now))
 
     def test_wrong_shapes_and_limits_are_named(self):
         rest = self.forward.no_load.backbone(np.zeros(6))
-        fine, plane = np.zeros(6, np.float32), np.zeros((9, 3), np.float32)
+        fine, plane = np.zeros(self.forward.command_size, np.float32), np.zeros((9, 3), np.float32)
         for call, told in (
                 (lambda: self.forward.step(fine, fine, plane),
                  r"previous has shape \(9, 3\); expected \(9, 7\)"),
                 (lambda: self.forward.step(fine[:2], fine, rest),
-                 r"previous_kpa has shape \(2,\); expected \(6,\)"),
+                 r"previous_kpa has shape \(2,\); expected \(30,\)"),
                 (lambda: self.forward.rollout(np.zeros((4, 6)), plane),
                  r"first has shape \(9, 3\); expected \(9, 7\)"),
                 (lambda: self.forward.checked_step(fine, fine + 106, rest),
@@ -164,7 +171,7 @@ class Files(InFolder):
             answers = table[:, inputs:]
             found = network.forward("answer")
             self.assertLess(np.abs(found - answers).max(), 2e-6 + 2e-5 * np.abs(answers).max())
-            from_kpa, to_kpa, previous, before = queries(space().episodes[2])
+            from_kpa, to_kpa, previous, before = queries(limber.read_model(path), space().episodes[2])
             query = oracle.query_of(arm, from_kpa, to_kpa, previous, before).astype(np.float32)
             network.setInput(query, "query")
             gaps = network.forward("next").astype(np.float64).reshape(len(query), -1, 6)
@@ -263,30 +270,20 @@ class Learning(InFolder):
         with self.assertRaisesRegex(limber.InputError, "is of arms in space; '.*' is in a plane"):
             limber.fit_space_model(chain().arm, limber.read_recording(chain().recording).episodes)
 
-    def test_set_points_alone_are_asked_through_dead_time_and_lag(self):
+    def test_set_points_alone_are_learnt_from_and_asked_with(self):
         arm = space().arm
         alone = limber.with_setpoints_only(space().episodes)
-        valves = limber.identify_valves(alone, arm)
-        self.assertGreater(valves.parameters.segments[0].dead_time_s, 0)
-        followed = limber.follow_setpoints(alone, arm, valves.parameters)
-        first, own = followed[0], alone[0]
-        wanted = limber.ValveModel(arm, valves.parameters).run(own.setpoint_kpa,
-                                                               own.pressure_kpa[0])
-        self.assertLess(np.abs(first.pressure_kpa - wanted).max(), 1e-3)
-        self.assertFalse(first.setpoints_only)
-        self.assertTrue(np.array_equal(first.backbone, own.backbone))
         settings = limber.best_preset()
         settings.hidden_units = [4]
         limber.set_epoch_count(settings, 3)
-        model = limber.train(arm, limber.hold_back_validation(followed, 0.3, 1), settings).model
-        model.set_valves(valves)
-        model.training = {**model.training, "follows_setpoints": "yes"}
+        model = limber.train(arm, limber.hold_back_validation(alone, 0.3, 1), settings).model
+        self.assertTrue(model.learnt_from_setpoints)
+        self.assertEqual(model.past_commands, [2, 4, 8, 16])  # 0.1 to 0.8 s at 20 Hz
         limber.write_model(self.folder / "own.safetensors", model)
         limber.write_recording(self.folder / "alone.h5", limber.make_recording(arm, alone))
         found = run_json("evaluate", "--arm", HANGING, "--data", "alone.h5", "--model",
                          "own.safetensors", folder=self.folder)
-        forward = limber.ForwardModel(arm, model)
-        ours = limber.evaluate(limber.ForwardModel(arm), forward, followed)
+        ours = limber.evaluate(limber.ForwardModel(arm), limber.ForwardModel(arm, model), alone)
         self.assertEqual(found["network"]["open_loop"]["position_error_cm"]["mean"],
                          ours.network.open_loop.position_cm.mean)
 

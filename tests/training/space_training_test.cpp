@@ -130,8 +130,7 @@ TEST(SpaceForward, ManyQueriesAreAsOne) {
   const ForwardModel model(arm, train(arm, data, settings).model);
   constexpr Eigen::Index kQueries = 150;
   const Episode& episode = data.training.front();
-  const Eigen::MatrixXf told =
-      with_past_commands(episode.pressure_kpa.transpose(), model.compensation().past_commands);
+  const Eigen::MatrixXf told = model.told_commands(episode.pressure_kpa.transpose());
   const Eigen::MatrixXf before_kpa = told.leftCols(kQueries);
   const Eigen::MatrixXf now_kpa = told.middleCols(1, kQueries);
   const Eigen::MatrixXf before = episode.backbone.topRows(kQueries).transpose();

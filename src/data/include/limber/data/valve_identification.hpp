@@ -42,9 +42,7 @@ ValveErrors valve_errors(const ValveParameters& valves, const Recording& recordi
 /// @throws InputError if `limits_kpa` has another size.
 IdentifiedValves identify_valves(const Recording& recording, std::vector<double> limits_kpa = {});
 
-/// The same for an arm's recordings taken together. Of an arm in space whose recordings hold set
-/// points alone, shapes tell one dead time and one lag of all chambers (docs/space.md).
-/// @throws InputError as `validate`.
+/// The same for an arm's recordings taken together. @throws InputError as `validate`.
 IdentifiedValves identify_valves(const std::vector<Episode>& episodes, const ArmDescription& arm,
                                  const std::string& source);
 

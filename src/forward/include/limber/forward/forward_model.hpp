@@ -74,6 +74,9 @@ class ForwardModel {
   int command_size() const {
     return has_network() ? compensation_->command_size() : channel_count();
   }
+  /// Commands n × T of frames one after the other as `step_batch` is told them, c × T. Before the
+  /// first frame they were what they are there.
+  Eigen::MatrixXf told_commands(const Eigen::Ref<const Eigen::MatrixXf>& commands) const;
 
   /// k queries: pressures c×k, backbones 3m×k; unchecked like `step`. Column j of `next` equals, to
   /// the bit, what `step` gives for column j of the inputs. `next` may be `previous` or `before`.
