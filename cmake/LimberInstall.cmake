@@ -14,7 +14,7 @@ foreach(module IN LISTS LIMBER_MODULES)
   endif()
 endforeach()
 install(DIRECTORY arms environments families DESTINATION ${CMAKE_INSTALL_DATADIR}/limber COMPONENT runtime)
-install(FILES LICENSE README.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
+install(FILES LICENSE README.md SECURITY.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
 install(EXPORT limberTargets NAMESPACE limber:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/limber
         COMPONENT dev)
 configure_package_config_file(cmake/limberConfig.cmake.in "${CMAKE_BINARY_DIR}/limberConfig.cmake"
@@ -24,7 +24,11 @@ install(FILES "${CMAKE_BINARY_DIR}/limberConfig.cmake" "${CMAKE_BINARY_DIR}/limb
               cmake/LimberImportedTargets.cmake
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/limber COMPONENT dev)
 
+include(LimberBillOfMaterials)
+
 set(CPACK_GENERATOR DEB)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS  # whatever the umask
+  OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_PACKAGE_CONTACT "The limber developers")
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
