@@ -189,8 +189,7 @@ void CheckedHdf5::require_known_filters(const std::string& path,
     unsigned flags = 0;
     std::size_t none = 0;
     unsigned config = 0;
-    const H5Z_filter_t found =
-        how.getFilter(i, flags, none, nullptr, 0, nullptr, config);
+    const H5Z_filter_t found = how.getFilter(i, flags, none, nullptr, 0, nullptr, config);
     if (found != H5Z_FILTER_DEFLATE && found != H5Z_FILTER_SHUFFLE &&
         found != H5Z_FILTER_FLETCHER32) {
       refuse(path, fmt::format("HDF5 filter {} found; expected no filter, or deflate (gzip), "

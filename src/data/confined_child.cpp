@@ -44,10 +44,9 @@ constexpr std::uint32_t kArchitecture = 0;  // limits alone
 
 /// What memory, the pipe and the end of a process need. All else fails with EPERM.
 constexpr std::array kAllowedCalls = {
-    __NR_read,         __NR_write,       __NR_mmap,         __NR_munmap,
-    __NR_mremap,       __NR_mprotect,    __NR_madvise,      __NR_brk,
-    __NR_futex,        __NR_exit_group,  __NR_rt_sigreturn, __NR_rt_sigprocmask,
-    __NR_clock_gettime};
+    __NR_read,         __NR_write,          __NR_mmap,         __NR_munmap, __NR_mremap,
+    __NR_mprotect,     __NR_madvise,        __NR_brk,          __NR_futex,  __NR_exit_group,
+    __NR_rt_sigreturn, __NR_rt_sigprocmask, __NR_clock_gettime};
 
 /// The kernel's filter, where it has one (a container may forbid it; the limits hold anyway).
 void allow_computing_only() {
@@ -60,8 +59,7 @@ void allow_computing_only() {
       BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS),
       BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr))};
   for (const auto call : kAllowedCalls) {
-    program.push_back(
-        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(call), 0, 1));
+    program.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(call), 0, 1));
     program.push_back(BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW));
   }
   program.push_back(BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | EPERM));
@@ -113,8 +111,7 @@ void confine(int pipe, pid_t parent, const ChildLimits& limits) {
 /// The child, and this end of its pipe.
 class Child {
  public:
-  Child(const std::string& name, const ChildLimits& limits,
-        const std::function<void(int)>& work) {
+  Child(const std::string& name, const ChildLimits& limits, const std::function<void(int)>& work) {
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
       refuse(name, errno);
@@ -176,7 +173,8 @@ class Child {
     const int number = WTERMSIG(status);
     // The hard limit, which equals the soft one, kills.
     what = number == SIGXCPU || number == SIGKILL
-               ? fmt::format("reading it took more than {} s of processor time", limits.cpu_s)
+               ? fmt::format("reading it took more than {} s of processor time, or was killed",
+                             limits.cpu_s)
                : fmt::format("reading it crashed ({})", ::sigdescr_np(number));
   } else if (WEXITSTATUS(status) == kNoMemory) {
     what = fmt::format("reading it needs more than {} MB of memory", limits.memory_bytes >> 20U);

@@ -17,7 +17,7 @@ class MappedFile {
 
   const std::string& name() const { return name_; }
   std::size_t size() const { return size_; }
-  /// nullptr where the file is empty. HDF5 wants a pointer that is not const; writing ends the process.
+  /// nullptr where the file is empty. Not const, as HDF5 wants it; writing ends the process.
   char* data() const { return data_; }
 
  private:

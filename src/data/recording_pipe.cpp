@@ -52,9 +52,10 @@ std::size_t PipeReader::announce(std::size_t /*items*/, std::size_t size_of_one)
   std::size_t items = 0;
   bytes(&items, sizeof items);
   if (items > left_ / std::max<std::size_t>(size_of_one, 1)) {
-    throw InputError(fmt::format("{}: holds more numbers than a file of its size can: it is "
-                                 "damaged, or made to do harm; expected a whole recording",
-                                 name_));
+    throw InputError(
+        fmt::format("{}: holds more numbers than a file of its size can: it is "
+                    "damaged, or made to do harm; expected a whole recording",
+                    name_));
   }
   left_ -= items * size_of_one;
   return items;

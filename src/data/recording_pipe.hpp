@@ -63,11 +63,11 @@ class PipeReader {
   std::size_t end_ = 0;
 };
 
-// pass(pipe, x) writes x where the pipe is a writer and fills x where it is a reader: one definition
-// of the order for both ends.
+// pass(pipe, x) writes x where the pipe is a writer and fills x where it is a reader: the order is
+// defined once for both ends.
 
 template <class Pipe, class Number>
-  requires std::is_arithmetic_v<Number>
+requires std::is_arithmetic_v<Number>
 void pass(Pipe& pipe, Number& number) {
   pipe.bytes(&number, sizeof number);
 }
@@ -132,10 +132,9 @@ void pass(Pipe& pipe, Episode& episode) {
 /// All but the episodes and their numbers.
 template <class Pipe>
 void pass_header(Pipe& pipe, Recording& recording) {
-  for (std::string* text :
-       {&recording.arm_name, &recording.arm_hash, &recording.arm_description, &recording.source,
-        &recording.settings, &recording.program_version, &recording.command.name,
-        &recording.command.unit}) {
+  for (std::string* text : {&recording.arm_name, &recording.arm_hash, &recording.arm_description,
+                            &recording.source, &recording.settings, &recording.program_version,
+                            &recording.command.name, &recording.command.unit}) {
     pass(pipe, *text);
   }
   pass(pipe, recording.dimension);

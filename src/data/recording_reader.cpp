@@ -298,12 +298,13 @@ Recording receive(PipeReader& in) {
 /// libhdf5 reads hostile files at its own risk: in a child that can do nothing else.
 Recording read(const MappedFile& file, const Wanted& wanted) {
   constexpr std::uintmax_t kMegabyte = std::uintmax_t{1} << 20U;
-  // What an episode takes at most, for honest files: they hold a third of their size and up.
+  // Room for an episode, and HDF5's own; whole recordings are some three times their file.
   ChildLimits limits;
   limits.memory_bytes = 2048 * kMegabyte + 32 * file.size();
   limits.cpu_s = static_cast<unsigned>(20 + file.size() / (4 * kMegabyte));
   const std::uintmax_t most = 2 * kLongestText + kMaxCompression * file.size();
-  std::optional<Hdf5Section> section(std::in_place);  // the child begins where no other thread is in HDF5
+  // The child begins where no other thread is in HDF5; what it reads may come side by side.
+  std::optional<Hdf5Section> section(std::in_place);
   Recording recording;
   run_confined(
       file.name(), limits, [&](int pipe) { send(file, wanted, pipe); },

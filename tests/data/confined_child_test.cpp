@@ -44,12 +44,20 @@ void wait_for_end(int pipe) {
 }
 
 TEST(ConfinedChild, CrashesWithAMessageThatNamesTheFile) {
-  EXPECT_THAT([] { run_confined("a.h5", kLimits, [](int) { ::raise(SIGSEGV); }, wait_for_end); },
-              ThrowsMessage<InputError>(
-                  HasSubstr("a.h5: reading it crashed (Segmentation fault): the file is damaged, "
-                            "or made to do harm; expected a whole recording")));
-  EXPECT_THAT([] { run_confined("a.h5", kLimits, [](int) { std::abort(); }, wait_for_end); },
-              ThrowsMessage<InputError>(HasSubstr("a.h5: reading it crashed (")));
+  EXPECT_THAT(
+      [] {
+        run_confined(
+            "a.h5", kLimits, [](int) { ::raise(SIGSEGV); }, wait_for_end);
+      },
+      ThrowsMessage<InputError>(
+          HasSubstr("a.h5: reading it crashed (Segmentation fault): the file is damaged, "
+                    "or made to do harm; expected a whole recording")));
+  EXPECT_THAT(
+      [] {
+        run_confined(
+            "a.h5", kLimits, [](int) { std::abort(); }, wait_for_end);
+      },
+      ThrowsMessage<InputError>(HasSubstr("a.h5: reading it crashed (")));
 }
 
 TEST(ConfinedChild, HasItsMemoryAndTimeAndNoMore) {
