@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
-# Builds the Debian packages twice, in two folders, without a compiler cache, under another umask, time
-# zone and language, with another number of jobs, and compares their bytes: tools/reproducible_packages.sh
-# [CMAKE_ARGUMENT…]. The sources are HEAD's. Ends with 1 where a package differs, and keeps both then.
+# Builds the Debian packages of HEAD twice, in two folders, without a compiler cache, in another time zone
+# and language, with another number of jobs, and compares their bytes. Ends with 1 where a package differs,
+# and keeps both then. The umask is Debian's: CPack takes the modes of folders from it.
+# Usage: tools/reproducible_packages.sh [CMAKE_ARGUMENT…]
 set -euo pipefail
 root=$(cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.." && pwd)
 folder=$(mktemp -d)
 export CCACHE_DISABLE=1
+umask 022
 SOURCE_DATE_EPOCH=$(git -C "$root" log -1 --format=%ct)
 export SOURCE_DATE_EPOCH
 
@@ -25,8 +27,8 @@ make_packages() {
   }
 }
 
-(umask 022 && TZ=UTC LC_ALL=C make_packages "$folder/a" 1 "$@")
-(umask 077 && TZ=Asia/Tokyo LC_ALL=C.UTF-8 make_packages "$folder/another_name" 2 "$@")
+TZ=UTC LC_ALL=C make_packages "$folder/a" 1 "$@"
+TZ=Asia/Tokyo LC_ALL=C.UTF-8 make_packages "$folder/another_name" 2 "$@"
 
 different=0
 for package in "$folder"/a/packages/*.deb; do
