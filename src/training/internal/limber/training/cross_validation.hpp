@@ -15,10 +15,9 @@ namespace limber {
 
 inline constexpr int kFolds = 4;
 
-/// What runs of one length and shape are worth: mean errors at the tip on episodes that the networks
-/// had not
-/// seen, one step ahead, and over rollouts of 32 and of up to 600 frames. Infinite where one of
-/// them diverged.
+/// What runs of one length and shape are worth: mean errors at the tip on episodes that the
+/// networks had not seen, one step ahead, and over rollouts of 32 and of up to 600 frames. Infinite
+/// where one of them diverged.
 struct EpochsTried {
   int epochs = 0;
   std::vector<int> hidden_units;
