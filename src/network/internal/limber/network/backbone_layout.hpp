@@ -12,8 +12,8 @@ namespace limber {
 /// Which numbers a network reads and writes, and where they sit (docs/model.md, (5)). Of an arm in
 /// space read 7 for the 3 of base poses, and 6 for that of gaps; it has gap poses alone.
 ///
-/// Input, one column per query: q_{t−1} and q_t (command_size each), B_{t−1} (backbone_size), B̃_t (no_load_size);
-/// where the network reads velocities, B_{t−1} − B_{t−2} (backbone_size).
+/// Input, one column per query: q_{t−1} and q_t (command_size each), B_{t−1} (backbone_size), B̃_t
+/// (no_load_size); where the network reads velocities, B_{t−1} − B_{t−2} (backbone_size).
 /// Output: B_t − B̃_t (backbone_size), or the change and the gates of (16) (backbone_size each).
 /// base_poses: B and B̃ are 3m numbers, poses about the arm's base: 102 → 48 for n = 3, m = 16.
 /// gap_poses:  B is 3(m − 1) numbers, each plate's pose about the plate before it; the base plate
