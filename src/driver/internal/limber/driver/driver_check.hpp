@@ -45,8 +45,9 @@ struct DriverCheck {
   Episode episode;  ///< everything that was commanded and measured; backbones are not kept
 };
 
-/// Moves each segment, or chamber of an arm in space, alone, to either side: pulses of 5 % of the limits in force, and only where
-/// those read right, jumps to 30 % of them. Takes about 20 s and 10 s per segment.
+/// Moves each segment, or chamber of an arm in space, alone, to either side: pulses of 5 % of the
+/// limits in force, and only where those read right, jumps to 30 % of them. Takes about 20 s and
+/// 10 s per segment.
 /// @throws SystemFault where the driver fails, or reads a pressure when vented; Interrupted.
 DriverCheck check_driver(const ArmDescription& arm, const ProcessDriverSettings& settings);
 

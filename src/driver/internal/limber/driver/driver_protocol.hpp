@@ -14,9 +14,9 @@
 namespace limber {
 
 /// The protocol between limber and a driver (docs/driver.md): one JSON object per line. Pressures
-/// are kPa gauge, signed, one per segment, or per chamber of an arm in space; lengths m, angles rad.
-/// Unknown keys are ignored. Every
-/// parser takes one line and throws InputError that names the field.
+/// are kPa gauge, signed, one per segment, or per chamber of an arm in space; lengths m, angles
+/// rad. Unknown keys are ignored. Every parser takes one line and throws InputError that names the
+/// field.
 inline constexpr int kDriverProtocol = 1;
 
 /// Bytes of a line; a longer one is a fault. A backbone of a thousand plates takes 60 kB.
