@@ -287,7 +287,11 @@ class Check {
       result.pressure_kpa.row(k) = readings_[static_cast<std::size_t>(k)].transpose();
       result.setpoint_kpa.row(k) = setpoints_[static_cast<std::size_t>(k)].transpose();
     }
+    result.dimension = arm_.dimension;
     result.backbone = FrameMatrix::Zero(frames, pose_size(arm_.dimension) * arm_.point_count());
+    for (Eigen::Index w = 6; arm_.is_spatial() && w < result.backbone.cols(); w += kSpacePoseSize) {
+      result.backbone.col(w).setOnes();  // no rotation
+    }
     result.motion_index.assign(time_s_.size(), 0);
     result.tracked.assign(time_s_.size(), 0);
     return result;

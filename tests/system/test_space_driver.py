@@ -15,12 +15,13 @@ QUICK = ("--schedule", "random", "--count", 3, "--hold-s", 0.5, "--hold-min-s", 
 # A driver of another arm: what the served one says, changed before it is passed on.
 CHANGED = """
 import json, subprocess, sys
-arm = subprocess.Popen(sys.argv[2:], stdin=subprocess.PIPE, stdout=subprocess.PIPE, encoding="utf-8")
+arm = subprocess.Popen(sys.argv[1:], stdin=subprocess.PIPE, stdout=subprocess.PIPE, encoding="utf-8")
 for request in sys.stdin:
     arm.stdin.write(request)
     arm.stdin.flush()
-    answer = json.loads(arm.stdout.readline() or "{}")
-    exec(sys.argv[1])
+    answer = json.loads(arm.stdout.readline() or "{{}}")
+    if answer.get("type") == "{kind}":
+        {change}
     if answer:
         print(json.dumps(answer), flush=True)
 """
@@ -38,9 +39,9 @@ class SpaceDriver(InFolder):
     def collect(self, driver, code=0):
         return self.run_limber("collect", *ARM, *QUICK, "--simulated", "--driver", driver, "--out", "run.h5", code=code)
 
-    def changed(self, change):
-        self.write("changed.py", CHANGED)
-        return quoted([sys.executable, pathlib.Path(self.folder) / "changed.py", change, *served()])
+    def changed(self, kind, change):
+        self.write("changed.py", CHANGED.format(kind=kind, change=change))
+        return quoted([sys.executable, pathlib.Path(self.folder) / "changed.py", *served()])
 
     def test_records_what_the_virtual_arm_in_process_records(self):
         self.collect(quoted(served()))
@@ -53,18 +54,14 @@ class SpaceDriver(InFolder):
                 np.testing.assert_allclose(there, here, rtol=0, atol=tolerance, err_msg=name)
 
     def test_what_is_no_arm_in_space_moves_nothing(self):
-        for change, told in (
-                ("answer.pop('chambers', None)", "chambers"),
-                ("answer['chambers'] = 9", "arm 'hanging_3x2' has 6 chambers"),
-                ("answer['bodies'] = answer.pop('backbone', None)", "as backbone"),
-                ("answer['backbone'] = [[0, 0, 0]] * 9", "x, y, z, qx, qy, qz and qw"),
-                ("answer['backbone'] = [[0, 0, 0, 0, 0, 0, 2]] * 9", "a quaternion of length 2")):
+        for kind, change, told in (
+                ("hello", "answer.pop('chambers')", "chambers"),
+                ("hello", "answer['chambers'] = 9", "arm 'hanging_3x2' has 6 chambers"),
+                ("state", "answer['bodies'] = answer.pop('backbone')", "as backbone"),
+                ("state", "answer['backbone'] = [[0, 0, 0]] * 9", "x, y, z, qx, qy, qz and qw"),
+                ("state", "answer['backbone'] = [[0, 0, 0, 0, 0, 0, 2]] * 9", "a quaternion of length 2")):
             with self.subTest(change):
-                guarded = f"{change} if answer.get('type') == 'hello' or 'backbone' in answer else None"
-                if "=" in change:
-                    guarded = (f"if answer.get('type') == "
-                               f"'{'hello' if 'chambers' in change else 'state'}': {change}")
-                self.assertIn(told, self.collect(self.changed(guarded), code=3).stderr)
+                self.assertIn(told, self.collect(self.changed(kind, change), code=3).stderr)
 
     def test_a_healthy_driver_passes_the_check(self):
         check = self.run_json("driver", "check", *ARM, "--driver", quoted(served()), "--simulated", "--limit-scale", 0.3,
