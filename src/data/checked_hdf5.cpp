@@ -1,6 +1,8 @@
 #include "checked_hdf5.hpp"
 
 #include <algorithm>
+#include <cstring>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,9 +13,8 @@ namespace {
 
 constexpr hsize_t kMaxCount = 1U << 28;  // frames of an episode; above it, the file is damaged
 
-// Deflate makes data at most 1032 times smaller; less than this on disk were never written.
-constexpr hsize_t kMaxCompression = 1100;
 constexpr hsize_t kSmallData = hsize_t{1} << 26U;  // bytes; up to here other filters may do better
+constexpr hsize_t kMaxChunk = hsize_t{1} << 22U;   // numbers; HDF5 holds whole chunks in memory
 
 std::string text_of(const Shape& shape) {
   return shape.empty() ? "a single value" : fmt::format("{}", fmt::join(shape, " × "));
@@ -34,25 +35,55 @@ bool is_number_of_machines(const H5::DataType& type) {
   return std::ranges::any_of(known, [&](hid_t one) { return H5Tequal(type.getId(), one) > 0; });
 }
 
+/// HDF5's own eight bytes: at the beginning, or behind a block of the user's of 512 bytes times a
+/// power of two.
+bool starts_as_hdf5(const MappedFile& file) {
+  constexpr std::string_view kSignature("\x89HDF\r\n\x1a\n", 8);
+  for (std::size_t at = 0; at + kSignature.size() <= file.size();
+       at = std::max<std::size_t>(512, 2 * at)) {
+    if (std::memcmp(file.data() + at, kSignature.data(), kSignature.size()) == 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// How HDF5 opens a file that is in memory: it copies nothing, and opens no other.
+H5::FileAccPropList borrowing(const MappedFile& file) {
+  H5FD_file_image_callbacks_t calls = {};
+  calls.image_malloc = [](size_t, H5FD_file_image_op_t, void* data) { return data; };
+  calls.image_memcpy = [](void* to, const void*, size_t, H5FD_file_image_op_t, void*) {
+    return to;
+  };
+  calls.image_realloc = [](void*, size_t, H5FD_file_image_op_t, void*) {
+    return static_cast<void*>(nullptr);
+  };
+  calls.image_free = [](void*, H5FD_file_image_op_t, void*) -> herr_t { return 0; };
+  calls.udata_copy = [](void* data) { return data; };
+  calls.udata_free = [](void*) -> herr_t { return 0; };
+  calls.udata = file.data();
+  H5::FileAccPropList how;
+  how.setCore(kMemoryStep, false);
+  if (H5Pset_file_image_callbacks(how.getId(), &calls) < 0 ||
+      H5Pset_file_image(how.getId(), file.data(), file.size()) < 0) {
+    throw H5::FileIException("borrowing", "H5Pset_file_image failed");
+  }
+  return how;
+}
+
 }  // namespace
 
-CheckedHdf5::CheckedHdf5(const std::filesystem::path& path)
-    : name_(path.string()), file_(open(path)) {}
+CheckedHdf5::CheckedHdf5(const MappedFile& file)
+    : name_(file.name()), size_(file.size()), file_(open(file)) {}
 
-H5::H5File CheckedHdf5::open(const std::filesystem::path& path) const {
-  bool is_hdf5 = false;
-  try {
-    is_hdf5 = H5::H5File::isHdf5(path.string());
-  } catch (const H5::Exception&) {
-    is_hdf5 = false;
-  }
-  if (!is_hdf5) {
+H5::H5File CheckedHdf5::open(const MappedFile& file) const {
+  if (!starts_as_hdf5(file)) {
     throw InputError(
         fmt::format("{}: not an HDF5 file; expected a recording, schema '{}' (docs/formats.md)",
                     name_, kRecordingSchema));
   }
   try {
-    return H5::H5File(path.string(), H5F_ACC_RDONLY);
+    return H5::H5File(kNoFile, H5F_ACC_RDONLY, H5::FileCreatPropList::DEFAULT, borrowing(file));
   } catch (const H5::Exception&) {
     throw InputError(fmt::format(
         "{}: an HDF5 file that can't be opened: damaged or cut short; expected a whole recording",
@@ -88,15 +119,20 @@ std::string CheckedHdf5::text_if_there(const char* name) const {
 }
 
 bool CheckedHdf5::exists(const std::string& path) const {
-  if (!file_.nameExists(path)) {
-    return false;
+  for (std::size_t end = path.find('/');; end = path.find('/', end + 1)) {
+    const std::string part = path.substr(0, end);
+    if (!file_.nameExists(part)) {
+      return false;
+    }
+    H5L_info_t link{};
+    if (H5Lget_info(file_.getId(), part.c_str(), &link, H5P_DEFAULT) < 0 ||
+        link.type != H5L_TYPE_HARD) {
+      refuse(part, "a link to other data; expected the data themselves");
+    }
+    if (end == std::string::npos) {
+      return true;
+    }
   }
-  H5L_info_t link{};
-  if (H5Lget_info(file_.getId(), path.c_str(), &link, H5P_DEFAULT) < 0 ||
-      link.type != H5L_TYPE_HARD) {
-    refuse(path, "a link to other data; expected the data themselves");
-  }
-  return true;
 }
 
 H5::DataSet CheckedHdf5::data_set(const std::string& path, const Shape& wanted, const char* meaning,
@@ -132,13 +168,46 @@ void CheckedHdf5::require_stored(const std::string& path, const H5::DataSet& fou
       (properties.getLayout() == H5D_CONTIGUOUS && properties.getExternalCount() > 0)) {
     refuse(path, "data in another file; expected the data themselves");
   }
+  require_known_filters(path, properties);
   const auto numbers = static_cast<hsize_t>(found.getSpace().getSimpleExtentNpoints());
   const hsize_t bytes = numbers * found.getDataType().getSize();
   const hsize_t stored = found.getStorageSize();
+  if (stored > size_) {
+    refuse(path, fmt::format("said to take {} bytes of a file of {}: the file is damaged", stored,
+                             size_));
+  }
   if (numbers > 0 && (stored == 0 || (bytes > kSmallData && bytes / kMaxCompression > stored))) {
     refuse(path, fmt::format("its shape says {} numbers, but the file holds {} "
                              "bytes: they were never written, or the file is damaged",
                              numbers, stored));
+  }
+}
+
+void CheckedHdf5::require_known_filters(const std::string& path,
+                                        const H5::DSetCreatPropList& how) const {
+  for (int i = 0; i < how.getNfilters(); ++i) {
+    unsigned flags = 0;
+    std::size_t none = 0;
+    unsigned config = 0;
+    const H5Z_filter_t found = how.getFilter(i, flags, none, nullptr, 0, nullptr, config);
+    if (found != H5Z_FILTER_DEFLATE && found != H5Z_FILTER_SHUFFLE &&
+        found != H5Z_FILTER_FLETCHER32) {
+      refuse(path, fmt::format("HDF5 filter {} found; expected no filter, or deflate (gzip), "
+                               "shuffle and fletcher32",
+                               static_cast<int>(found)));
+    }
+  }
+  if (how.getLayout() != H5D_CHUNKED) {
+    return;
+  }
+  constexpr int kMaxRank = H5S_MAX_RANK;
+  hsize_t extents[kMaxRank] = {};
+  hsize_t numbers = 1;
+  for (int i = how.getChunk(kMaxRank, extents); i > 0; --i) {
+    numbers = std::min(numbers * std::min(extents[i - 1], kMaxCount), kMaxCount);
+  }
+  if (numbers > kMaxChunk) {
+    refuse(path, fmt::format("chunks of more than {} numbers; expected smaller ones", kMaxChunk));
   }
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <type_traits>
 
@@ -8,6 +7,7 @@
 
 #include "limber/common/error.hpp"
 #include "limber/common/utf8.hpp"
+#include "mapped_file.hpp"
 #include "recording_hdf5.hpp"
 #include "recording_header.hpp"
 
@@ -17,7 +17,8 @@ namespace limber {
 /// unit, or not in the file itself is refused by an InputError that names the file and the place.
 class CheckedHdf5 {
  public:
-  explicit CheckedHdf5(const std::filesystem::path& path);
+  /// @param file  outlives this
+  explicit CheckedHdf5(const MappedFile& file);
 
   [[noreturn]] void refuse(const std::string& where, const std::string& message) const;
 
@@ -74,7 +75,7 @@ class CheckedHdf5 {
                      const char* unit) const;
 
  private:
-  H5::H5File open(const std::filesystem::path& path) const;
+  H5::H5File open(const MappedFile& file) const;
   H5::Attribute attribute(const char* name) const;
   /// HDF5 reads as many values as an attribute holds, however many there is room for.
   template <class Object>
@@ -85,13 +86,16 @@ class CheckedHdf5 {
     }
   }
 
-  /// Refuses data of which the file holds only the shape, before memory is allocated for them.
+  /// Refuses data of which the file holds only the shape, before memory is allocated for them, and
+  /// those that HDF5 would look for elsewhere or need a plugin for.
   void require_stored(const std::string& path, const H5::DataSet& found) const;
+  void require_known_filters(const std::string& path, const H5::DSetCreatPropList& how) const;
   /// The name carries the unit; an attribute that says another is refused.
   void require_unit(const std::string& path, const H5::DataSet& found, const char* unit) const;
 
  protected:
   std::string name_;
+  hsize_t size_;  ///< of the file, in bytes
   H5::H5File file_;
 };
 

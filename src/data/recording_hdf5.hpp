@@ -30,6 +30,11 @@ inline constexpr const char* kRotations = "rotations";
 inline constexpr const char* kMeasured = "measured";
 inline constexpr const char* kLifted = "lifted";
 
+inline constexpr std::size_t kMemoryStep = std::size_t{1}
+                                           << 20U;  ///< by which a file in memory grows
+/// HDF5 wants a name and checks whether such a file exists; none can exist below a device.
+inline constexpr const char* kNoFile = "/dev/null/recording";
+
 inline constexpr const char* kPoseUnits = "m, m, rad";
 inline constexpr const char* kSpacePoseUnits = "m, m, m, 1, 1, 1, 1";
 

@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 
 #include "checked_hdf5.hpp"
+#include "confined_child.hpp"
 #include "episode_path.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/data/recording_part.hpp"
+#include "mapped_file.hpp"
+#include "recording_pipe.hpp"
 
 namespace limber {
 
@@ -23,7 +26,8 @@ class Reader : private CheckedHdf5 {
  public:
   using CheckedHdf5::CheckedHdf5;
 
-  Recording read(const Wanted& wanted) {
+  /// All but the episodes.
+  Recording read_header(const Wanted& wanted) {
     Recording recording;
     require_schema();
     recording.arm_name = text("arm_name");
@@ -39,28 +43,34 @@ class Reader : private CheckedHdf5 {
     recording.segment_count = number<int>("segments", H5::PredType::NATIVE_INT);
     recording.point_count = number<int>("points", H5::PredType::NATIVE_INT);
     recording.seed = number<std::uint64_t>("seed", H5::PredType::NATIVE_UINT64);
-    const bool lifted = read_space(recording);
+    lifted_ = read_space(recording);
     validate_header(recording, name_);  // sizes decide what the data sets must hold
-    const bool setpoints_only = holds_setpoints_only();
+    setpoints_only_ = holds_setpoints_only();
     if (wanted.episodes) {
       recording.numbers.assign(wanted.episodes->begin(), wanted.episodes->end());
     }
-    const std::size_t episodes = wanted.episodes ? recording.numbers.size() : episode_count();
-    for (std::size_t i = 0; i < episodes; ++i) {
-      const std::string group = episode_path(recording.number(i));
-      if (wanted.episodes) {
-        require_group(group, "no such episode");
-      }
-      Episode& episode = recording.episodes.emplace_back();
-      episode.setpoints_only = setpoints_only;
-      episode.dimension = recording.dimension;
-      episode.lifted = lifted;
-      read_outline(group, episode);
-      if (!wanted.outline) {
-        read_frames(group, recording, episode);
-      }
-    }
     return recording;
+  }
+
+  std::size_t count(const Wanted& wanted) const {
+    return wanted.episodes ? wanted.episodes->size() : episode_count();
+  }
+
+  /// The i-th of those wanted.
+  Episode read_episode(const Recording& recording, const Wanted& wanted, std::size_t i) const {
+    const std::string group = episode_path(recording.number(i));
+    if (wanted.episodes) {
+      require_group(group, "no such episode");
+    }
+    Episode episode;
+    episode.setpoints_only = setpoints_only_;
+    episode.dimension = recording.dimension;
+    episode.lifted = lifted_;
+    read_outline(group, episode);
+    if (!wanted.outline) {
+      read_frames(group, recording, episode);
+    }
+    return episode;
   }
 
  private:
@@ -195,21 +205,121 @@ class Reader : private CheckedHdf5 {
                 episode.tracked.data(), H5::PredType::NATIVE_UINT8);
     }
   }
+
+  bool lifted_ = false;
+  bool setpoints_only_ = false;
 };
 
-Recording read(const std::filesystem::path& path, const Wanted& wanted) {
-  Hdf5Section section;
+/// Reads what is wanted and hands it on: the header, then an episode after the other.
+template <class TakeHeader, class TakeEpisode>
+void read(const MappedFile& file, const Wanted& wanted, const TakeHeader& take_header,
+          const TakeEpisode& take_episode) {
   try {
-    return Reader(path).read(wanted);
+    Reader reader(file);
+    Recording recording = reader.read_header(wanted);
+    take_header(recording);
+    const std::size_t count = reader.count(wanted);
+    for (std::size_t i = 0; i < count; ++i) {
+      Episode episode = reader.read_episode(recording, wanted, i);
+      take_episode(episode);
+    }
   } catch (const H5::Exception&) {
-    section.stay_quiet();
     throw InputError(fmt::format(
-        "{}: can't be read: damaged or cut short; expected a whole recording", path.string()));
+        "{}: can't be read: damaged or cut short; expected a whole recording", file.name()));
+  }
+}
+
+#ifdef LIMBER_READ_IN_PROCESS  // sanitizers and coverage see one process
+
+Recording read(const MappedFile& file, const Wanted& wanted) {
+  Hdf5Section section;
+  Recording recording;
+  try {
+    read(
+        file, wanted, [&](const Recording& header) { recording = header; },
+        [&](Episode& episode) { recording.episodes.push_back(std::move(episode)); });
   } catch (const InputError&) {
     section.stay_quiet();
     throw;
   }
+  return recording;
 }
+
+#else
+
+/// What comes next through the pipe.
+enum class Next : std::uint8_t { header, episode, end, refusal };
+
+/// In the child.
+void send(const MappedFile& file, const Wanted& wanted, int pipe) {
+  PipeWriter out(pipe);
+  const auto announce = [&](Next next) { out.bytes(&next, sizeof next); };
+  try {
+    H5PLset_loading_state(0);  // no filter comes from a file
+    read(
+        file, wanted,
+        [&](Recording& header) {
+          announce(Next::header);
+          pass_header(out, header);
+        },
+        [&](Episode& episode) {
+          announce(Next::episode);
+          pass(out, episode);
+        });
+    announce(Next::end);
+  } catch (const InputError& error) {
+    std::string message = error.what();
+    announce(Next::refusal);
+    pass(out, message);
+  }
+  out.flush();
+}
+
+/// Here.
+Recording receive(PipeReader& in) {
+  Recording recording;
+  while (true) {
+    Next next{};
+    in.bytes(&next, sizeof next);
+    if (next == Next::header) {
+      pass_header(in, recording);
+    } else if (next == Next::episode) {
+      pass(in, recording.episodes.emplace_back());
+    } else if (next == Next::end) {
+      return recording;
+    } else {
+      std::string message;
+      pass(in, message);
+      throw InputError(message);
+    }
+  }
+}
+
+/// libhdf5 reads hostile files at its own risk: in a child that can do nothing else.
+Recording read(const MappedFile& file, const Wanted& wanted) {
+  constexpr std::uintmax_t kMegabyte = std::uintmax_t{1} << 20U;
+  // Room for an episode, and HDF5's own; whole recordings are some three times their file.
+  ChildLimits limits;
+  limits.memory_bytes = 2048 * kMegabyte + 32 * file.size();
+  limits.cpu_s = static_cast<unsigned>(20 + file.size() / (4 * kMegabyte));
+  const std::uintmax_t most = 2 * kLongestText + kMaxCompression * file.size();
+  // The child begins where no other thread is in HDF5; what it reads may come side by side.
+  std::optional<Hdf5Section> section(std::in_place);
+  Recording recording;
+  run_confined(
+      file.name(), limits, [&](int pipe) { send(file, wanted, pipe); },
+      [&](int pipe) {
+        section.reset();
+        PipeReader in(file.name(), pipe, most, static_cast<int>(4000 * limits.cpu_s));
+        recording = receive(in);
+      });
+  if (wanted.episodes) {
+    recording.numbers.assign(wanted.episodes->begin(), wanted.episodes->end());
+  }
+  return recording;
+}
+
+#endif
 
 Recording read_wanted(const std::filesystem::path& path, const Wanted& wanted) {
   std::error_code error;
@@ -219,10 +329,9 @@ Recording read_wanted(const std::filesystem::path& path, const Wanted& wanted) {
   if (std::filesystem::is_directory(path, error)) {
     throw InputError(fmt::format("{}: is a folder; expected a recording file", path.string()));
   }
-  require_plain_file(path);
   Recording recording;
   try {
-    recording = read(path, wanted);
+    recording = read(MappedFile(path), wanted);
   } catch (const InputError&) {
     (void)read_file(path);  // tells a failing disk from a damaged file; HDF5 does not
     throw;

@@ -19,9 +19,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr hsize_t kChunkFrames = 1024;
-constexpr std::size_t kMemoryStep = std::size_t{1} << 20U;  // by which a file in memory grows
-// HDF5 wants a name and checks whether such a file exists; none can exist below a device.
-constexpr const char* kNoFile = "/dev/null/recording";
 constexpr std::uintmax_t kSpareBytes = std::uintmax_t{64} << 20U;  // structure, and other writers
 constexpr int kDeflateLevel = 1;  // level 1 after shuffle: half the size at 4× level 6's speed
 

@@ -128,7 +128,7 @@ void validate(const Recording& recording, const std::string& file);
 /// @throws InputError as `validate`; SystemFault if the disk refuses.
 void write_recording(const std::filesystem::path& path, const Recording& recording);
 
-/// Reads and validates. Threads: any; HDF5 itself is entered by one at a time.
+/// Reads, in a child process that can do nothing else (SECURITY.md), and validates. Threads: any.
 /// @throws InputError naming the file, the episode and the data set or attribute, what was found
 /// and what is allowed: also where the file is no HDF5, damaged or cut short.
 Recording read_recording(const std::filesystem::path& path);
