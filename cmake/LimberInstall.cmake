@@ -14,7 +14,7 @@ foreach(module IN LISTS LIMBER_MODULES)
   endif()
 endforeach()
 install(DIRECTORY arms environments families DESTINATION ${CMAKE_INSTALL_DATADIR}/limber COMPONENT runtime)
-install(FILES LICENSE README.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
+install(FILES LICENSE README.md SECURITY.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
 install(EXPORT limberTargets NAMESPACE limber:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/limber
         COMPONENT dev)
 configure_package_config_file(cmake/limberConfig.cmake.in "${CMAKE_BINARY_DIR}/limberConfig.cmake"
@@ -23,6 +23,8 @@ write_basic_package_version_file("${CMAKE_BINARY_DIR}/limberConfigVersion.cmake"
 install(FILES "${CMAKE_BINARY_DIR}/limberConfig.cmake" "${CMAKE_BINARY_DIR}/limberConfigVersion.cmake"
               cmake/LimberImportedTargets.cmake
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/limber COMPONENT dev)
+
+include(LimberBillOfMaterials)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_STRIP_FILES ON)

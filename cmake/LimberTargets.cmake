@@ -15,6 +15,14 @@ target_compile_options(limber_private_settings INTERFACE
   # GCC 12 sees overlapping copies in std::string's own operator+ at -O2 and above (GCC bug 105651).
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
   $<$<BOOL:${LIMBER_WARNINGS_AS_ERRORS}>:-Werror>)
+# What users run: an overrun of the stack or of a buffer whose size is known ends the program, it lies
+# anywhere in memory, and its tables of addresses are read-only once it has started. What that costs:
+# docs/log/2026-11-27-hardening.md.
+include(CheckPIESupported)
+check_pie_supported(LANGUAGES CXX)
+target_compile_options(limber_private_settings INTERFACE
+  "$<$<CONFIG:Release>:-U_FORTIFY_SOURCE;-D_FORTIFY_SOURCE=2;-fstack-protector-strong>")
+target_link_options(limber_private_settings INTERFACE "$<$<CONFIG:Release>:LINKER:-z,relro,-z,now>")
 if(LIMBER_SANITIZE)
   target_compile_options(limber_private_settings INTERFACE
     -fsanitize=${LIMBER_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all

@@ -36,7 +36,7 @@ depends limber-dev "limber (= $version)" libeigen3-dev libmujoco-dev libhdf5-dev
 runtime=$folder/runtime
 dpkg-deb --extract "$(package limber)" "$runtime"
 for file in bin/limber share/limber/arms/three_segment.yaml share/limber/environments/01_pillar.yaml \
-  share/doc/limber/LICENSE share/man/man1/limber.1 share/man/man1/limber-plan.1 \
+  share/doc/limber/LICENSE share/doc/limber/SECURITY.md share/man/man1/limber.1 share/man/man1/limber-plan.1 \
   share/bash-completion/completions/limber share/zsh/vendor-completions/_limber; do
   [ -e "$runtime/usr/$file" ] || fail "not in limber: usr/$file"
 done
@@ -50,6 +50,9 @@ for name in "${packages[@]}"; do
   dpkg-deb --extract "$(package "$name")" all
 done
 [ -e all/usr/include/limber/common/version.hpp ] || fail "no headers in limber-dev"
+if grep -q '^CMAKE_BUILD_TYPE:.*=Release$' "$LIMBER_BUILD_DIR/CMakeCache.txt"; then # what users get
+  /usr/bin/python3 "$root/tests/system/check_supply.py" all "$root/packages.txt"
+fi
 cp -r "$root/examples/cpp" examples
 cmake -S examples -B build -G Ninja -DCMAKE_BUILD_TYPE=Release \
   -DCMAKE_PREFIX_PATH="$folder/all/usr" >cmake.txt || fail "$(cat cmake.txt)"
