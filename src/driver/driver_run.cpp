@@ -92,7 +92,7 @@ std::optional<double> scale_within(const ArmDescription& arm,
   double scale = 1.0;
   for (std::size_t s = 0; s < allowed_kpa.size(); ++s) {
     for (const double sign : {1.0, -1.0}) {
-      const double own = arm.segments[s].pressure_limit_kpa.side_kpa(sign);
+      const double own = arm.limits_of_channel(static_cast<int>(s)).side_kpa(sign);
       if (own != 0.0) {
         scale = std::min(scale, allowed_kpa[s].side_kpa(sign) / own);
       }
@@ -107,7 +107,7 @@ std::string advice(const ShortReach& found, const ArmDescription& arm,
                    const std::vector<PressureLimits>& allowed_kpa, const char* flag) {
   const std::optional<double> scale = scale_within(arm, allowed_kpa);
   return fmt::format("the driver allows {:.1f} kPa in {}, and motions ask for {:.1f} kPa; {}",
-                     found.allowed_kpa, segment_name(found.segment), found.wanted_kpa,
+                     found.allowed_kpa, channel_name(arm, found.segment), found.wanted_kpa,
                      scale ? fmt::format("{} stays within", fmt::format(fmt::runtime(flag), *scale))
                            : "no scale stays within: say in the arm file which side has no "
                              "pressure, as in pressure_limit_kpa: [0, 50]");
@@ -117,7 +117,7 @@ std::optional<ShortReach> first_short_reach(const ArmDescription& arm, double li
                                             const std::vector<PressureLimits>& allowed_kpa) {
   for (std::size_t s = 0; s < allowed_kpa.size(); ++s) {
     for (const double sign : {1.0, -1.0}) {
-      const double wanted = limit_scale * arm.segments[s].pressure_limit_kpa.side_kpa(sign);
+      const double wanted = limit_scale * arm.limits_of_channel(static_cast<int>(s)).side_kpa(sign);
       const double allowed = allowed_kpa[s].side_kpa(sign);
       if (sign * allowed < sign * wanted - kSetpointRounding) {
         return ShortReach{static_cast<Eigen::Index>(s), wanted, allowed};

@@ -15,7 +15,7 @@ void require_frame_rule(const ArmDescription& arm, int frame, const Pressures& b
   constexpr double kRounding = 1e-3;  // [kPa] of float32 set points and their sums
   const double step_kpa = arm.pressure_step_limit_kpa();
   for (Eigen::Index i = 0; i < arm.channel_count(); ++i) {
-    const PressureLimits& limits = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+    const PressureLimits& limits = arm.limits_of_channel(static_cast<int>(i));
     const double value = setpoint_kpa[i];
     if (!limits.contains(value)) {
       throw InputError(fmt::format("controller: set point of {} in {} is {} {}; expected {}",
