@@ -47,9 +47,10 @@ ArmDescription load_any_arm(const std::string& name_or_path, PolynomialsOf polyn
   return arm;
 }
 
-ArmDescription load_asked_arm(const std::string& name_or_path, PolynomialsOf polynomials) {
+ArmDescription load_asked_arm(const std::string& name_or_path, const std::string& what,
+                              PolynomialsOf polynomials) {
   ArmDescription arm = load_any_arm(name_or_path, polynomials);
-  require_planar(arm, "this command");
+  require_planar(arm, what);
   return arm;
 }
 

@@ -72,8 +72,9 @@ std::string find_arm_file(const std::string& name_or_path);
 /// The arm of that file, with what the file says of the virtual arm checked too.
 ArmDescription load_any_arm(const std::string& name_or_path,
                             PolynomialsOf polynomials = PolynomialsOf::model);
-/// The same for verbs that can't use arms in space. @throws InputError as `require_planar`.
-ArmDescription load_asked_arm(const std::string& name_or_path,
+/// The same for verbs that can't use arms in space. @throws InputError as `require_planar`, whose
+/// `what` it is.
+ArmDescription load_asked_arm(const std::string& name_or_path, const std::string& what,
                               PolynomialsOf polynomials = PolynomialsOf::model);
 
 /// Path of an environment file, found the same way ("01_pillar" in environments/).

@@ -65,7 +65,7 @@ class CalibrateVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
-    const ArmDescription arm = load_asked_arm(arm_);
+    const ArmDescription arm = load_asked_arm(arm_, "limber calibrate");
     CompensationModel model = read();
     require_model_of(model, arm, model_file_);
     if (check_runs_ > 0) {

@@ -135,7 +135,8 @@ class CharacterizeVerb final : public Verb {
  private:
   int run_bench(const CommonFlags& flags) {
     const std::string arm_file = find_arm_file(arm_);
-    const ArmDescription arm = load_asked_arm(arm_file, PolynomialsOf::characterisation);
+    const ArmDescription arm =
+        load_asked_arm(arm_file, "characterize's bench test", PolynomialsOf::characterisation);
     require_characterisable(arm);
     for (const std::string& path : {out_, plot_}) {
       if (!path.empty()) {
@@ -210,12 +211,11 @@ class CharacterizeVerb final : public Verb {
       refuse_to_overwrite(out_, flags.force);
     }
     const std::string arm_file = find_arm_file(arm_);
-    if (const ArmDescription any = load_any_arm(arm_file, PolynomialsOf::characterisation);
-        any.is_spatial()) {
+    const ArmDescription any = load_any_arm(arm_file, PolynomialsOf::characterisation);
+    if (any.is_spatial()) {
       return run_recordings_in_space(flags, any);
     }
-    const ArmDescription arm = with_lines_for_missing_polynomials(
-        load_asked_arm(arm_file, PolynomialsOf::characterisation));
+    const ArmDescription arm = with_lines_for_missing_polynomials(any);
     std::vector<Episode> episodes;
     RecordingKinds kinds;
     for (const std::string& path : recordings_) {
@@ -273,8 +273,8 @@ class CharacterizeVerb final : public Verb {
       throw InputError(
           "--commands: prints what is to stand in the arm file, and takes no --recording or --out");
     }
-    const ArmDescription arm = with_lines_for_missing_polynomials(
-        load_asked_arm(find_arm_file(arm_), PolynomialsOf::characterisation));
+    const ArmDescription arm = with_lines_for_missing_polynomials(load_asked_arm(
+        find_arm_file(arm_), "characterize --commands", PolynomialsOf::characterisation));
     const CommandShares shares =
         find_command_shares({command_logs_.begin(), command_logs_.end()}, mapping_, arm);
     print_result(flags, to_json(shares, arm), to_text(shares, arm));
@@ -282,7 +282,8 @@ class CharacterizeVerb final : public Verb {
   }
 
   int run_valves(const CommonFlags& flags) const {
-    const ArmDescription arm = load_asked_arm(arm_, PolynomialsOf::characterisation);
+    const ArmDescription arm =
+        load_asked_arm(arm_, "characterize --valves", PolynomialsOf::characterisation);
     const fs::path plot = plots_.empty() ? fs::path() : fs::path(plots_) / "valves.svg";
     for (const fs::path& path : {fs::path(out_), plot}) {
       if (!path.empty()) {

@@ -50,7 +50,7 @@ class DemoVerb final : public Verb {
   int run(const CommonFlags& flags) override {
     DemoSettings settings;
     settings.folder = out_;
-    settings.arm = load_asked_arm(arm_);
+    settings.arm = load_asked_arm(arm_, "limber demo");
     settings.quick = quick_;
     settings.force = flags.force;
     settings.seed = flags.seed;

@@ -63,7 +63,7 @@ class EnvironmentVerb final : public Verb {
           "expected either 'limber environment check FILE' or "
           "'limber environment --random --count N --out DIR'");
     }
-    const ArmDescription arm = load_asked_arm(arm_);
+    const ArmDescription arm = load_asked_arm(arm_, "limber environment");
     if (!check && witness_ == "arm") {
       require_virtual_witness(arm);
       return run_random(arm, virtual_witness(arm), flags);

@@ -71,7 +71,7 @@ class ExecuteVerb final : public Verb {
     const std::vector<Disturbance> disturbances = parse_disturbances(disturbance_);
     refuse_what_cannot_be_disturbed(disturbances);
     const std::string arm_file = find_arm_file(arm_);
-    ArmDescription arm = load_asked_arm(arm_file);
+    ArmDescription arm = load_asked_arm(arm_file, "limber execute");
     if (track_.is_asked()) {
       return track(arm, arm_file, disturbances, flags);
     }

@@ -78,7 +78,7 @@ class ExperimentVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
-    settings_.arm = load_asked_arm(arm_);
+    settings_.arm = load_asked_arm(arm_, "limber experiment");
     if (environments_.empty()) {
       environments_.push_back((data_folder() / "environments").string());
     }

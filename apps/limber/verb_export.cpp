@@ -176,8 +176,8 @@ class ExportVerb final : public Verb {
     write_backbones_csv(shapes, plan);
     add({setpoints, shapes});
     if (!arm_.empty() || !plan.arm_description.empty()) {
-      add_commands(
-          plan, arm_.empty() ? read_arm_keys(plan.arm_description, file_) : load_asked_arm(arm_));
+      add_commands(plan, arm_.empty() ? read_arm_keys(plan.arm_description, file_)
+                                      : load_asked_arm(arm_, "limber export"));
     }
   }
 
@@ -192,7 +192,7 @@ class ExportVerb final : public Verb {
   /// Set points go to valves, which follow whatever they are given.
   void require_safe_to_command(const Plan& plan) const {
     if (!arm_.empty()) {
-      require_plan_of(plan, load_asked_arm(arm_), file_);
+      require_plan_of(plan, load_asked_arm(arm_, "limber export"), file_);
     } else if (!plan.certified) {
       throw InputError(fmt::format(
           "{}: certificate: missing, so nothing says that its set points keep to the limits of arm "

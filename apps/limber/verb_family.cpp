@@ -84,7 +84,7 @@ class FamilyVerb final : public Verb {
     if (tube_runs_ != 0) {
       require_usable(calibration());
     }
-    const ArmDescription arm = load_asked_arm(arm_);
+    const ArmDescription arm = load_asked_arm(arm_, "limber family");
     const PhysicsVariation variation = parse_physics_variation(variation_);
     fs::create_directories(folder());
     std::vector<Episode> episodes;

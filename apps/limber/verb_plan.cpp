@@ -126,7 +126,7 @@ class PlanVerb final : public Verb {
 
   int run(const CommonFlags& flags) override {
     const std::string arm_file = find_arm_file(arm_);
-    const ArmDescription arm = load_asked_arm(arm_file);
+    const ArmDescription arm = load_asked_arm(arm_file, "limber plan");
     const ForwardModel forward = model_.planning_model(arm);
     const MotionModel model = model_.motion_model(arm, forward);
     model_.warn_without_valves(model, flags);

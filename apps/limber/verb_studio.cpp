@@ -47,7 +47,7 @@ class StudioVerb final : public Verb {
 
   int run(const CommonFlags& flags) override {
     const std::string arm_file = find_arm_file(arm_);
-    const ArmDescription arm = load_asked_arm(arm_file);
+    const ArmDescription arm = load_asked_arm(arm_file, "limber studio");
     settings_.arm = arm_file;
     settings_.model = model_;
     if (!driver_.empty()) {

@@ -43,7 +43,7 @@ class VerifyVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
-    const ArmDescription arm = load_asked_arm(arm_);
+    const ArmDescription arm = load_asked_arm(arm_, "limber verify");
     const Environment environment = load_environment(find_environment_file(environment_), arm);
     const Plan plan = read_plan_unchecked(plan_);
     const std::optional<CompensationModel> network = read_network(plan);

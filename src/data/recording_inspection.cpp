@@ -76,14 +76,14 @@ class EpisodeInspector {
       const double limit_kpa = limits_kpa_[s].largest_kpa();
       if (limits_kpa_[s].size_kpa(setpoint_kpa) > kSetpointOvershoot * limit_kpa) {
         suspicions_.add(
-            "a set point beyond the segment's limit", index_, t,
+            "a set point beyond its limit", index_, t,
             fmt::format("{}: {:.1f} {}, limit {:.1f}", channel_name(recording_.dimension, s),
                         setpoint_kpa, recording_.command.unit, limit_of(s, setpoint_kpa)));
       }
       if (!episode_.setpoints_only &&
           limits_kpa_[s].size_kpa(pressure_kpa) > kOvershoot * limit_kpa) {
         suspicions_.add(
-            "a measured " + recording_.command.name + " more than 10 % beyond the segment's limit",
+            "a measured " + recording_.command.name + " more than 10 % beyond its limit",
             index_, t,
             fmt::format("{}: {:.1f} {}, limit {:.1f}", channel_name(recording_.dimension, s),
                         pressure_kpa, recording_.command.unit, limit_of(s, pressure_kpa)));
