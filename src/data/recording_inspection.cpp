@@ -83,8 +83,7 @@ class EpisodeInspector {
       if (!episode_.setpoints_only &&
           limits_kpa_[s].size_kpa(pressure_kpa) > kOvershoot * limit_kpa) {
         suspicions_.add(
-            "a measured " + recording_.command.name + " more than 10 % beyond its limit",
-            index_, t,
+            "a measured " + recording_.command.name + " more than 10 % beyond its limit", index_, t,
             fmt::format("{}: {:.1f} {}, limit {:.1f}", channel_name(recording_.dimension, s),
                         pressure_kpa, recording_.command.unit, limit_of(s, pressure_kpa)));
       }
