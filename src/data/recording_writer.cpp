@@ -22,6 +22,8 @@ constexpr hsize_t kChunkFrames = 1024;
 constexpr std::uintmax_t kSpareBytes = std::uintmax_t{64} << 20U;  // structure, and other writers
 constexpr int kDeflateLevel = 1;  // level 1 after shuffle: half the size at 4× level 6's speed
 
+constexpr std::size_t kPartsPerOpenFile = 64;  // HDF5 keeps 30 kB for each until it closes the file
+
 constexpr std::size_t kLongestAttribute = 64'000;  // bytes; HDF5 keeps 64 kB with name and type
 
 /// Of fixed length: texts of variable length lie in a heap that HDF5 reads without any check, so
@@ -272,7 +274,8 @@ void join_recordings(const std::filesystem::path& path, const std::vector<fs::pa
       std::optional<H5::H5File> file;
       std::string origin;
       std::size_t episodes = 0;
-      for (const fs::path& part : parts) {
+      for (std::size_t i = 0; i < parts.size(); ++i) {
+        const fs::path& part = parts[i];
         Recording recording = read_recording(part);
         const std::string own = origin_of(recording);
         if (!file) {
@@ -289,6 +292,9 @@ void join_recordings(const std::filesystem::path& path, const std::vector<fs::pa
           file.emplace(temporary.string(), H5F_ACC_EXCL, without_times(H5::FileCreatPropList()),
                        access);
           write_header(*file, recording);
+        } else if (i % kPartsPerOpenFile == 0) {
+          file->close();
+          file.emplace(temporary.string(), H5F_ACC_RDWR, H5::FileCreatPropList::DEFAULT, access);
         }
         episodes = write_episodes(*file, recording, episodes);
       }
