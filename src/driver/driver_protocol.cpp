@@ -70,11 +70,12 @@ Backbone backbone(const JsonReader& reader, int points) {
   return result;
 }
 
-BodyPoses poses_in_space(const JsonReader& reader, int points) {
+/// @param what  they are poses of
+BodyPoses poses_in_space(const JsonReader& reader, int points, const char* what) {
   const std::vector<JsonReader> rows =
       reader.elements("a list of [x, y, z, qx, qy, qz, qw], or null");
   if (rows.size() != static_cast<std::size_t>(points)) {
-    reader.refuse(fmt::format("{} poses found; the arm has {} plates", rows.size(), points));
+    reader.refuse(fmt::format("{} {} found; the arm has {} plates", rows.size(), what, points));
   }
   BodyPoses result(points, kSpacePoseSize);
   for (int i = 0; i < points; ++i) {
@@ -103,11 +104,12 @@ void read_shape(const JsonReader& root, const HostHello& arm, DriverReply& reply
       reader.refuse("stands beside backbone; a state has one of the two");
     }
     if (!reader.is_null()) {
-      reply.bodies = poses_in_space(reader, arm.points);
+      reply.bodies = poses_in_space(reader, arm.points, "bodies");
     }
   } else if (root.has("backbone") && !root.at("backbone").is_null()) {
     if (arm.is_spatial()) {
-      reply.state.space_backbone = poses_in_space(root.at("backbone"), arm.points).cast<float>();
+      reply.state.space_backbone =
+          poses_in_space(root.at("backbone"), arm.points, "poses").cast<float>();
     } else {
       reply.state.backbone = backbone(root.at("backbone"), arm.points);
     }
