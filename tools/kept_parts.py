@@ -1,22 +1,29 @@
 """For scripts that measure in parts: limber's answers, and parts that are not measured twice."""
 
 import json
+import random
 import subprocess
 import sys
 
 
-class KeptParts:
-    """Runs limber; keeps the results of parts as OUT/NAME.json."""
+def seed_of(commit, *names):
+    """A seed that depends on the commit and on what it is for."""
+    return random.Random(":".join([commit, *map(str, names)])).randrange(1, 2**31)
 
-    def __init__(self, limber, out):
+
+class KeptParts:
+    """Runs limber, in the folder `cwd`; keeps the results of parts as OUT/NAME.json."""
+
+    def __init__(self, limber, out, cwd=None):
         self.program = limber
         self.out = out
+        self.cwd = cwd
         self.out.mkdir(parents=True, exist_ok=True)
 
     def limber(self, *arguments, codes=(0,)):
         """The JSON that limber prints; ends the script where the exit code is another."""
         command = [str(self.program), *map(str, arguments)]
-        done = subprocess.run(command, stdout=subprocess.PIPE, encoding="utf-8", check=False)
+        done = subprocess.run(command, cwd=self.cwd, stdout=subprocess.PIPE, encoding="utf-8", check=False)
         if done.returncode not in codes:
             sys.exit(f"{' '.join(command)}: exit code {done.returncode}")
         return json.loads(done.stdout)

@@ -31,6 +31,7 @@ import sys
 import numpy as np
 
 import limber
+from kept_parts import KeptParts, seed_of
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 ARMS, TRAININGS = 8, 10
@@ -49,11 +50,6 @@ BARS = {"window_32": 45.0, "open_loop": 25.0}  # less than the grey box [%]
 # Errors of the tip on a real planar arm [mm]: one step, 32 frames, whole trials.
 REAL = {"hold": (2.1, 28.7, 110.0), "linear_one_step": (2.4, 21.3, 45.4), "grey_box": (5.0, 17.6, 19.5),
         "network": (2.7, 12.3, 17.1), "constant_velocity": (0.9, None, None)}
-
-
-def seed_of(commit, *names):
-    """A seed that depends on the commit and on what it is for."""
-    return random.Random(":".join([commit, *map(str, names)])).randrange(1, 2**31)
 
 
 def arm_text(name, rate_hz, segments, rest=""):
@@ -236,34 +232,20 @@ class GreyBox:
         return found
 
 
-class StandIn:
+class StandIn(KeptParts):
     """One drawn arm in a folder of its own."""
 
     def __init__(self, options, number):
         self.options, self.number = options, number
         self.folder = options.out / f"arm_{number}"
-        self.folder.mkdir(parents=True, exist_ok=True)
+        super().__init__(options.limber.resolve(), self.folder, cwd=self.folder)
         told, true, self.drawn = draw_arm(random.Random(seed_of(options.hash, "arm", number)), number)
         (self.folder / "arm.yaml").write_text(told, encoding="utf-8")
         (self.folder / "true.yaml").write_text(true, encoding="utf-8")
         (self.folder / "mapping.yaml").write_text(mapping_text(self.drawn["segments"]), encoding="utf-8")
 
-    def limber(self, *arguments):
-        command = [self.options.limber.resolve(), *map(str, arguments), "--json", "--force"]
-        command += ["--jobs", str(self.options.jobs)]
-        done = subprocess.run(command, cwd=self.folder, capture_output=True, encoding="utf-8",
-                              check=False)
-        if done.returncode != 0:
-            sys.exit(f"{' '.join(map(str, command))}: exit code {done.returncode}\n{done.stderr}")
-        return json.loads(done.stdout)
-
-    def kept(self, name, make):
-        """A part's JSON: read if it is there, else made and written."""
-        path = self.folder / f"{name}.json"
-        if not path.exists():
-            found = make()
-            path.write_text(json.dumps(found, indent=1), encoding="utf-8")
-        return json.loads(path.read_text(encoding="utf-8"))
+    def limber(self, *arguments, codes=(0,)):
+        return super().limber(*arguments, "--json", "--force", "--quiet", "--jobs", self.options.jobs, codes=codes)
 
     def write_logs(self):
         """Trials to learn from, of which one is broken, then those to test on."""

@@ -9,7 +9,6 @@
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/data/episode_slice.hpp"
-#include "limber/data/valve_simulation.hpp"
 #include "limber/training/cross_validation.hpp"
 #include "limber/training/episode_slices.hpp"
 #include "sliced_recordings.hpp"

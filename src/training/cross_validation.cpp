@@ -36,13 +36,10 @@ constexpr int kMinPartFrames = 100;  // a rollout over less says little
 /// What is tried: a wide layer, which learns little of the noise, and the preset's three, of the
 /// number of epochs that they need where recordings are clean; or the user's layers.
 std::vector<EpochsTried> tries(const std::vector<int>& hidden_units) {
-  std::vector<EpochsTried> tries;
   if (hidden_units.empty()) {
-    tries = {{100, {200}}, {300, {200}}, {300, TrainingSettings().hidden_units}};
-  } else {
-    tries = {{100, hidden_units}, {300, hidden_units}};
+    return {{100, {200}}, {300, {200}}, {300, TrainingSettings().hidden_units}};
   }
-  return tries;
+  return {{100, hidden_units}, {300, hidden_units}};
 }
 
 /// The parts that folds are made of, and what is learnt from in all of them.

@@ -19,14 +19,14 @@ void require_frame_rule(const ArmDescription& arm, int frame, const Pressures& b
     const double value = setpoint_kpa[i];
     if (!limits.contains(value)) {
       throw InputError(fmt::format("controller: set point of {} in {} is {} {}; expected {}",
-                                   segment_name(i), frame_name(frame), value, arm.command.unit,
+                                   channel_name(arm, i), frame_name(frame), value, arm.command.unit,
                                    to_string(limits)));
     }
     if (!(std::abs(value - double(before_kpa[i])) <= step_kpa + kRounding)) {
       throw InputError(fmt::format(
           "controller: set point of {} in {} changes from {} to {} {unit}; a frame allows "
           "{} {unit}",
-          segment_name(i), frame_name(frame), before_kpa[i], value, step_kpa,
+          channel_name(arm, i), frame_name(frame), before_kpa[i], value, step_kpa,
           fmt::arg("unit", arm.command.unit)));
     }
   }
