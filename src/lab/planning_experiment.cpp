@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <optional>
 #include <set>
 
@@ -12,6 +13,7 @@
 
 #include "demo/demo_recipe.hpp"
 #include "experiment_identity.hpp"
+#include "experiment_results.hpp"
 #include "kernels/job_arena.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
@@ -25,11 +27,6 @@
 #include "limber/planning/forest.hpp"
 #include "limber/planning/planner_factory.hpp"
 #include "limber/planning/problem_check.hpp"
-#include "limber/report/final_shapes_picture.hpp"
-#include "limber/report/planner_arena.hpp"
-#include "limber/report/planning_table.hpp"
-#include "limber/report/report_page.hpp"
-#include "limber/report/run_table.hpp"
 #include "limber/sim/disturbance.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
 #include "trial_file.hpp"
@@ -79,7 +76,6 @@ class Experiment {
         identity_(experiment_identity(settings, model_bytes_hash_)) {}
 
   Json run() {
-    list_tasks();
     prepare_folder();
     if (settings_.parts.empty()) {
       run_tasks();
@@ -152,16 +148,15 @@ class Experiment {
       names.insert(names.end(), {"figures/" + item.id + ".svg", "figures/" + item.id + "_all.svg",
                                  "planner_arena/" + item.id + ".log"});
     }
-    for (const Task& task : tasks_) {
-      if (!has_trial(folder_of(*task.environment), task.key.id)) {
-        const std::vector<std::string> files = trial_files(task.key.id);
-        names.insert(names.end(), files.begin(), files.end());
-      }
+    for (const Task& task : open_tasks()) {
+      const std::vector<std::string> files = trial_files(task.key.id);
+      names.insert(names.end(), files.begin(), files.end());
     }
     return names;
   }
 
-  void list_tasks() {
+  std::vector<Task> tasks_in(const EnvironmentCase& item) const {
+    std::vector<Task> tasks;
     for (const std::string& disturbance : settings_.disturbances) {
       for (const std::string& controller : settings_.controllers) {
         for (const std::string& planner : settings_.planners) {
@@ -169,16 +164,27 @@ class Experiment {
           key.planner = planner;
           key.controller = controller;
           key.disturbance = disturbance;
-          for (const EnvironmentCase& item : settings_.environments) {
-            add_tasks(key, item, no_load_);
-            add_tasks(key, item, network_);
-          }
+          add_tasks(key, item, no_load_, tasks);
+          add_tasks(key, item, network_, tasks);
         }
       }
     }
+    return tasks;
   }
 
-  void add_tasks(TrialKey key, const EnvironmentCase& item, const MotionModel& model) {
+  /// Of all environments; folders with their trials stay as they are.
+  std::vector<Task> open_tasks() const {
+    std::vector<Task> open;
+    for (const EnvironmentCase& item : settings_.environments) {
+      std::ranges::copy_if(tasks_in(item), std::back_inserter(open), [&](const Task& task) {
+        return !has_trial(folder_of(item), task.key.id);
+      });
+    }
+    return open;
+  }
+
+  void add_tasks(TrialKey key, const EnvironmentCase& item, const MotionModel& model,
+                 std::vector<Task>& tasks) const {
     const bool is_closed = key.controller == "replan";  // which needs a network
     if (!model.has_network() && (!settings_.with_no_load || is_closed)) {
       return;
@@ -191,22 +197,24 @@ class Experiment {
     for (int k = 0; k < settings_.trials; ++k) {
       key.seed = derived_seed(settings_.seed, kTrialSeed + std::uint64_t(k));
       key.id = fmt::format("{}_{}_{}_{:03}", item.id, key.model, way_of(key), k + 1);
-      tasks_.push_back({&item, &model, key});
+      tasks.push_back({&item, &model, key});
     }
   }
 
   void run_tasks() {
-    std::vector<const Task*> open;
-    for (const Task& task : tasks_) {
-      if (!has_trial(settings_.folder, task.key.id)) {
-        open.push_back(&task);
-      } else {
-        (void)read(task);  // a damaged one is found now, not after hours of running the others
+    const std::vector<Task> open = open_tasks();
+    int finished = 0;
+    for (const EnvironmentCase& item : settings_.environments) {
+      for (const Task& task : tasks_in(item)) {
+        if (has_trial(settings_.folder, task.key.id)) {
+          ++finished;
+          (void)read(task);  // a damaged one is found now, not after hours of running the others
+        }
       }
     }
-    if (open.size() < tasks_.size()) {
-      settings_.say(fmt::format("{} of {} trials were already finished",
-                                tasks_.size() - open.size(), tasks_.size()));
+    if (finished > 0) {
+      settings_.say(fmt::format("{} of {} trials were already finished", finished,
+                                finished + static_cast<int>(open.size())));
     }
     PlanTrialSettings trial;
     trial.limits = settings_.limits;
@@ -220,7 +228,7 @@ class Experiment {
     arena.execute([&] {
       tbb::parallel_for(std::size_t{0}, open.size(), [&](std::size_t i) {
         if (!interrupt_requested()) {
-          run_task(*open[i], trial);
+          run_task(open[i], trial);
           progress.advance();
         }
       });
@@ -252,58 +260,15 @@ class Experiment {
   }
 
   Json write_results() {
-    std::vector<PlanTrial> trials;
-    for (const Task& task : tasks_) {
-      trials.push_back(read(task));
-    }
-    const std::vector<PlanningRow> rows = planning_rows(trials);
-    const Json table = to_json(rows);
-    output_->write("table.json", table.dump(1) + "\n");
-    const std::string title =
-        fmt::format("Planning and execution, arm {}, {} trials per cell, seed {}",
-                    settings_.arm.name, settings_.trials, settings_.seed);
-    std::vector<ReportTable> tables = planning_tables(rows);
-    const std::vector<RunRow> runs = run_rows(trials);
-    output_->write("runs.json", to_json(runs).dump(1) + "\n");
-    tables.insert(tables.begin(), run_table(runs));
-    output_->write("table.md", tables_to_markdown(title, tables));
-    write_report(title, tables, rows, trials);
+    ExperimentResults results(settings_, *output_);
     for (const EnvironmentCase& item : settings_.environments) {
-      output_->write("planner_arena/" + item.id + ".log",
-                     planner_arena_log(item.id, trials, settings_.limits, settings_.seed));
-    }
-    return table;
-  }
-
-  void write_report(const std::string& title, const std::vector<ReportTable>& tables,
-                    const std::vector<PlanningRow>& rows, const std::vector<PlanTrial>& trials) {
-    ReportPage page("limber experiment", title);
-    page.heading("Tables");
-    for (const ReportTable& table : tables) {
-      page.table(table);
-    }
-    page.heading("Final shapes")
-        .paragraph(
-            "As in the paper's Fig. 5: where the arm ended after executing one plan of each model, "
-            "and after all of them. Runs that collided are dashed.");
-    for (const EnvironmentCase& item : settings_.environments) {
-      std::vector<PlanTrial> one;
-      for (const PlanningRow& row : rows) {
-        const PlanningRow& first = rows.front();
-        if (row.environment == item.id && row.planner == first.planner &&
-            row.controller == first.controller && row.disturbance == first.disturbance &&
-            row.one_plan != nullptr) {
-          one.push_back(*row.one_plan);
-        }
+      std::vector<PlanTrial> trials;
+      for (const Task& task : tasks_in(item)) {
+        trials.push_back(read(task));
       }
-      const std::string single = final_shapes_picture(settings_.arm, item, one);
-      const std::string all = final_shapes_picture(settings_.arm, item, trials);
-      output_->write("figures/" + item.id + ".svg", single);
-      output_->write("figures/" + item.id + "_all.svg", all);
-      page.figures(
-          {{single, item.id + ": one plan of each model"}, {all, item.id + ": all plans"}});
+      results.add(item, trials);
     }
-    output_->write("report.html", page.html());
+    return results.write();
   }
 
   const ExperimentSettings& settings_;
@@ -314,7 +279,6 @@ class Experiment {
   MotionModel network_;
   Json identity_;
   std::optional<OutputFolder> output_;
-  std::vector<Task> tasks_;
 };
 
 }  // namespace

@@ -52,6 +52,12 @@ bool is_of(const PlanTrial& trial, const PlanningRow& row) {
          trial.disturbance == row.disturbance;
 }
 
+PlanTrial without_frames(PlanTrial trial) {
+  trial.planning.plan.reset();
+  trial.planning.events.clear();
+  return trial;
+}
+
 template <class IsCounted>
 void fill(PlanningRow& row, const std::vector<PlanTrial>& trials, const IsCounted& is_counted) {
   Samples samples;
@@ -65,7 +71,9 @@ void fill(PlanningRow& row, const std::vector<PlanTrial>& trials, const IsCounte
       continue;
     }
     ++row.solved;
-    row.one_plan = row.one_plan == nullptr ? &trial : row.one_plan;
+    if (!row.one_plan) {
+      row.one_plan = without_frames(trial);
+    }
     const FirstSolution& first = *trial.planning.first_solution;
     samples.first_solution_s.push_back(first.time_s);
     samples.first_candidate_s.push_back(first.candidate_s);
@@ -145,8 +153,8 @@ ReportTable one_plan_table(const std::vector<PlanningRow>& rows) {
     std::vector<std::string> cells = {row.environment, model_name(row), std::to_string(row.solved),
                                       with_error(row.first_solution_s, 4),
                                       with_error(row.cost_psi, 1)};
-    const PlanTrial* trial = row.one_plan;
-    const bool ran = trial != nullptr && trial->execution && has_run(*trial->execution);
+    const std::optional<PlanTrial>& trial = row.one_plan;
+    const bool ran = trial && trial->execution && has_run(*trial->execution);
     const bool struck = ran && trial->execution->collided;
     const bool free = ran && !struck && trial->execution->final_backbone;
     cells.push_back(struck ? "Yes" : free ? "No" : "N/A");

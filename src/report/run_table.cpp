@@ -14,20 +14,40 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct RunSamples {
-  std::vector<double> distance_cm, goal_time_ratio, time_ratio, replans;
-};
-
 bool is_run_of(const PlanTrial& trial, const RunRow& row) {
   return trial.model == row.model && trial.planner == row.planner &&
          trial.controller == row.controller && trial.disturbance == row.disturbance;
 }
 
-void add_run(const PlanTrial& trial, RunRow& row, RunSamples& samples) {
+Json run_figures(const SampleFigures& figures) {
+  return {{"mean", json_number(figures.mean)},
+          {"median", json_number(figures.median)},
+          {"p95", json_number(figures.p95)}};
+}
+
+}  // namespace
+
+void RunCount::add(const PlanTrial& trial) {
+  const auto found = std::ranges::find_if(
+      all_, [&](const Counted& counted) { return is_run_of(trial, counted.row); });
+  if (found != all_.end()) {
+    add_run(trial, *found);
+    return;
+  }
+  Counted& counted = all_.emplace_back();
+  counted.row.model = trial.model;
+  counted.row.planner = trial.planner;
+  counted.row.controller = trial.controller;
+  counted.row.disturbance = trial.disturbance;
+  add_run(trial, counted);
+}
+
+void RunCount::add_run(const PlanTrial& trial, Counted& counted) {
   if (!trial.execution) {
     return;
   }
   const ExecutionResult& run = *trial.execution;
+  RunRow& row = counted.row;
   if (!has_run(run)) {
     ++row.faults;
     return;
@@ -39,48 +59,25 @@ void add_run(const PlanTrial& trial, RunRow& row, RunSamples& samples) {
   row.stopped_ahead += is_clean_stop(run) ? 1 : 0;
   row.appeared += run.appeared ? 1 : 0;
   if (run.final_backbone && !is_clean_stop(run)) {
-    samples.distance_cm.push_back(kCmPerM * run.goal_error.position_m);
+    counted.distance_cm.push_back(kCmPerM * run.goal_error.position_m);
   }
-  samples.replans.push_back(run.replans);
+  counted.replans.push_back(run.replans);
   if (has_arrived(run) && run.goal_time_s && run.planned_goal_time_s.value_or(0.0) > 0.0) {
-    samples.goal_time_ratio.push_back(*run.goal_time_s / *run.planned_goal_time_s);
+    counted.goal_time_ratio.push_back(*run.goal_time_s / *run.planned_goal_time_s);
   }
   if (trial.planning.plan && trial.planning.plan->frame_count() > 1) {
-    samples.time_ratio.push_back(run.frames / double(trial.planning.plan->frame_count() - 1));
+    counted.time_ratio.push_back(run.frames / double(trial.planning.plan->frame_count() - 1));
   }
 }
 
-Json run_figures(const SampleFigures& figures) {
-  return {{"mean", json_number(figures.mean)},
-          {"median", json_number(figures.median)},
-          {"p95", json_number(figures.p95)}};
-}
-
-}  // namespace
-
-std::vector<RunRow> run_rows(const std::vector<PlanTrial>& trials) {
+std::vector<RunRow> RunCount::rows() const {
   std::vector<RunRow> rows;
-  std::vector<RunSamples> samples;
-  for (const PlanTrial& trial : trials) {
-    const auto found = std::find_if(rows.begin(), rows.end(),
-                                    [&](const RunRow& row) { return is_run_of(trial, row); });
-    const auto index = static_cast<std::size_t>(found - rows.begin());
-    if (found == rows.end()) {
-      RunRow row;
-      row.model = trial.model;
-      row.planner = trial.planner;
-      row.controller = trial.controller;
-      row.disturbance = trial.disturbance;
-      rows.push_back(std::move(row));
-      samples.emplace_back();
-    }
-    add_run(trial, rows[index], samples[index]);
-  }
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    rows[i].distance_cm = figures_of(samples[i].distance_cm);
-    rows[i].goal_time_ratio = figures_of(samples[i].goal_time_ratio);
-    rows[i].time_ratio = figures_of(samples[i].time_ratio);
-    rows[i].replans = figures_of(samples[i].replans);
+  for (const Counted& counted : all_) {
+    RunRow& row = rows.emplace_back(counted.row);
+    row.distance_cm = figures_of(counted.distance_cm);
+    row.goal_time_ratio = figures_of(counted.goal_time_ratio);
+    row.time_ratio = figures_of(counted.time_ratio);
+    row.replans = figures_of(counted.replans);
   }
   return rows;
 }

@@ -26,6 +26,14 @@ PlanTrial run_of(const char* environment, const char* controller, const char* di
   return trial;
 }
 
+std::vector<RunRow> run_rows(const std::vector<PlanTrial>& trials) {
+  RunCount count;
+  for (const PlanTrial& trial : trials) {
+    count.add(trial);
+  }
+  return count.rows();
+}
+
 TEST(RunTable, HasARowForEveryControllerAndDisturbanceOverAllEnvironments) {
   std::vector<PlanTrial> trials{run_of("a", "open", "", 0.01), run_of("b", "open", "", 0.03),
                                 run_of("a", "replan", "", 0.01),

@@ -49,15 +49,16 @@ struct PlanningRow {
   SampleFigures distance_free_cm;  ///< without them
   SampleFigures orientation_rad;   ///< where the goal asks for a heading
   SampleFigures orientation_free_rad;
-  /// As in the paper, one plan per cell: the first trial that was solved.
-  const PlanTrial* one_plan = nullptr;
+  /// As in the paper, one plan per cell: the first trial that was solved, without its plan's frames
+  /// and events.
+  std::optional<PlanTrial> one_plan;
 };
 
 /// Stopped because of an obstacle that appeared, without touching anything.
 bool is_clean_stop(const ExecutionResult& run);
 
 /// A row for every planner, environment, model, controller and disturbance that has trials, in the
-/// order of their first trials. Trials are borrowed.
+/// order of their first trials.
 std::vector<PlanningRow> planning_rows(const std::vector<PlanTrial>& trials);
 
 /// The row of all trials of one model in one environment, or in all of them, whatever planned and

@@ -30,8 +30,22 @@ struct RunRow {
   SampleFigures replans;
 };
 
-/// In the order of the first trials.
-std::vector<RunRow> run_rows(const std::vector<PlanTrial>& trials);
+/// Counts trials one by one, and keeps four numbers of each.
+class RunCount {
+ public:
+  void add(const PlanTrial& trial);
+  /// In the order of the first trials.
+  std::vector<RunRow> rows() const;
+
+ private:
+  struct Counted {
+    RunRow row;
+    std::vector<double> distance_cm, goal_time_ratio, time_ratio, replans;
+  };
+  static void add_run(const PlanTrial& trial, Counted& counted);
+
+  std::vector<Counted> all_;
+};
 
 /// runs.json: a list with one object per row.
 nlohmann::ordered_json to_json(const std::vector<RunRow>& rows);

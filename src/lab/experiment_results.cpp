@@ -1,0 +1,98 @@
+#include "experiment_results.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "limber/report/final_shapes_picture.hpp"
+#include "limber/report/planner_arena.hpp"
+
+namespace limber {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// A page with more of them opens slowly, and needs memory for all.
+constexpr std::size_t kMostEnvironmentsOnPage = 100;
+
+bool is_same_way(const PlanningRow& a, const PlanningRow& b) {
+  return a.planner == b.planner && a.controller == b.controller && a.disturbance == b.disturbance;
+}
+
+/// Rows came by environment; tables go by planner, controller and disturbance first.
+std::vector<PlanningRow> by_way(const std::vector<PlanningRow>& rows) {
+  std::vector<PlanningRow> sorted;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto is_same = [&](const PlanningRow& row) { return is_same_way(row, rows[i]); };
+    if (std::ranges::none_of(sorted, is_same)) {
+      std::ranges::copy_if(rows, std::back_inserter(sorted), is_same);
+    }
+  }
+  return sorted;
+}
+
+}  // namespace
+
+void ExperimentResults::add(const EnvironmentCase& item, const std::vector<PlanTrial>& trials) {
+  const std::vector<PlanningRow> rows = planning_rows(trials);
+  std::vector<PlanTrial> one;
+  for (const PlanningRow& row : rows) {
+    if (is_same_way(row, rows.front()) && row.one_plan) {
+      one.push_back(*row.one_plan);
+    }
+  }
+  std::ranges::copy(rows, std::back_inserter(rows_));
+  std::ranges::for_each(trials, [&](const PlanTrial& trial) { runs_.add(trial); });
+  const std::string single = final_shapes_picture(settings_.arm, item, one);
+  const std::string all = final_shapes_picture(settings_.arm, item, trials);
+  output_.write("figures/" + item.id + ".svg", single);
+  output_.write("figures/" + item.id + "_all.svg", all);
+  if (figures_.size() < 2 * kMostEnvironmentsOnPage) {
+    figures_.push_back({single, item.id + ": one plan of each model"});
+    figures_.push_back({all, item.id + ": all plans"});
+  }
+  output_.write("planner_arena/" + item.id + ".log",
+                planner_arena_log(item.id, trials, settings_.limits, settings_.seed));
+}
+
+Json ExperimentResults::write() {
+  rows_ = by_way(rows_);
+  const Json table = to_json(rows_);
+  output_.write("table.json", table.dump(1) + "\n");
+  const std::string title =
+      fmt::format("Planning and execution, arm {}, {} trials per cell, seed {}", settings_.arm.name,
+                  settings_.trials, settings_.seed);
+  const std::vector<RunRow> runs = runs_.rows();
+  output_.write("runs.json", to_json(runs).dump(1) + "\n");
+  std::vector<ReportTable> tables = planning_tables(rows_);
+  tables.insert(tables.begin(), run_table(runs));
+  output_.write("table.md", tables_to_markdown(title, tables));
+  write_report(title, tables);
+  return table;
+}
+
+void ExperimentResults::write_report(const std::string& title,
+                                     const std::vector<ReportTable>& tables) {
+  ReportPage page("limber experiment", title);
+  page.heading("Tables");
+  for (const ReportTable& table : tables) {
+    page.table(table);
+  }
+  page.heading("Final shapes")
+      .paragraph(
+          "As in the paper's Fig. 5: where the arm ended after executing one plan of each model, "
+          "and after all of them. Runs that collided are dashed.");
+  if (settings_.environments.size() > kMostEnvironmentsOnPage) {
+    page.paragraph(fmt::format("The first {} of {} environments; all are in the folder figures.",
+                               kMostEnvironmentsOnPage, settings_.environments.size()));
+  }
+  for (std::size_t i = 0; i + 1 < figures_.size(); i += 2) {
+    page.figures({figures_[i], figures_[i + 1]});
+  }
+  output_.write("report.html", page.html());
+}
+
+}  // namespace limber

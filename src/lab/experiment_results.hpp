@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "limber/lab/output_folder.hpp"
+#include "limber/lab/planning_experiment.hpp"
+#include "limber/report/planning_table.hpp"
+#include "limber/report/report_page.hpp"
+#include "limber/report/run_table.hpp"
+
+namespace limber {
+
+/// Tables, figures and logs of an experiment, written as its environments come in: what is kept of
+/// a trial are some numbers, so that thousands can be joined.
+class ExperimentResults {
+ public:
+  /// Both are borrowed.
+  ExperimentResults(const ExperimentSettings& settings, OutputFolder& output)
+      : settings_(settings), output_(output) {}
+
+  /// All trials of one environment: writes its figures and its log.
+  void add(const EnvironmentCase& item, const std::vector<PlanTrial>& trials);
+
+  /// Writes the tables and the report. @returns table.json
+  nlohmann::ordered_json write();
+
+ private:
+  void write_report(const std::string& title, const std::vector<ReportTable>& tables);
+
+  const ExperimentSettings& settings_;
+  OutputFolder& output_;
+  std::vector<PlanningRow> rows_;
+  RunCount runs_;
+  std::vector<ReportFigure> figures_;  ///< two of each of the first environments
+};
+
+}  // namespace limber
