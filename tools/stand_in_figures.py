@@ -31,6 +31,7 @@ import sys
 import numpy as np
 
 import limber
+from grey_box import GreyBox
 from kept_parts import KeptParts, seed_of
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
@@ -169,69 +170,6 @@ def mapping_text(count):
                       "backbone:", "  unit: mm", "  points:", *points]) + "\n"
 
 
-class GreyBox:
-    """Gain, offset, lag and length of each segment: its turn relaxes toward gain * pressure + offset."""
-
-    SHARES = np.linspace(0.02, 1.0, 50)  # of what is left, in a frame
-
-    def __init__(self, episodes):
-        self.segments = []
-        for i in range(episodes[0].pressure_kpa.shape[1]):
-            fits = [self.fit(episodes, i, share) for share in self.SHARES]
-            best = int(np.argmin([error for error, _ in fits]))
-            steps = [np.diff(e.backbone[:, GAPS * i:GAPS * (i + 1) + 1, :2], axis=1) for e in episodes]
-            length = np.mean([np.hypot(s[..., 0], s[..., 1]).mean() for s in steps])
-            self.segments.append((self.SHARES[best], *fits[best][1], length))
-
-    @staticmethod
-    def turns(episode, i):
-        return episode.backbone[:, GAPS * (i + 1), 2] - episode.backbone[:, GAPS * i, 2]
-
-    def fit(self, episodes, i, share):
-        """Error, and gain and offset: for a given share they are linear."""
-        terms, answers = [], []
-        for episode in episodes:
-            turn = self.turns(episode, i)
-            lagged = np.zeros((len(turn), 2))
-            for t in range(1, len(turn)):
-                lagged[t] = lagged[t - 1] + share * (np.array([episode.pressure_kpa[t, i], 1.0]) - lagged[t - 1])
-            terms.append(lagged)
-            answers.append(turn - turn[0] * (1.0 - share) ** np.arange(len(turn)))
-        terms, answers = np.vstack(terms), np.concatenate(answers)
-        found = np.linalg.lstsq(terms, answers, rcond=None)[0]
-        return np.abs(terms @ found - answers).mean(), found
-
-    def tips(self, episode, first, count):
-        """Of so many frames after the first, from its shape."""
-        turn = np.array([self.turns(episode, i)[first] for i in range(len(self.segments))])
-        places = []
-        for t in range(first + 1, first + 1 + count):
-            place, heading = np.zeros(2), 0.0
-            for i, (share, gain, offset, length) in enumerate(self.segments):
-                turn[i] += share * (gain * episode.pressure_kpa[t, i] + offset - turn[i])
-                for _ in range(GAPS):
-                    half = heading + turn[i] / GAPS / 2.0
-                    place = place + length * np.array([math.cos(half), math.sin(half)])
-                    heading += turn[i] / GAPS
-            places.append(place)
-        return np.array(places)
-
-    def errors_cm(self, episodes):
-        """Mean error of the tip over one step, 32 frames and whole episodes."""
-        found = {}
-        for name, frames in zip(HORIZONS, (1, 32, None)):
-            errors = []
-            for episode in episodes:
-                last = len(episode.time_s) - 1
-                for first in range(0, last, frames or last):
-                    count = min(frames or last, last - first)
-                    apart = (self.tips(episode, first, count) -
-                             episode.backbone[first + 1:first + 1 + count, -1, :2])
-                    errors += np.hypot(*apart.T).tolist()
-            found[name] = {"position_error_cm": {"mean": 100.0 * float(np.mean(errors))}}
-        return found
-
-
 class StandIn(KeptParts):
     """One drawn arm in a folder of its own."""
 
@@ -278,7 +216,25 @@ class StandIn(KeptParts):
     def grey_box(self):
         train, test = (limber.read_recording(self.folder / name).episodes for name in ("train.h5", "test.h5"))
         broken = self.kept("imported", self.import_logs)["named_broken"]
-        return GreyBox([e for i, e in enumerate(train) if i not in broken]).errors_cm(test)
+        return GreyBox([e for i, e in enumerate(train) if i not in broken], GAPS).errors_cm(test)
+
+    def true_arm(self):
+        """The arm itself without valves, which gets the pressures that the sensors told: what no model of
+        a whole trial beats, since a trial's offsets, gains and lengths are not known."""
+        text = (self.folder / "true.yaml").read_text(encoding="utf-8")
+        told = limber.load_arm(self.folder / "arm.yaml")
+        for key, value in {"inflate_time_constant_s": 1e-3, "vent_time_constant_s": 1e-3,
+                           "frame_rate_hz": told.frame_rate_hz, "pressure_rate_limit_kpa_per_s": 2000}.items():
+            text = re.sub(rf"(\b{key}:) \S+", rf"\1 {value:g}", text)
+        path = self.folder / "without_valves.yaml"
+        path.write_text(text, encoding="utf-8")
+        arm, apart = limber.load_arm(path), []
+        for episode in limber.read_recording(self.folder / "test.h5").episodes:
+            virtual = limber.VirtualArm(arm)
+            tips = [virtual.command(row.clip(-LIMIT_KPA, LIMIT_KPA).tolist()).backbone[-1][:2]
+                    for row in np.asarray(episode.pressure_kpa, dtype=float)]
+            apart += np.hypot(*(np.array(tips) - episode.backbone[:, -1, :2])[1:].T).tolist()
+        return {"open_loop": {"position_error_cm": {"mean": 100.0 * float(np.mean(apart))}}}
 
     def train(self, number):
         """A training, and its errors on the test beside those of the yardsticks."""
@@ -295,7 +251,8 @@ class StandIn(KeptParts):
                  "bounded": all(rollout["bounded"] for rollout in rollouts),
                  "held_share": max(rollout["held_share"] for rollout in rollouts)}
         models = {"network": errors["network"], "no_load": errors["no_load"], **errors["baselines"],
-                  "grey_box": self.kept("grey_box", self.grey_box)}
+                  "grey_box": self.kept("grey_box", self.grey_box),
+                  "true_arm": self.kept("true_arm", self.true_arm)}
         for name, by_horizon in models.items():
             found[name] = {horizon: error["position_error_cm"]["mean"]
                            for horizon, error in by_horizon.items() if error}
@@ -322,6 +279,7 @@ def summary(arm, trainings):
     for horizon in HORIZONS:
         line[f"{horizon} mm, network"] = [round(10 * t["network"][horizon], 2) for t in trainings]
         line[f"{horizon} mm, grey box"] = round(10 * trainings[0]["grey_box"][horizon], 2)
+    line["open_loop mm, the arm itself"] = round(10 * trainings[0]["true_arm"]["open_loop"], 2)
     for horizon, bar in BARS.items():
         gains = [less_than_grey_box(trained, horizon) for trained in trainings]
         line[f"{horizon}: less than the grey box [%]"] = [round(gain, 1) for gain in gains]

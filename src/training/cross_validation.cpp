@@ -7,15 +7,10 @@
 #include <numeric>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
-#include "limber/common/json_number.hpp"
-#include "limber/common/json_reader.hpp"
 #include "limber/common/random_stream.hpp"
-#include "limber/common/yaml_reader.hpp"
 #include "limber/data/episode_slice.hpp"
 #include "limber/data/recording_inspection.hpp"
 #include "limber/training/run_errors.hpp"
@@ -30,16 +25,36 @@ namespace {
 constexpr double kMaxHours = 1.0;  // with more, a tenth held back costs less than it tells
 constexpr int kLittleWindowFrames = 32;
 constexpr double kFirstFramesPower = 1.5;
+constexpr int kRunEpochs = 300;  // 100 were never better; 600 no better
+// Both measured on stand-ins for real logs (docs/log/2026-11-27-training.md).
+constexpr double kSoapRate = 2.0;  // over Adam's
+constexpr double kWeightDecay = 0.1;
+// A way whose first network is worse than the best's by more is not tried any further.
+constexpr double kWorthTrying = 1.05;
 constexpr std::uint64_t kFoldStream = 0x666f6c6473;
 constexpr int kMinPartFrames = 100;  // a rollout over less says little
 
-/// What is tried: a wide layer, which learns little of the noise, and the preset's three, of the
-/// number of epochs that they need where recordings are clean; or the user's layers.
-std::vector<EpochsTried> tries(const std::vector<int>& hidden_units) {
+/// What is tried: a wide layer, which learns little of the noise, and the preset's three, better
+/// where recordings are clean; or the user's layers.
+std::vector<WayTried> ways_to_try(const std::vector<int>& hidden_units) {
+  const std::vector<int> wide{200};
+  const std::vector<int>& one = hidden_units.empty() ? wide : hidden_units;
+  std::vector<WayTried> ways{{kRunEpochs, one, Optimiser::soap},
+                             {kRunEpochs, one, Optimiser::adam}};
   if (hidden_units.empty()) {
-    return {{100, {200}}, {300, {200}}, {300, TrainingSettings().hidden_units}};
+    ways.push_back({kRunEpochs, TrainingSettings().hidden_units, Optimiser::adam});
   }
-  return {{100, hidden_units}, {300, hidden_units}};
+  return ways;
+}
+
+/// `settings` for a run of that way.
+TrainingSettings settings_of(const WayTried& way, TrainingSettings settings) {
+  set_epoch_count(settings, way.epochs);
+  settings.keep_epoch = way.epochs;
+  settings.hidden_units = way.hidden_units;
+  settings.optimiser = way.optimiser;
+  settings.learning_rate *= way.optimiser == Optimiser::soap ? kSoapRate : 1.0;
+  return settings;
 }
 
 /// The parts that folds are made of, and what is learnt from in all of them.
@@ -118,57 +133,101 @@ class CrossValidator {
   }
 
   CrossValidation run() {
-    CrossValidation found;
-    found.folds = kFolds;
-    for (const EpochsTried& next : tries(settings_.hidden_units)) {
-      RunErrors errors;
-      found.tried.push_back(tried(next, errors));
-      if (found.tried.size() == 1 || found.tried.back().score_cm() < found.best().score_cm()) {
-        found.chosen = static_cast<int>(found.tried.size()) - 1;
-        found.prediction_error = errors.result(arm_.frame_period_s());
-        found.tube = errors.tube(arm_.length_m());
-        found.widest_where = errors.widest_where(arm_.command.unit);
+    for (const WayTried& way : ways_to_try(settings_.hidden_units)) {
+      attempts_.emplace_back().way = way;
+      add_fold(attempts_.back());
+    }
+    while (Attempt* next = most_promising()) {
+      while (next->way.folds < kFolds && std::isfinite(next->way.score_cm())) {
+        add_fold(*next);
       }
     }
-    if (!std::isfinite(found.best().score_cm())) {
+    return verdict();
+  }
+
+ private:
+  struct Attempt {
+    WayTried way;  ///< errors are means over the folds so far
+    RunErrors errors;
+    double share = 0.0;     ///< of all frames that judge, in those folds
+    double first_cm = 0.0;  ///< score of the first fold's network: all ways have one
+  };
+
+  /// The best that is not tried on all folds, if it may be better than those that are.
+  Attempt* most_promising() {
+    Attempt* best = nullptr;
+    double least_cm = kNever;
+    for (Attempt& attempt : attempts_) {
+      const double score_cm = attempt.way.score_cm();
+      if (attempt.way.folds < kFolds && std::isfinite(score_cm) &&
+          (best == nullptr || score_cm < best->way.score_cm())) {
+        best = &attempt;
+      }
+      if (attempt.way.folds == kFolds) {
+        least_cm = std::min(least_cm, attempt.first_cm);
+      }
+    }
+    return best != nullptr && best->first_cm < kWorthTrying * least_cm ? best : nullptr;
+  }
+
+  /// Another network of that way, and what all of them are worth together.
+  void add_fold(Attempt& attempt) {
+    WayTried& way = attempt.way;
+    TrainingData data;
+    data.training = parts_.resting;
+    std::vector<Episode> unseen;
+    for (std::size_t i = 0; i < parts_.moving.size(); ++i) {
+      (fold_[i] == way.folds ? unseen : data.training).push_back(parts_.moving[i]);
+    }
+    ++way.folds;
+    TrainingResult trained = train(arm_, data, settings_of(way, settings_), hooks_);
+    if (trained.status == TrainingStatus::interrupted) {
+      throw Interrupted("stopped while cross-validation looked for the way to learn");
+    }
+    trained.model.set_valves(valves_);
+    if (trained.status != TrainingStatus::finished ||
+        !attempt.errors.add(arm_, trained.model, unseen, settings_.jobs)) {
+      message_ = trained.message;
+      way.one_step_cm = way.window_32_cm = way.window_600_cm = kNever;
+      return;
+    }
+    const ForwardModel model(arm_, std::move(trained.model));
+    const double share = double(frame_count(unseen)) / double(frame_count(parts_.moving));
+    attempt.share += share;
+    const auto add = [&](double& mean_cm, int frames) {
+      const double error_cm = tip_error_cm(model, unseen, frames, settings_.jobs);
+      mean_cm += share / attempt.share * (error_cm - mean_cm);
+    };
+    add(way.one_step_cm, 1);
+    add(way.window_32_cm, 32);
+    add(way.window_600_cm, 600);
+    if (way.folds == 1) {
+      attempt.first_cm = way.score_cm();
+    }
+    throw_if_interrupted();
+  }
+
+  CrossValidation verdict() {
+    CrossValidation found;
+    found.folds = kFolds;
+    const Attempt* best = nullptr;
+    for (const Attempt& attempt : attempts_) {
+      if (attempt.way.folds == kFolds && std::isfinite(attempt.way.score_cm()) &&
+          (best == nullptr || attempt.way.score_cm() < best->way.score_cm())) {
+        best = &attempt;
+        found.chosen = static_cast<int>(found.tried.size());
+      }
+      found.tried.push_back(attempt.way);
+    }
+    if (best == nullptr) {
       throw InputError(
           fmt::format("no network of cross-validation predicts finite shapes: {}",
                       message_.empty() ? "look at the data with limber inspect" : message_));
     }
+    found.prediction_error = best->errors.result(arm_.frame_period_s());
+    found.tube = best->errors.tube(arm_.length_m());
+    found.widest_where = best->errors.widest_where(arm_.command.unit);
     return found;
-  }
-
- private:
-  /// A network for each fold, and what they are worth together.
-  EpochsTried tried(EpochsTried sum, RunErrors& errors) {
-    set_epoch_count(settings_, sum.epochs);
-    settings_.keep_epoch = sum.epochs;
-    settings_.hidden_units = sum.hidden_units;
-    for (int fold = 0; fold < kFolds; ++fold) {
-      TrainingData data;
-      data.training = parts_.resting;
-      std::vector<Episode> unseen;
-      for (std::size_t i = 0; i < parts_.moving.size(); ++i) {
-        (fold_[i] == fold ? unseen : data.training).push_back(parts_.moving[i]);
-      }
-      TrainingResult trained = train(arm_, data, settings_, hooks_);
-      if (trained.status == TrainingStatus::interrupted) {
-        throw Interrupted("stopped while cross-validation looked for the number of epochs");
-      }
-      trained.model.set_valves(valves_);
-      if (trained.status != TrainingStatus::finished ||
-          !errors.add(arm_, trained.model, unseen, settings_.jobs)) {
-        message_ = trained.message;
-        return {sum.epochs, sum.hidden_units, kNever, kNever, kNever};
-      }
-      const ForwardModel model(arm_, std::move(trained.model));
-      const double share = double(frame_count(unseen)) / double(frame_count(parts_.moving));
-      sum.one_step_cm += share * tip_error_cm(model, unseen, 1, settings_.jobs);
-      sum.window_32_cm += share * tip_error_cm(model, unseen, 32, settings_.jobs);
-      sum.window_600_cm += share * tip_error_cm(model, unseen, 600, settings_.jobs);
-      throw_if_interrupted();
-    }
-    return sum;
   }
 
   static constexpr double kNever = std::numeric_limits<double>::infinity();
@@ -179,6 +238,7 @@ class CrossValidator {
   TrainingSettings settings_;
   const IdentifiedValves& valves_;
   const TrainingHooks& hooks_;
+  std::vector<Attempt> attempts_;
   std::string message_;  // of a run that diverged
 };
 
@@ -194,6 +254,7 @@ TrainingSettings preset_for_little() {
   TrainingSettings settings = best_preset();
   set_window_frames(settings, {kLittleWindowFrames});
   settings.first_frames_power = kFirstFramesPower;
+  settings.weight_decay = kWeightDecay;
   settings.hidden_units.clear();
   return settings;
 }
@@ -209,110 +270,25 @@ TrainingResult train_on_everything(const ArmDescription& arm, const std::vector<
                                    const CrossValidation& found, const TrainingHooks& hooks) {
   TrainingData data;
   data.training = episodes;
-  TrainingSettings all = settings;
-  set_epoch_count(all, found.epochs());
-  all.hidden_units = found.best().hidden_units;
-  all.keep_epoch = found.epochs();
-  TrainingResult result = train(arm, data, all, hooks);
+  TrainingResult result = train(arm, data, settings_of(found.best(), settings), hooks);
+  const bool as_found = result.status != TrainingStatus::diverged;
+  for (std::size_t i = 0; i < found.tried.size(); ++i) {
+    if (result.status == TrainingStatus::diverged && static_cast<int>(i) != found.chosen) {
+      result = train(arm, data, settings_of(found.tried[i], settings), hooks);
+    }
+  }
   if (result.best_epoch > 0) {
     result.model.set_valves(valves);
     if (!arm.is_spatial()) {
       result.model.learnt = learnt_region_of(data);
     }
-    if (result.status == TrainingStatus::finished && result.best_epoch == found.epochs()) {
+    if (as_found && result.status == TrainingStatus::finished) {
       result.model.prediction_error = found.prediction_error;
       result.model.tube = found.tube;
     }
     note_shapes(arm, result.model, episodes, settings.jobs);
   }
   return result;
-}
-
-nlohmann::ordered_json to_json(const CrossValidation& found) {
-  nlohmann::ordered_json json = {{"folds", found.folds},
-                                 {"epochs", found.epochs()},
-                                 {"hidden_units", found.best().hidden_units},
-                                 {"tried", nlohmann::ordered_json::array()},
-                                 {"prediction_error", nullptr},
-                                 {"tube", nullptr},
-                                 {"widest_where", found.widest_where}};
-  for (const EpochsTried& tried : found.tried) {
-    json["tried"].push_back({{"epochs", tried.epochs},
-                             {"hidden_units", tried.hidden_units},
-                             {"one_step_cm", json_number(tried.one_step_cm)},
-                             {"window_32_cm", json_number(tried.window_32_cm)},
-                             {"window_600_cm", json_number(tried.window_600_cm)}});
-  }
-  if (found.prediction_error) {
-    json["prediction_error"] =
-        nlohmann::ordered_json::parse(prediction_error_to_metadata(*found.prediction_error));
-  }
-  if (found.tube) {
-    json["tube"] = nlohmann::ordered_json::parse(tube_to_metadata(*found.tube));
-  }
-  return json;
-}
-
-namespace {
-
-std::vector<int> hidden_units_at(const JsonReader& row) {
-  constexpr int kMaxUnits = 4096;
-  std::vector<int> units;
-  for (const JsonReader& layer : row.at("hidden_units").elements("units of each hidden layer")) {
-    units.push_back(layer.integer(1, kMaxUnits));
-  }
-  return units;
-}
-
-}  // namespace
-
-CrossValidation read_cross_validation(const std::string& text, const std::string& where) {
-  constexpr int kMaxEpochs = 10'000'000;
-  const nlohmann::json json = parse_json_object(text, where);
-  const JsonReader root(json, where, "");
-  CrossValidation found;
-  found.folds = root.at("folds").integer(1, kFolds);
-  const int epochs = root.at("epochs").integer(1, kMaxEpochs);
-  const std::vector<int> hidden_units = hidden_units_at(root);
-  found.chosen = -1;
-  for (const JsonReader& row : root.at("tried").elements("a list of runs")) {
-    const auto error_at = [&](const char* key) {
-      const JsonReader field = row.at(key);
-      return field.is_null() ? std::numeric_limits<double>::infinity() : field.number(0.0);
-    };
-    found.tried.push_back({row.at("epochs").integer(1, kMaxEpochs), hidden_units_at(row),
-                           error_at("one_step_cm"), error_at("window_32_cm"),
-                           error_at("window_600_cm")});
-    if (found.tried.back().epochs == epochs && found.tried.back().hidden_units == hidden_units) {
-      found.chosen = static_cast<int>(found.tried.size()) - 1;
-    }
-  }
-  if (found.chosen < 0) {
-    root.at("epochs").refuse("so many were not tried; remove the file and train again");
-  }
-  if (const JsonReader error = root.at("prediction_error"); !error.is_null()) {
-    found.prediction_error = read_prediction_error(
-        YamlReader::from_text(error.value().dump(), where + ": prediction_error"));
-  }
-  found.widest_where = root.at("widest_where").text();
-  if (const JsonReader tube = root.at("tube"); !tube.is_null()) {
-    found.tube = read_tube(YamlReader::from_text(tube.value().dump(), where + ": tube"));
-  }
-  return found;
-}
-
-std::string to_text(const CrossValidation& found) {
-  std::string text = fmt::format(
-      "{} networks each, on episodes that they had not seen (one step, 32, up to 600 frames)",
-      found.folds);
-  for (std::size_t i = 0; i < found.tried.size(); ++i) {
-    const EpochsTried& tried = found.tried[i];
-    text += fmt::format("{} {} epochs of {}: {:.2f}, {:.2f}, {:.2f} cm{}", i == 0 ? ":" : ";",
-                        tried.epochs, fmt::join(tried.hidden_units, "-"), tried.one_step_cm,
-                        tried.window_32_cm, tried.window_600_cm,
-                        static_cast<int>(i) == found.chosen ? ", chosen" : "");
-  }
-  return text;
 }
 
 }  // namespace limber

@@ -15,30 +15,32 @@ namespace limber {
 
 inline constexpr int kFolds = 4;
 
-/// What runs of one length and shape are worth: mean errors at the tip on episodes that the
-/// networks had not seen, one step ahead, and over rollouts of 32 and of up to 600 frames. Infinite
-/// where one of them diverged.
-struct EpochsTried {
+/// A way to learn, and what it is worth: mean errors at the tip on episodes that the networks had
+/// not seen, one step ahead, and over rollouts of 32 and of up to 600 frames. Infinite where one of
+/// them diverged.
+struct WayTried {
   int epochs = 0;
   std::vector<int> hidden_units;
+  Optimiser optimiser = Optimiser::adam;
+  int folds = 0;  ///< networks; fewer than kFolds where the first was clearly worse than another's
   double one_step_cm = 0.0;
   double window_32_cm = 0.0;
   double window_600_cm = 0.0;
   /// What decides: the mean, as of factors.
   double score_cm() const { return std::cbrt(one_step_cm * window_32_cm * window_600_cm); }
-  bool operator==(const EpochsTried&) const = default;
+  bool operator==(const WayTried&) const = default;
 };
 
-/// How long to train which network on a recording, and how wrong one is that learnt from it
+/// How to learn from a recording, and how wrong one is that learnt from it
 /// (docs/training.md, Learning from little).
 struct CrossValidation {
   int folds = 0;
-  std::vector<EpochsTried> tried;
+  std::vector<WayTried> tried;
   int chosen = 0;                                   ///< index in `tried`
   std::optional<PredictionError> prediction_error;  ///< of the chosen networks' runs
   std::optional<Tube> tube;                         ///< of the same runs
   std::string widest_where;                         ///< RunErrors::widest_where of them
-  const EpochsTried& best() const { return tried[static_cast<std::size_t>(chosen)]; }
+  const WayTried& best() const { return tried[static_cast<std::size_t>(chosen)]; }
   int epochs() const { return best().epochs; }
   bool operator==(const CrossValidation&) const = default;
 };
@@ -53,9 +55,10 @@ TrainingSettings preset_for_little();
 
 /// Deals the episodes that move to kFolds folds of about equal length (long ones are cut where
 /// there are few), and trains a network for each fold on all that is not in it. What rests is
-/// learnt from in all of them, and judges none. So with runs of several lengths (a learning rate
-/// that has fallen all the way teaches more than one that is stopped early) and shapes (one wide
-/// layer learns less noise than three). Depends on data, settings and seed, not on threads.
+/// learnt from in all of them, and judges none. So in several ways: one wide layer learns less
+/// noise than three, and SOAP more than Adam where it does not diverge. After the first fold only
+/// ways that are nearly as good as the best go on. Depends on data, settings and seed, not on
+/// threads.
 /// @param settings  of each run; its checkpoint, ensemble, epochs and keep_epoch are not used. With
 /// hidden units, networks have those
 /// @param valves  of the recording, before the network; PredictionError is about set points
@@ -65,8 +68,9 @@ CrossValidation cross_validate(const ArmDescription& arm, const std::vector<Epis
                                const TrainingSettings& settings, const IdentifiedValves& valves,
                                const TrainingHooks& hooks = {});
 
-/// One network that learns from all `episodes`, for as long as `found` says; it carries its valves
-/// and what it has learnt and, if it was trained to the end, the folds' error.
+/// One network that learns from all `episodes`, in the way that `found` says; it carries its valves
+/// and what it has learnt and, if it was trained to the end, the folds' error. Where it diverges,
+/// the other ways are tried; their networks carry no error.
 [[nodiscard]] TrainingResult train_on_everything(const ArmDescription& arm,
                                                  const std::vector<Episode>& episodes,
                                                  const TrainingSettings& settings,
