@@ -126,8 +126,10 @@ class CrossValidator {
       if (found.tried.size() == 1 || found.tried.back().score_cm() < found.best().score_cm()) {
         found.chosen = static_cast<int>(found.tried.size()) - 1;
         found.prediction_error = errors.result(arm_.frame_period_s());
-        found.tube = errors.tube(arm_.length_m());
-        found.widest_where = errors.widest_where(arm_.command.unit);
+        if (!arm_.is_spatial()) {  // which can't be planned for yet
+          found.tube = errors.tube(arm_.length_m());
+          found.widest_where = errors.widest_where(arm_.command.unit);
+        }
       }
     }
     if (!std::isfinite(found.best().score_cm())) {
