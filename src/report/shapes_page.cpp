@@ -46,14 +46,14 @@ std::string shapes_page(const std::string& title, const ArmDescription& arm, con
     data["tracks"].push_back(
         {{"name", name}, {"color", color}, {"places", packed_frames(places, {kPlaceUnitM})}});
   }
-  return scripted_page(
-      "/assets/shapes.js", title, still,
-      fmt::format(
-          "<li>The network starts from the first recorded shape and is never corrected.</li>"
-          "<li>The first {:.0f} s of {:.0f} s.</li>",
-          double(frames) * arm.frame_period_s(),
-          double(episode.frame_count()) * arm.frame_period_s()),
-      data);
+  std::string notes;
+  if (predicted.size() > 1) {
+    notes = "<li>The network starts from the first recorded shape and is never corrected.</li>";
+  }
+  notes += fmt::format("<li>The first {:.0f} s of {:.0f} s.</li>",
+                       double(frames) * arm.frame_period_s(),
+                       double(episode.frame_count()) * arm.frame_period_s());
+  return scripted_page("/assets/shapes.js", title, still, notes, data);
 }
 
 }  // namespace limber
