@@ -50,9 +50,9 @@ std::string shapes_page(const std::string& title, const ArmDescription& arm, con
   if (predicted.size() > 1) {
     notes = "<li>The network starts from the first recorded shape and is never corrected.</li>";
   }
-  notes += fmt::format("<li>The first {:.0f} s of {:.0f} s.</li>",
-                       double(frames) * arm.frame_period_s(),
-                       double(episode.frame_count()) * arm.frame_period_s());
+  notes +=
+      fmt::format("<li>The first {:.0f} s of {:.0f} s.</li>", double(frames) * arm.frame_period_s(),
+                  double(episode.frame_count()) * arm.frame_period_s());
   return scripted_page("/assets/shapes.js", title, still, notes, data);
 }
 

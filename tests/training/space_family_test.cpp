@@ -38,8 +38,7 @@ class SpaceFamily : public testing::Test {
     TrainingSettings settings = best_preset();
     set_family_size(settings, 1);
     settings.hidden_units = {40};
-    set_window_frames(settings, {16});
-    set_epoch_count(settings, 80);
+    settings.stages = {{2, 32, 40}, {8, 16, 60}, {24, 16, 60}};
     settings.jobs = 2;
     family_ = new CompensationModel(train(arm(), data, settings).model);
   }
@@ -72,12 +71,14 @@ CompensationModel* SpaceFamily::family_ = nullptr;
 TEST_F(SpaceFamily, AnArmThatItHasNeverSeenIsFoundFromItsMotions) {
   ASSERT_TRUE(is_family(family()));
   EXPECT_FALSE(family().past_commands.empty());
+  const CompensationModel middle =
+      model_of_arm(family(), {"", Eigen::VectorXf::Zero(1), Eigen::MatrixXf::Identity(1, 1)});
   for (const double share : {0.12, 0.9}) {
     const Adaptation done = adapt(arm(), family(), motions_of(share, 100), without_weights());
     EXPECT_LT(done.fitted_error_m, 0.5 * done.middle_error_m) << share;
     const std::vector<Episode> others = motions_of(share, 200);
     EXPECT_LT(error_on_other_arms_m(arm(), done.model, others),
-              0.5 * error_on_other_arms_m(arm(), family_of(done.model), others))
+              0.5 * error_on_other_arms_m(arm(), middle, others))
         << share;
     ASSERT_TRUE(done.model.prediction_error);
     EXPECT_LE(done.model.prediction_error->off_path_m, done.model.prediction_error->max_position_m);
@@ -145,7 +146,7 @@ TEST_F(SpaceFamily, FineTuningGoesOnFromAModelInSpace) {
   data.training = {space_toy_episode(arm(), 1000, 701, 0, bends_of(1.5))};
   data.validation = {space_toy_episode(arm(), 300, 702, 0, bends_of(1.5))};
   TrainingSettings settings = fine_tuning_of(best_preset());
-  set_epoch_count(settings, 40);
+  settings.stages = {{16, 16, 60}};
   settings.jobs = 2;
   const TrainingResult tuned = fine_tune(arm(), data, settings, start);
   ASSERT_EQ(tuned.status, TrainingStatus::finished);
