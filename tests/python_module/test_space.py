@@ -335,7 +335,7 @@ class Families(InFolder):
         done = limber.adapt(arm, family, [mine], train_weights=False)
         self.assertFalse(limber.is_family(done.model))
         self.assertLess(done.uncertainty, 0.95)
-        found = limber.predict(limber.ForwardModel(arm, done.model), mine)
+        found = limber.predict(limber.ForwardModel(arm, done.model), mine, limber.Restart.every_frame)
         self.assertEqual(np.asarray(found).shape, mine.backbone.shape)
 
     def test_a_model_is_tuned_and_its_error_is_measured(self):
