@@ -30,6 +30,8 @@ MOTIONS_OF_100_S = 30
 # A seed gives arm and motions alike. By so many motions the minute's random numbers are spent: only what
 # comes after goes to set points that the minute has not been at.
 SPENT_MOTIONS = 54
+# The same in space, where `identify` has more motions.
+SPACE_SPENT_MOTIONS = 90
 FRAME_RATE_HZ = 20
 NAMED_ARMS = {
     "nominal": {},
@@ -72,7 +74,7 @@ def piece(episode, first, last):
                           episode.pressure_kpa[first:last], episode.setpoint_kpa[first:last],
                           episode.backbone[first:last],
                           episode.motion_index[first:last] - episode.motion_index[first],
-                          episode.tracked[first:last])
+                          episode.tracked[first:last], lifted=episode.lifted)
 
 
 class Family:
@@ -80,13 +82,15 @@ class Family:
         self.options = options
         self.arm_file = limber.data_folder() / "arms" / f"{options.arm}.yaml"
         self.arm = limber.load_arm(self.arm_file)
+        self.in_space = self.arm.dimension == 3
         self.family = limber.read_model(options.family)
         self.parts = KeptParts(options.limber, options.out)
 
     def error_cm(self, model, episode):
         predicted = limber.predict(limber.ForwardModel(self.arm, model), episode,
                                    limber.Restart.at_the_start_only)
-        off = np.asarray(predicted)[1:, -1, :2] - np.asarray(episode.backbone)[1:, -1, :2]
+        numbers = 3 if self.in_space else 2
+        off = np.asarray(predicted)[1:, -1, :numbers] - np.asarray(episode.backbone)[1:, -1, :numbers]
         return float(100 * np.linalg.norm(off, axis=1).mean())
 
     def from_nothing(self, minute):
@@ -113,11 +117,12 @@ class Family:
         return [piece(episode, 0, 10**9) for episode in limber.read_recording(path).episodes]
 
     def minute_and_test(self, name, seed, count, *arguments):
+        spent = SPACE_SPENT_MOTIONS if self.in_space else SPENT_MOTIONS
         minutes = self.record(f"{name}_minute.h5", seed, "--schedule", "identify", "--episodes", count,
                               *arguments)
         tests = self.record(f"{name}_test.h5", seed, "--schedule", "random", "--hold-s", 3, "--count",
-                            SPENT_MOTIONS + MOTIONS_OF_100_S, "--episodes", count, *arguments)
-        tests = [piece(test, int(np.argmax(np.asarray(test.motion_index) >= SPENT_MOTIONS)), 10**9)
+                            spent + MOTIONS_OF_100_S, "--episodes", count, *arguments)
+        tests = [piece(test, int(np.argmax(np.asarray(test.motion_index) >= spent)), 10**9)
                  for test in tests]
         return zip(minutes, tests, strict=True)
 

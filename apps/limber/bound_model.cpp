@@ -37,7 +37,7 @@ int add_bounds_to_model(const BoundModelRequest& request, const CommonFlags& fla
         "--epochs 0 trains nothing: it only adds bounds to an old model, and needs --from MODEL");
   }
   refuse_to_overwrite(request.out, flags.force);
-  const ArmDescription arm = load_asked_arm(request.arm, "train --from --epochs 0");
+  const ArmDescription arm = load_any_arm(request.arm);
   CompensationModel model = read_model(request.from);
   require_model_of(model, arm, request.from);
   if (model.arm_description.empty()) {

@@ -30,9 +30,6 @@ std::string error_line(const CompensationModel& model, bool has_unseen) {
   if (model.prediction_error) {
     return to_text(*model.prediction_error) + (model.tube ? "\n" + to_text(*model.tube) : "");
   }
-  if (model.dimension == Dimension::space) {
-    return "limber evaluate says how large the model's error is";  // there is no tube in space
-  }
   return has_unseen ? "the model's error could not be measured: its predictions diverge, or the "
                       "arm was not tracked often enough"
                     : "no motions were left to measure the "

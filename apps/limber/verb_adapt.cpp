@@ -53,7 +53,7 @@ class AdaptVerb final : public Verb {
   int run(const CommonFlags& flags) override {
     refuse_to_overwrite(out_, flags.force);
     family_file_ = find_family_file(family_file_);
-    const ArmDescription arm = load_asked_arm(arm_, "limber adapt");
+    const ArmDescription arm = load_any_arm(arm_);
     const CompensationModel family = read_model(family_file_);
     require_family(family, family_file_);
     std::vector<Episode> episodes;

@@ -81,7 +81,7 @@ class CollectVerb final : public Verb {
       require_planar(arm, "--schedule plans");
     }
     options_.seed = flags.seed;
-    set_schedule();
+    set_schedule(arm.dimension);
     schedule_.limit_scale = driver_.limit_scale();
     std::optional<PhysicsVariation> variation;
     if (vary_physics_) {
@@ -111,7 +111,7 @@ class CollectVerb final : public Verb {
 
  private:
   /// What flags leave out of `identify` is its own.
-  void set_schedule() {
+  void set_schedule(Dimension dimension) {
     if ((schedule_name_ == kPlans) == model_file_.empty()) {
       throw InputError(
           "--schedule plans and --model: expected both or neither; the model makes the plans");
@@ -133,7 +133,7 @@ class CollectVerb final : public Verb {
       return;
     }
     const ScheduleSettings asked = schedule_;
-    schedule_ = identifying_schedule();
+    schedule_ = identifying_schedule(dimension);
     schedule_.count = asked.count > 0 ? asked.count : schedule_.count;
     schedule_.episodes = asked.episodes;
   }

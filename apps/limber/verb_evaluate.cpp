@@ -40,7 +40,9 @@ class EvaluateVerb final : public Verb {
                    "Write the model here, with its error on this recording: plans then keep "
                    "this distance from obstacles")
         ->needs(model);
-    app.add_option("--plots", plots_, "Folder for error_over_time.svg and other pictures");
+    app.add_option("--plots", plots_,
+                   "Folder for error_over_time.svg and other pictures; of an arm in space "
+                   "shapes.html, too, in which it can be turned");
     app.add_option("--fit", fit_,
                    "Recordings to fit the yardsticks to, best those that the model learnt from; "
                    "without them, to --data itself, part by part, what is predicted left out")
@@ -51,11 +53,8 @@ class EvaluateVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
-    require_free_paths(flags);
     const ArmDescription arm = load_any_arm(arm_);
-    if (!out_.empty()) {
-      require_planar(arm, "evaluate --out");
-    }
+    require_free_paths(flags, arm.dimension);
     const ForwardModel no_load(arm);
     std::optional<ForwardModel> network;
     if (!model_.empty()) {
@@ -69,7 +68,7 @@ class EvaluateVerb final : public Verb {
     const YardstickReport yardsticks =
         measure_yardsticks(arm, no_load, compared, recording.episodes,
                            episodes_to_fit(arm, network, recording.setpoints_only()), flags.jobs);
-    write_pictures(flags, no_load, compared, recording, yardsticks);
+    write_pictures(flags, arm, no_load, compared, recording, yardsticks);
     nlohmann::ordered_json json = to_json(evaluation);
     json["commands_are"] = commands_are(recording.setpoints_only());
     json.update(to_json(yardsticks, recording.episodes), true);
@@ -87,9 +86,9 @@ class EvaluateVerb final : public Verb {
 
  private:
   /// @throws InputError where a file is in the way.
-  void require_free_paths(const CommonFlags& flags) const {
+  void require_free_paths(const CommonFlags& flags, Dimension dimension) const {
     if (!plots_.empty()) {
-      for (const auto& path : evaluation_plot_paths(plots_)) {
+      for (const auto& path : evaluation_plot_paths(plots_, dimension)) {
         refuse_to_overwrite(path, flags.force);
       }
       refuse_to_overwrite(horizon_plot_path(), flags.force);
@@ -119,12 +118,12 @@ class EvaluateVerb final : public Verb {
   }
 
   /// --plots and --predictions.
-  void write_pictures(const CommonFlags& flags, const ForwardModel& no_load,
-                      const ForwardModel* network, const Recording& recording,
-                      const YardstickReport& yardsticks) const {
+  void write_pictures(const CommonFlags& flags, const ArmDescription& arm,
+                      const ForwardModel& no_load, const ForwardModel* network,
+                      const Recording& recording, const YardstickReport& yardsticks) const {
     if (!plots_.empty()) {
       const EvaluationPlots plots =
-          plot_evaluation(no_load, network, recording.episodes, flags.jobs);
+          plot_evaluation(arm, no_load, network, recording.episodes, flags.jobs);
       for (const auto& path : write_evaluation_plots(plots_, plots)) {
         say(flags, "wrote {}", path.string());
       }

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include <fmt/ranges.h>
 
@@ -67,10 +68,9 @@ class FamilyVerb final : public Verb {
                    "How arms differ, as of limber collect: wide, or a factor")
         ->capture_default_str();
     app.add_option(
-           "--tube-runs", tube_runs_,
-           "Runs that test its tube, each on an arm of its own; 0: no tube, limber calibrate "
-           "measures one later")
-        ->capture_default_str();
+        "--tube-runs", tube_runs_,
+        "Runs that test its tube, each on an arm of its own, else 400; 0: no tube, limber "
+        "calibrate measures one later. In space there is none yet");
     app.add_flag("--resume", resume_, "Go on with a run that was stopped");
   }
 
@@ -81,10 +81,13 @@ class FamilyVerb final : public Verb {
           "{}: of a run that was stopped; --resume goes on with it, --force starts over",
           folder().string()));
     }
-    if (tube_runs_ != 0) {
+    const ArmDescription arm = load_any_arm(arm_);
+    if (arm.is_spatial() && tube_runs_.value_or(0) != 0) {
+      require_planar(arm, "limber family --tube-runs");
+    }
+    if (wants_tube(arm)) {
       require_usable(calibration());
     }
-    const ArmDescription arm = load_asked_arm(arm_, "limber family");
     const PhysicsVariation variation = parse_physics_variation(variation_);
     fs::create_directories(folder());
     std::vector<Episode> episodes;
@@ -104,10 +107,12 @@ class FamilyVerb final : public Verb {
       say(flags, "{}; the same command with --resume goes on", result.message);
       return kExitNoSolution;
     }
-    result.model.learnt = learnt_region_of(data);
+    if (!arm.is_spatial()) {
+      result.model.learnt = learnt_region_of(data);
+    }
     result.model.training["data"] = sources;
     result.model.training["physics"] = variation_;
-    if (tube_runs_ != 0) {
+    if (wants_tube(arm)) {
       result.model = with_tube(arm, std::move(result.model), flags);
     }
     write_model(out_, result.model);
@@ -118,6 +123,9 @@ class FamilyVerb final : public Verb {
   }
 
  private:
+  bool wants_tube(const ArmDescription& arm) const {
+    return !arm.is_spatial() && tube_runs_.value_or(kTubeRuns) != 0;
+  }
   fs::path folder() const { return out_ + ".parts"; }
   fs::path recording_path(const Share& share) const {
     return folder() / fmt::format("{}.h5", share.name);
@@ -163,7 +171,7 @@ class FamilyVerb final : public Verb {
     CalibrationSettings settings;
     settings.levels = {Tube::kDefaultLevel};
     settings.scale_runs = settings.screen_runs = kRunsBeforeTest;
-    settings.test_runs = tube_runs_;
+    settings.test_runs = tube_runs_.value_or(kTubeRuns);
     settings.audit_runs = 0;
     settings.folder = folder() / "tube";
     settings.model_file = folder() / "family.safetensors";
@@ -219,6 +227,7 @@ class FamilyVerb final : public Verb {
   }
 
   static constexpr double kHeldBackShare = 0.03;
+  static constexpr int kTubeRuns = 400;
   static constexpr int kRunsBeforeTest = 200;  // that shape the tube, and that screen each factor
 
   std::string arm_ = "three_segment";
@@ -228,7 +237,7 @@ class FamilyVerb final : public Verb {
   std::vector<int> hidden_ = {160, 160, 160};  // an arm that varies in 20 ways takes more than one
   int epochs_ = 250;
   std::string variation_ = "wide";
-  int tube_runs_ = 400;
+  std::optional<int> tube_runs_;
   bool resume_ = false;
 };
 

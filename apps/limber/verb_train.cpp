@@ -109,8 +109,8 @@ class TrainVerb final : public Verb {
     }
     require_free_paths(flags);
     const ArmDescription arm = load_any_arm(arm_);
-    if (family_ || !from_.empty() || preset_ == "paper") {
-      require_planar(arm, family_ ? "train --family" : "train --from or --preset paper");
+    if (preset_ == "paper") {
+      require_planar(arm, "train --preset paper");
     }
     EpisodeReader reader(flags, arm, files_.setpoints());
     const std::optional<CompensationModel> start = read_start(arm, reader);

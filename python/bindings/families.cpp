@@ -57,7 +57,6 @@ void bind_families(py::module_& module) {
       [](const ArmDescription& arm, const CompensationModel& family, const EpisodeList& episodes,
          bool train_weights, std::uint64_t seed, int jobs) {
         require_jobs(jobs);
-        require_planar(arm, "limber.adapt");
         const std::vector<Episode> copies = episodes_from(episodes);
         CallerThread caller;
         AdaptationSettings settings;

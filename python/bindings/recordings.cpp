@@ -8,6 +8,7 @@
 #include "bindings.hpp"
 #include "caller_thread.hpp"
 #include "episodes.hpp"
+#include "limber/arm/space_pose.hpp"
 #include "limber/data/recording_export.hpp"
 #include "limber/data/recording_inspection.hpp"
 #include "limber/data/valve_identification.hpp"
@@ -76,6 +77,9 @@ Episode make_episode(
   episode.dimension = in_space ? Dimension::space : Dimension::plane;
   episode.lifted = lifted;
   episode.backbone = frames_from(backbone, frames, "backbone");
+  if (in_space) {
+    make_signs_continuous(episode.backbone);
+  }
   episode.motion_index = numbers_from<int>(motion_index, frames, "motion_index");
   if (seen) {
     episode.tracked = numbers_from<std::uint8_t>(*seen, frames, "tracked");

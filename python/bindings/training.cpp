@@ -165,9 +165,6 @@ void bind_runs(py::module_& module) {
       "train",
       [](const ArmDescription& arm, const TrainingData& data, const TrainingSettings& settings,
          const py::object& on_epoch) {
-        if (settings.family_size > 0) {
-          require_planar(arm, "limber.train of a family");
-        }
         CallerThread caller;
         const TrainingHooks hooks = hooks_for(caller, on_epoch);
         return caller.run([&] { return train(arm, data, settings, hooks); });
@@ -213,7 +210,6 @@ void bind_runs(py::module_& module) {
       "note_unseen",
       [](const ArmDescription& arm, CompensationModel& model, const EpisodeList& unseen, int jobs) {
         require_jobs(jobs);
-        require_planar(arm, "limber.note_unseen");
         const std::vector<Episode> episodes = episodes_from(unseen);
         CallerThread caller;
         caller.run_interruptible([&] {

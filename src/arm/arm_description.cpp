@@ -192,10 +192,10 @@ const char* to_string(NoLoadKind kind) {
 
 void require_planar(const ArmDescription& arm, const std::string& what) {
   if (arm.is_spatial()) {
-    throw InputError(
-        fmt::format("{} can't use an arm in space yet, and '{}' is one. collect, import, inspect, "
-                    "characterize --recording, train, evaluate, export and bench can",
-                    what, arm.name));
+    throw InputError(fmt::format(
+        "{} can't use an arm in space yet, and '{}' is one. collect, import, inspect, "
+        "characterize --recording, train, family, adapt, evaluate, export and bench can",
+        what, arm.name));
   }
 }
 

@@ -6,6 +6,7 @@
 #include "checked_hdf5.hpp"
 #include "confined_child.hpp"
 #include "episode_path.hpp"
+#include "limber/arm/space_pose.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/data/recording_part.hpp"
 #include "mapped_file.hpp"
@@ -193,6 +194,9 @@ class Reader : private CheckedHdf5 {
                fmt::format("{} × {} × {}: frames × points × {}", frames, m, size,
                            in_space ? "[x_m, y_m, z_m, qx, qy, qz, qw]" : "[x_m, y_m, theta_rad]"),
                in_space ? kSpacePoseUnits : kPoseUnits);
+    if (in_space) {
+      make_signs_continuous(episode.backbone);
+    }
     const std::string each = fmt::format("{}: one per frame", frames);
     const std::string motion_path = group + "/motion_index";
     episode.motion_index.resize(frames);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -42,10 +43,11 @@ void validate(const PredictionError& error, const std::string& where) {
   if (!std::isfinite(error.run_s) || error.run_s <= 0.0) {
     refuse("run_s", error.run_s, "a time in seconds, > 0");
   }
+  const double heading_rad = error.knows_heading() ? error.end_orientation_rad : 0.0;
   for (const auto& [name, value] : {std::pair{"largest_position_m", error.max_position_m},
                                     std::pair{"off_path_m", error.off_path_m},
                                     std::pair{"end_position_m", error.end_position_m},
-                                    std::pair{"end_orientation_rad", error.end_orientation_rad}}) {
+                                    std::pair{"end_orientation_rad", heading_rad}}) {
     if (!std::isfinite(value) || value < 0.0) {
       refuse(name, value, "a finite number, ≥ 0");
     }
@@ -53,13 +55,15 @@ void validate(const PredictionError& error, const std::string& where) {
 }
 
 std::string prediction_error_to_metadata(const PredictionError& error) {
-  return nlohmann::ordered_json({{"runs", error.runs},
-                                 {"run_s", error.run_s},
-                                 {"largest_position_m", error.max_position_m},
-                                 {"off_path_m", error.off_path_m},
-                                 {"end_position_m", error.end_position_m},
-                                 {"end_orientation_rad", error.end_orientation_rad}})
-      .dump();
+  nlohmann::ordered_json json({{"runs", error.runs},
+                               {"run_s", error.run_s},
+                               {"largest_position_m", error.max_position_m},
+                               {"off_path_m", error.off_path_m},
+                               {"end_position_m", error.end_position_m}});
+  if (error.knows_heading()) {
+    json["end_orientation_rad"] = error.end_orientation_rad;
+  }
+  return json.dump();
 }
 
 PredictionError read_prediction_error(const YamlReader& root) {
@@ -71,7 +75,10 @@ PredictionError read_prediction_error(const YamlReader& root) {
   error.max_position_m = root.at("largest_position_m").number("a distance in metres", 0.0);
   error.off_path_m = root.at("off_path_m").number("a distance in metres", 0.0);
   error.end_position_m = root.at("end_position_m").number("a distance in metres", 0.0);
-  error.end_orientation_rad = root.at("end_orientation_rad").number("an angle in radians", 0.0);
+  constexpr const char* kHeading = "end_orientation_rad";
+  error.end_orientation_rad = root.has(kHeading)
+                                  ? root.at(kHeading).number("an angle in radians", 0.0)
+                                  : std::numeric_limits<double>::quiet_NaN();
   return error;
 }
 
@@ -87,9 +94,10 @@ nlohmann::ordered_json to_json(const PredictionError& error) {
 std::string to_text(const PredictionError& error) {
   return fmt::format(
       "error on {} unseen runs of {:.3g} s, {:.0f} %: {:.2f} cm anywhere on the arm, {:.2f} cm off "
-      "the predicted path, {:.2f} cm and {:.3f} rad at the tip's end",
+      "the predicted path, {:.2f} cm{} at the tip's end",
       error.runs, error.run_s, 100.0 * PredictionError::kShare, kCmPerM * error.max_position_m,
-      kCmPerM * error.off_path_m, kCmPerM * error.end_position_m, error.end_orientation_rad);
+      kCmPerM * error.off_path_m, kCmPerM * error.end_position_m,
+      error.knows_heading() ? fmt::format(" and {:.3f} rad", error.end_orientation_rad) : "");
 }
 
 }  // namespace limber

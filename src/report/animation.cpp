@@ -23,29 +23,6 @@ using Json = nlohmann::ordered_json;
 const std::vector<double> kShapeUnits = {1e-4, 1e-4, 1e-3};
 const std::vector<double> kPressureUnits = {0.01};
 
-/// web/src/packing.ts: each number's change since the frame before, in whole units, in base 64.
-std::string packed(const Json& frames, const std::vector<double>& units) {
-  static constexpr const char* kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  constexpr std::uint64_t kBase = 32;  // a digit's sixth bit says that another follows
-  std::string text;
-  std::vector<std::int64_t> last;
-  for (const Json& frame : frames) {
-    last.resize(frame.size());
-    for (std::size_t i = 0; i < frame.size(); ++i) {
-      const auto whole = std::llround(frame[i].get<double>() / units[i % units.size()]);
-      const std::int64_t change = whole - last[i];
-      std::uint64_t left = change < 0 ? std::uint64_t(-2 * change + 1) : std::uint64_t(2 * change);
-      do {
-        text += kDigits[left % kBase + (left >= kBase ? kBase : 0)];
-        left /= kBase;
-      } while (left > 0);
-      last[i] = whole;
-    }
-  }
-  return text;
-}
-
 std::string outcomes(const Json& tracks) {
   std::string items;
   for (const Json& track : tracks) {
@@ -87,6 +64,40 @@ std::string filled(std::string_view page, const std::map<std::string_view, std::
 
 }  // namespace
 
+std::string packed_frames(const Json& frames, const std::vector<double>& units) {
+  static constexpr const char* kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  constexpr std::uint64_t kBase = 32;  // a digit's sixth bit says that another follows
+  std::string text;
+  std::vector<std::int64_t> last;
+  for (const Json& frame : frames) {
+    last.resize(frame.size());
+    for (std::size_t i = 0; i < frame.size(); ++i) {
+      const auto whole = std::llround(frame[i].get<double>() / units[i % units.size()]);
+      const std::int64_t change = whole - last[i];
+      std::uint64_t left = change < 0 ? std::uint64_t(-2 * change + 1) : std::uint64_t(2 * change);
+      do {
+        text += kDigits[left % kBase + (left >= kBase ? kBase : 0)];
+        left /= kBase;
+      } while (left > 0);
+      last[i] = whole;
+    }
+  }
+  return text;
+}
+
+std::string scripted_page(const std::string& script, const std::string& title,
+                          const std::string& still, const std::string& items, const Json& data) {
+  const auto& files = page_bytes();
+  return filled(files.at("/animation.html"),
+                {{"TITLE", escape_xml(title)},
+                 {"STYLE", std::string(files.at("/assets/studio.css"))},
+                 {"STILL", still},
+                 {"ENDS", items},
+                 {"DATA", with_all(data.dump(), "<", "\\u003c")},
+                 {"SCRIPT", with_all(std::string(files.at(script)), "</script", "<\\/script")}});
+}
+
 std::string animation_page(const ArmDescription& arm, const Environment& environment,
                            const std::string& title, Json motion, const std::string& still) {
   Json data = {{"title", title},
@@ -94,21 +105,13 @@ std::string animation_page(const ArmDescription& arm, const Environment& environ
                {"arm", arm_to_json(arm)},
                {"environment", environment_to_json(environment)}};
   data["arm"]["reach"] = {{"cell_m", 1}, {"middles_m", Json::array()}};
-  motion["setpoints_kpa"] = packed(motion["setpoints_kpa"], kPressureUnits);
+  motion["setpoints_kpa"] = packed_frames(motion["setpoints_kpa"], kPressureUnits);
   for (Json& track : motion["tracks"]) {
-    track["shapes"] = packed(track["shapes"], kShapeUnits);
-    track["pressures_kpa"] = packed(track["pressures_kpa"], kPressureUnits);
+    track["shapes"] = packed_frames(track["shapes"], kShapeUnits);
+    track["pressures_kpa"] = packed_frames(track["pressures_kpa"], kPressureUnits);
   }
   data.update(motion);
-  const auto& files = page_bytes();
-  const std::string script(files.at("/assets/animation.js"));
-  return filled(files.at("/animation.html"),
-                {{"TITLE", escape_xml(title)},
-                 {"STYLE", std::string(files.at("/assets/studio.css"))},
-                 {"STILL", still},
-                 {"ENDS", outcomes(motion["tracks"])},
-                 {"DATA", with_all(data.dump(), "<", "\\u003c")},
-                 {"SCRIPT", with_all(script, "</script", "<\\/script")}});
+  return scripted_page("/assets/animation.js", title, still, outcomes(motion["tracks"]), data);
 }
 
 std::string plan_animation(const ArmDescription& arm, const Environment& environment,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -10,6 +11,16 @@
 namespace limber {
 
 inline constexpr double kPictureWidthPx = 640.0;  // of what is drawn to scale
+
+/// web/src/packing.ts: each number's change since the frame before, in whole units, in base 64.
+/// @param frames  a list of numbers each  @param units  of the columns, over and over
+std::string packed_frames(const nlohmann::ordered_json& frames, const std::vector<double>& units);
+
+/// A page that holds its data and script, and loads nothing else.
+/// @param script  file of web/dist  @param items  HTML of the list beside the picture
+std::string scripted_page(const std::string& script, const std::string& title,
+                          const std::string& still, const std::string& items,
+                          const nlohmann::ordered_json& data);
 
 /// The page that the studio saves for a colleague (web/src/animation.ts): it holds the motion and
 /// loads nothing else.

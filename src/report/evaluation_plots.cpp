@@ -7,6 +7,7 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/plot/chart.hpp"
 #include "limber/plot/shape_style.hpp"
+#include "limber/report/shapes_page.hpp"
 #include "limber/training/evaluation.hpp"
 
 namespace limber {
@@ -103,14 +104,25 @@ std::string error_over_time(const Predictions& predictions, const Episode& episo
   return chart.svg();
 }
 
+std::string turned_shapes(const ArmDescription& arm, const Predictions& predictions,
+                          const Episode& episode, const std::string& still) {
+  std::vector<ShownShapes> predicted = {{"no load", "--simple", &predictions.no_load}};
+  if (predictions.network) {
+    predicted.push_back({"network, open loop", "--network", &*predictions.network});
+  }
+  return shapes_page(fmt::format("{}: recorded and predicted", arm.name), arm, episode, predicted,
+                     still);
+}
+
 const Episode& longest(const std::vector<Episode>& episodes) {
   return *std::ranges::max_element(episodes, {}, &Episode::frame_count);
 }
 
 }  // namespace
 
-EvaluationPlots plot_evaluation(const ForwardModel& no_load, const ForwardModel* network,
-                                const std::vector<Episode>& episodes, int jobs) {
+EvaluationPlots plot_evaluation(const ArmDescription& arm, const ForwardModel& no_load,
+                                const ForwardModel* network, const std::vector<Episode>& episodes,
+                                int jobs) {
   TipErrorSeries no_load_errors;
   TipErrorSeries network_errors;
   for (const Episode& episode : episodes) {
@@ -145,21 +157,32 @@ EvaluationPlots plot_evaluation(const ForwardModel& no_load, const ForwardModel*
       }
     }
   }
-  return {error_over_time(predictions, shown), position.svg(), orientation.svg(), backbones.svg()};
+  return {error_over_time(predictions, shown), position.svg(), orientation.svg(), backbones.svg(),
+          arm.is_spatial() ? turned_shapes(arm, predictions, shown, backbones.svg()) : ""};
 }
 
-std::vector<std::filesystem::path> evaluation_plot_paths(const std::filesystem::path& folder) {
-  return {folder / "error_over_time.svg", folder / "position_distribution.svg",
-          folder / "orientation_distribution.svg", folder / "backbones.svg"};
+std::vector<std::filesystem::path> evaluation_plot_paths(const std::filesystem::path& folder,
+                                                         Dimension dimension) {
+  std::vector<std::filesystem::path> paths = {
+      folder / "error_over_time.svg", folder / "position_distribution.svg",
+      folder / "orientation_distribution.svg", folder / "backbones.svg"};
+  if (dimension == Dimension::space) {
+    paths.push_back(folder / "shapes.html");
+  }
+  return paths;
 }
 
 std::vector<std::filesystem::path> write_evaluation_plots(const std::filesystem::path& folder,
                                                           const EvaluationPlots& plots) {
-  const std::vector<std::filesystem::path> paths = evaluation_plot_paths(folder);
+  const std::vector<std::filesystem::path> paths =
+      evaluation_plot_paths(folder, plots.shapes.empty() ? Dimension::plane : Dimension::space);
   write_file_atomically(paths[0], plots.error_over_time);
   write_file_atomically(paths[1], plots.position_distribution);
   write_file_atomically(paths[2], plots.orientation_distribution);
   write_file_atomically(paths[3], plots.backbones);
+  if (!plots.shapes.empty()) {
+    write_file_atomically(paths[4], plots.shapes);
+  }
   return paths;
 }
 

@@ -66,8 +66,9 @@ int moving_frames(const Episode& episode) {
   int count = 0;
   for (int t = 1; t < episode.frame_count(); ++t) {
     count += episode.was_tracked(t) && episode.was_tracked(t - 1) &&
-                     largest_plate_distance_m(backbone_at(episode.backbone, t),
-                                              backbone_at(episode.backbone, t - 1)) > kMovedM
+                     largest_place_distance_m(
+                         places_at(episode.backbone, t, episode.dimension),
+                         places_at(episode.backbone, t - 1, episode.dimension)) > kMovedM
                  ? 1
                  : 0;
   }

@@ -64,27 +64,29 @@ class Windows {
 
   int size() const { return family_.family->size(); }
   Eigen::Index plates() const { return arm_.point_count() - 1; }
+  int numbers() const { return position_size(arm_.dimension); }
   const CompensationModel& family() const { return family_; }
 
   CompensationModel model_of(const Eigen::VectorXf& e) const {
     return model_of_arm(family_, {"", e, Eigen::MatrixXf::Identity(size(), size())});
   }
 
-  /// Offsets in x and y of all plates but the base, frame by frame: 2 × (plates · frames).
-  Eigen::Matrix2Xf offsets(const Eigen::VectorXf& e) const {
+  /// Offsets in x and y, in space z, of all plates but the base, frame by frame: 2 or 3 × (plates ·
+  /// frames).
+  Eigen::MatrixXf offsets(const Eigen::VectorXf& e) const {
     throw_if_interrupted();
     const std::vector<FrameMatrix> predicted =
         roll_out(ForwardModel(arm_, model_of(e)), episodes_, pieces_, jobs_, OnInterrupt::stop);
-    Eigen::Matrix2Xf result(2, plates() * frames_);
+    Eigen::MatrixXf result(numbers(), plates() * frames_);
     Eigen::Index column = 0;
     for (const RolloutPiece& piece : pieces_) {
       const auto index = static_cast<std::size_t>(piece.episode);
       for (int t = piece.first + 1; t <= piece.first + piece.frames; ++t) {
         if (episodes_[index].was_tracked(t)) {
           result.middleCols(column, plates()) =
-              (backbone_at(predicted[index], t) - backbone_at(episodes_[index].backbone, t))
+              (places_at(predicted[index], t, arm_.dimension) -
+               places_at(episodes_[index].backbone, t, arm_.dimension))
                   .bottomRows(plates())
-                  .leftCols<2>()
                   .transpose();
           column += plates();
         }
@@ -122,7 +124,7 @@ class Fit {
       const Eigen::VectorXf next =
           e_ - damped_solve(precision_, gradient_, damping * precision_.trace() / windows_->size())
                    .cast<float>();
-      Eigen::Matrix2Xf offsets = windows_->offsets(next);
+      Eigen::MatrixXf offsets = windows_->offsets(next);
       const double after = cost_of(next, offsets);
       if (after < before) {
         e_ = next;
@@ -146,12 +148,13 @@ class Fit {
   /// ArmFit::expected_error_m. @pre covariance() was asked last
   double expected_error_m(const Eigen::MatrixXf& covariance) const {
     const Eigen::Index plates = windows_->plates();
+    const Eigen::Index numbers = windows_->numbers();
     const Eigen::Index frames = offsets_.cols() / plates;
     double left_m = 0.0;
     double variance_m2 = 0.0;
     for (Eigen::Index frame = 0; frame < frames; ++frame) {
       const Eigen::Index tip = (frame + 1) * plates - 1;
-      const auto slope = slope_.middleRows<2>(2 * tip);
+      const auto slope = slope_.middleRows(numbers * tip, numbers);
       left_m += static_cast<double>(offsets_.col(tip).norm());
       variance_m2 += static_cast<double>((slope * covariance).cwiseProduct(slope).sum());
     }
@@ -162,7 +165,7 @@ class Fit {
  private:
   double share() const { return offset_share(scale_m_, windows_->plates()); }
 
-  double cost_of(const Eigen::VectorXf& e, const Eigen::Matrix2Xf& offsets) const {
+  double cost_of(const Eigen::VectorXf& e, const Eigen::MatrixXf& offsets) const {
     const Eigen::ArrayXd length = offsets.colwise().norm().cast<double>();
     const double sum =
         (length < kSquareUpToM)
@@ -184,7 +187,8 @@ class Fit {
       slope_.col(i) = (windows_->offsets(shifted) - offsets_).reshaped() / kArmStep;
     }
     const Eigen::ArrayXf length = offsets_.colwise().norm();
-    const Eigen::MatrixXf weighted = offset_weights(length, share()).asDiagonal() * slope_;
+    const Eigen::MatrixXf weighted =
+        offset_weights(length, share(), windows_->numbers()).asDiagonal() * slope_;
     precision_ =
         (slope_.transpose() * weighted).cast<double>() + Eigen::MatrixXd::Identity(size, size);
     gradient_ = (weighted.transpose() * offsets_.reshaped() + e_).cast<double>();
@@ -192,7 +196,7 @@ class Fit {
 
   const Windows* windows_;
   Eigen::VectorXf e_;
-  Eigen::Matrix2Xf offsets_;
+  Eigen::MatrixXf offsets_;
   double scale_m_ = kLeastErrorM;  // mean error: what an error is measured by
   double damping_ = kFirstDamping;
   Eigen::MatrixXf slope_;  // of the offsets, in e

@@ -225,8 +225,10 @@ class CrossValidator {
                       message_.empty() ? "look at the data with limber inspect" : message_));
     }
     found.prediction_error = best->errors.result(arm_.frame_period_s());
-    found.tube = best->errors.tube(arm_.length_m());
-    found.widest_where = best->errors.widest_where(arm_.command.unit);
+    if (!arm_.is_spatial()) {  // which can't be planned for yet
+      found.tube = best->errors.tube(arm_.length_m());
+      found.widest_where = best->errors.widest_where(arm_.command.unit);
+    }
     return found;
   }
 

@@ -44,8 +44,8 @@ bool stands_still(const Episode& episode, int frame) {
     return false;
   }
   for (int k = frame - kStillFrames; k < frame; ++k) {
-    if (largest_plate_distance_m(backbone_at(episode.backbone, k + 1),
-                                 backbone_at(episode.backbone, k)) > kStillM) {
+    if (largest_place_distance_m(places_at(episode.backbone, k + 1, episode.dimension),
+                                 places_at(episode.backbone, k, episode.dimension)) > kStillM) {
       return false;
     }
   }

@@ -61,6 +61,9 @@ RolloutErrors errors_at_every_restart(
     const std::vector<Episode>& episodes,
     const std::function<std::vector<FrameMatrix>(Restart)>& predict);
 
+/// Angle between the tip's headings in frame `t`; NaN where nobody measured them (`lifted`).
+double heading_apart_rad(const FrameMatrix& predicted, const Episode& recorded, Eigen::Index t);
+
 /// Mean over an ensemble's members of what `roll_out` gave for each, episode by episode.
 std::vector<FrameMatrix> mean_of(const std::vector<std::vector<FrameMatrix>>& predicted,
                                  Dimension dimension);

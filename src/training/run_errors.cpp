@@ -1,6 +1,7 @@
 #include "limber/training/run_errors.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
@@ -46,7 +47,8 @@ double RunErrors::largest_at_end(double MotionErrors::*value, double tail) const
   for (const GrowingErrors& motion : motions_) {
     values.push_back(motion.of.front().*value);
   }
-  return largest_expected(values, tail);
+  std::erase_if(values, [](double one) { return std::isnan(one); });  // headings of lifted poses
+  return values.empty() ? std::numeric_limits<double>::quiet_NaN() : largest_expected(values, tail);
 }
 
 std::optional<PredictionError> RunErrors::result(double frame_period_s) const {

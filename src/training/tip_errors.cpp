@@ -63,7 +63,8 @@ double plates_m(const FrameMatrix& predicted, const Episode& recorded, Eigen::In
   return sum / double(recorded.point_count() - 1);
 }
 
-/// Angle between the tips' headings; NaN where nobody measured them.
+}  // namespace
+
 double heading_apart_rad(const FrameMatrix& predicted, const Episode& recorded, Eigen::Index t) {
   if (recorded.dimension == Dimension::plane) {
     const Eigen::Index heading = predicted.cols() - 1;
@@ -76,8 +77,6 @@ double heading_apart_rad(const FrameMatrix& predicted, const Episode& recorded, 
   const SpacePose b = space_pose_of(recorded.backbone.row(t).tail<kSpacePoseSize>().cast<double>());
   return rotation_vector(between(a, b).rotation).norm();
 }
-
-}  // namespace
 
 TipErrorSeries tip_errors(const FrameMatrix& predicted, const Episode& episode, int first) {
   assert(first >= 1);

@@ -23,8 +23,8 @@ constexpr int kWholeEpisodes = std::numeric_limits<int>::max();
 constexpr int kPathParts = 4;  // points checked from one frame to the next
 
 /// The pieces as episodes, their pressures those that the model's valves make of the set points.
-/// @param leads  for each, 1 if it begins with the frame before the piece, which says how fast the
-///               arm moves at first; 0 where there is none
+/// @param leads  for each, the frames that it has before the piece: they say how fast the arm moves
+///               at first, and what was commanded before
 std::vector<Episode> runs_of(const ArmDescription& arm, const CompensationModel& model,
                              const std::vector<Episode>& unseen,
                              const std::vector<RolloutPiece>& pieces, std::vector<int>& leads) {
@@ -33,7 +33,8 @@ std::vector<Episode> runs_of(const ArmDescription& arm, const CompensationModel&
   std::vector<Episode> runs;
   for (const RolloutPiece& piece : pieces) {
     const Episode& episode = unseen[static_cast<std::size_t>(piece.episode)];
-    const int first = before_start(episode, piece.first);
+    const int past = model.past_commands.empty() ? 0 : model.past_commands.back();
+    const int first = std::max(std::min(before_start(episode, piece.first), piece.first - past), 0);
     leads.push_back(piece.first - first);
     const int count = leads.back() + piece.frames + 1;
     Episode run = slice(episode, first, count);
@@ -52,18 +53,18 @@ struct RunError {
 };
 
 /// The predicted shape nearest to that of frame `t`, of about then, between frames too.
-Backbone nearest_shape(const FrameMatrix& predicted, const Episode& run, int t) {
+FrameMatrix nearest_shape(const FrameMatrix& predicted, const Episode& run, int t) {
   const int first = std::max(0, t - kPathFrames);
   const int last = std::min(run.frame_count() - 1, t + kPathFrames);
-  const Eigen::Map<const Backbone> shape = backbone_at(run.backbone, t);
-  Backbone nearest = backbone_at(predicted, t);
-  double distance_m = largest_plate_distance_m(nearest, shape);
+  const Places shape = places_at(run.backbone, t, run.dimension);
+  FrameMatrix nearest = places_at(predicted, t, run.dimension);
+  double distance_m = largest_place_distance_m(nearest, shape);
   for (int k = first; k < last; ++k) {
     for (int part = 0; part < kPathParts; ++part) {
       const float fraction = float(part) / float(kPathParts);
-      const Backbone between =
-          (1.0F - fraction) * backbone_at(predicted, k) + fraction * backbone_at(predicted, k + 1);
-      if (const double there_m = largest_plate_distance_m(between, shape); there_m < distance_m) {
+      const FrameMatrix between = (1.0F - fraction) * places_at(predicted, k, run.dimension) +
+                                  fraction * places_at(predicted, k + 1, run.dimension);
+      if (const double there_m = largest_place_distance_m(between, shape); there_m < distance_m) {
         distance_m = there_m;
         nearest = between;
       }
@@ -73,19 +74,18 @@ Backbone nearest_shape(const FrameMatrix& predicted, const Episode& run, int t) 
 }
 
 /// Adds a frame to the largest errors of each plate.
-void add_plates(const Backbone& predicted, const Eigen::Ref<const Backbone>& seen,
-                const Eigen::Ref<const Backbone>& start, double arm_length_m,
-                GrowingErrors& errors) {
+void add_plates(const FrameMatrix& predicted, const Places& seen, const Places& start,
+                double arm_length_m, GrowingErrors& errors) {
   for (std::size_t g = 0; g < kStartShares.size(); ++g) {
     const RoomGrowth growth = growth_of(g, arm_length_m);
     std::vector<double>& largest_m = errors.of[g].plate_m;
     largest_m.resize(static_cast<std::size_t>(predicted.rows()), 0.0);
     double share = 1.0;
     for (Eigen::Index plate = 0; plate < predicted.rows(); ++plate) {
-      const auto place = predicted.row(plate).head<2>();
-      share = growth.share_after(double((place - start.row(plate).head<2>()).norm()));
+      const auto place = predicted.row(plate);
+      share = growth.share_after(double((place - start.row(plate)).norm()));
       double& largest = largest_m[static_cast<std::size_t>(plate)];
-      largest = std::max(largest, double((place - seen.row(plate).head<2>()).norm()) / share);
+      largest = std::max(largest, double((place - seen.row(plate)).norm()) / share);
     }
     errors.tip_share[g] += share;
   }
@@ -102,17 +102,15 @@ std::optional<RunError> error_of(const FrameMatrix& predicted, const Episode& ru
     }
     ++frames;
     error = error.value_or(RunError{});
-    const Eigen::Map<const Backbone> seen = backbone_at(run.backbone, t);
-    const Eigen::RowVector3d tip_apart =
-        (predicted.row(t).tail<kPoseSize>() - run.backbone.row(t).tail<kPoseSize>()).cast<double>();
-    error->max_position_m =
-        std::max(error->max_position_m, largest_plate_distance_m(backbone_at(predicted, t), seen));
-    const Backbone nearest = nearest_shape(predicted, run, t);
-    error->off_path_m = std::max(error->off_path_m, largest_plate_distance_m(nearest, seen));
-    add_plates(nearest, seen, backbone_at(predicted, 0), arm_length_m, error->errors);
+    const Places seen = places_at(run.backbone, t, run.dimension);
+    const Places then = places_at(predicted, t, run.dimension);
+    error->max_position_m = std::max(error->max_position_m, largest_place_distance_m(then, seen));
+    const FrameMatrix nearest = nearest_shape(predicted, run, t);
+    error->off_path_m = std::max(error->off_path_m, largest_place_distance_m(nearest, seen));
+    add_plates(nearest, seen, places_at(predicted, 0, run.dimension), arm_length_m, error->errors);
     for (MotionErrors& errors : error->errors.of) {
-      errors.end_m = tip_apart.head<2>().norm();
-      errors.end_heading_rad = std::abs(tip_apart[2]);
+      errors.end_m = (then - seen).bottomRows<1>().cast<double>().norm();
+      errors.end_heading_rad = heading_apart_rad(predicted, run, t);
     }
   }
   for (std::size_t g = 0; error && g < kStartShares.size(); ++g) {
@@ -207,9 +205,6 @@ void hold_shapes(PredictedRuns all, CompensationModel& model) {
 
 bool RunErrors::add(const ArmDescription& arm, const CompensationModel& model,
                     const std::vector<Episode>& unseen, int jobs) {
-  if (arm.is_spatial()) {
-    return true;  // no tube is made for an arm that can't be planned for yet
-  }
   const PredictedRuns all = predict_error_runs(arm, model, unseen, jobs, 0);
   if (!all.are_finite()) {
     return false;
@@ -228,9 +223,6 @@ std::optional<PredictionError> measure_prediction_error(const ArmDescription& ar
 
 void note_unseen(const ArmDescription& arm, CompensationModel& model,
                  const std::vector<Episode>& unseen, int jobs) {
-  if (arm.is_spatial()) {
-    return;
-  }
   PredictedRuns all = predict_error_runs(arm, model, unseen, jobs, 0);
   model.prediction_error = all.are_finite() ? error_of(arm, all) : std::nullopt;
   if (model.prediction_error) {

@@ -78,5 +78,31 @@ TEST(SpacePose, ComposeUndoesBetween) {
   }
 }
 
+TEST(SpacePose, SignsAreMadeContinuousAndRotationsStay) {
+  RandomStream random(1, 5);
+  constexpr int kPlates = 4;
+  Eigen::MatrixXd frames(50, kSpacePoseSize * kPlates);
+  for (Eigen::Index t = 0; t < frames.rows(); ++t) {
+    SpacePose pose;
+    for (int plate = 0; plate < kPlates; ++plate) {
+      // Turns by up to 6 rad in all: w changes its sign on the way.
+      frames.row(t).segment<kSpacePoseSize>(kSpacePoseSize * plate) = numbers_of(pose).transpose();
+      const Eigen::Vector3d turn(0.0, 2.0 * std::sin(0.1 * double(t)), 0.3);
+      pose = compose(pose, element(0.1, turn));
+    }
+  }
+  Eigen::MatrixXd flipped = frames;
+  for (Eigen::Index t = 0; t < frames.rows(); ++t) {
+    for (int plate = 0; plate < kPlates; ++plate) {
+      flipped.row(t).segment<4>(kSpacePoseSize * plate + 3) *= random.uniform(-1, 1) < 0 ? -1 : 1;
+    }
+  }
+  EXPECT_NE(flipped, frames);
+  make_signs_continuous(flipped);
+  EXPECT_EQ(flipped, frames);
+  make_signs_continuous(frames);
+  EXPECT_EQ(flipped, frames);
+}
+
 }  // namespace
 }  // namespace limber

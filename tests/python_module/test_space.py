@@ -318,5 +318,44 @@ class Learning(InFolder):
         self.assertTrue(np.array_equal(a, b))
 
 
+class Families(InFolder):
+    """Adapting, tuning and measuring in Python, as in a plane."""
+
+    def test_a_family_becomes_one_arms(self):
+        run_program("collect", "--arm", HANGING, "--schedule", "random", "--count", 12, "--episodes", 14,
+                    "--vary-physics", 2, "--seed", 3, "--out", "arms.h5", folder=self.folder)
+        arm = space().arm
+        *others, mine = limber.read_recording(self.folder / "arms.h5").episodes
+        settings = limber.best_preset()
+        limber.set_family_size(settings, 2)
+        settings.hidden_units = [24]
+        limber.set_epoch_count(settings, 60)
+        family = limber.train(arm, limber.hold_back_arms(others, range(len(others)), 0.1, 1), settings).model
+        self.assertTrue(limber.is_family(family))
+        done = limber.adapt(arm, family, [mine], train_weights=False)
+        self.assertFalse(limber.is_family(done.model))
+        self.assertLess(done.uncertainty, 0.95)
+        found = limber.predict(limber.ForwardModel(arm, done.model), mine, limber.Restart.every_frame)
+        self.assertEqual(np.asarray(found).shape, mine.backbone.shape)
+
+    def test_a_model_is_tuned_and_its_error_is_measured(self):
+        arm, episodes = space().arm, space().episodes
+        start = limber.read_model(space().model)
+        settings = limber.fine_tuning_of(limber.best_preset())
+        limber.set_epoch_count(settings, 3)
+        data = limber.TrainingData(episodes[:2], episodes[2:])
+        tuned = limber.fine_tune(arm, data, settings, start).model
+        self.assertEqual(tuned.shape, start.shape)
+        limber.note_unseen(arm, tuned, episodes[2:])
+        self.assertGreater(tuned.prediction_error.max_position_m, 0)
+
+    def test_signs_of_quaternions_are_made_continuous(self):
+        own = space().episodes[0]
+        flipped = own.backbone.copy()
+        flipped[::3, 1:, 3:] *= -1
+        foreign = limber.Episode(own.time_s, own.pressure_kpa, own.setpoint_kpa, flipped, own.motion_index)
+        np.testing.assert_array_equal(foreign.backbone, own.backbone)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -32,8 +32,6 @@ class Refusals(unittest.TestCase):
             "start_state": lambda: limber.start_state(environment, arm),
             "load_environment": lambda: limber.load_environment(plane.environment_file, arm),
             "ProcessDriver": lambda: limber.ProcessDriver(arm, "exec:true"),
-            "adapt": lambda: limber.adapt(arm, forward.compensation, space().episodes),
-            "note_unseen": lambda: limber.note_unseen(arm, forward.compensation, space().episodes),
             "fit_simple_model": lambda: limber.fit_simple_model(arm, space().episodes),
             "characterise": lambda: limber.characterise(arm, [[], []]),
             "read_bench_csv": lambda: limber.read_bench_csv("none.csv", arm),
@@ -48,7 +46,7 @@ class Refusals(unittest.TestCase):
         for name, call in of_arms.items():
             with self.subTest(name), self.assertRaisesRegex(
                     limber.InputError, rf"^limber\.{name}\b.* can't use an arm in space yet, and "
-                    "'hanging_3x2' is one. collect, import, .*train, evaluate, export and bench can"):
+                    "'hanging_3x2' is one. collect, import, .*train, family, adapt, evaluate, export and bench can"):
                 call()
         of_models = {
             "limber.MotionModel": lambda: limber.MotionModel(forward),
@@ -65,12 +63,8 @@ class Refusals(unittest.TestCase):
                     "yet. ForwardModel.step, step_batch and rollout, predict and evaluate can"):
                 call()
         self.assertIsNone(arm._repr_svg_())
-        family = limber.best_preset()
-        limber.set_family_size(family, 2)
-        for settings, told in ((family, "limber.train of a family"),
-                               (limber.paper_preset(), "a network of base poses")):
-            with self.assertRaisesRegex(limber.InputError, told):
-                limber.train(arm, limber.TrainingData(space().episodes), settings)
+        with self.assertRaisesRegex(limber.InputError, "a network of base poses"):
+            limber.train(arm, limber.TrainingData(space().episodes), limber.paper_preset())
 
 
 if __name__ == "__main__":

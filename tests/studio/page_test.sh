@@ -18,6 +18,7 @@ case $1 in
     trap 'rm -rf -- "$out"' EXIT
     node node_modules/typescript/bin/tsc
     node node_modules/vite/bin/vite.js build --logLevel warn --outDir "$out" --emptyOutDir
+    node node_modules/vite/bin/vite.js build --mode shapes --logLevel warn --outDir "$out"
     diff -r dist "$out"
     ;;
   browser)
@@ -31,6 +32,7 @@ case $1 in
     node tests/browser_results.mjs
     node tests/browser_follow.mjs
     node tests/browser_report.mjs
+    node tests/browser_shapes.mjs
     node tests/browser_axe.mjs
     ;;
   *) exit 2 ;;

@@ -15,49 +15,17 @@
 #include "limber/training/yardsticks.hpp"
 #include "support/space_arm.hpp"
 #include "support/temporary_folder.hpp"
+#include "training/space_toy_arm.hpp"
 
 namespace limber {
 namespace {
 
 using testing_support::space_arm;
-
-/// The unloaded arm behind a lag of a fifth of a second and `late` frames of dead time, its first
-/// segment bent by a tenth more than the file says.
-Episode toy_episode(const ArmDescription& arm, int frames, std::uint64_t seed, int late = 0) {
-  RandomStream random(seed, 1);
-  Episode episode;
-  episode.dimension = Dimension::space;
-  episode.time_s = Eigen::VectorXd::LinSpaced(frames, 0.0, (frames - 1) * arm.frame_period_s());
-  episode.setpoint_kpa.resize(frames, arm.channel_count());
-  episode.backbone.resize(frames, kSpacePoseSize * arm.point_count());
-  episode.motion_index.assign(static_cast<std::size_t>(frames), 0);
-  Eigen::RowVectorXf goal = Eigen::RowVectorXf::Zero(arm.channel_count());
-  Eigen::VectorXf behind = goal.transpose();
-  ArmDescription bent = arm;
-  for (Chamber& chamber : bent.segments[0].chambers) {
-    chamber.strain_polynomial[0] *= 1.1;
-  }
-  const NoLoadModel no_load(bent);
-  const float open = 1.0F - std::exp(-float(arm.frame_period_s()) / 0.2F);
-  for (int t = 0; t < frames; ++t) {
-    if (t % 25 == 1) {
-      goal = Eigen::RowVectorXf::NullaryExpr(arm.channel_count(),
-                                             [&] { return float(random.uniform(0.0, 80.0)); });
-    }
-    episode.setpoint_kpa.row(t) = goal;
-    const Eigen::VectorXf asked = episode.setpoint_kpa.row(std::max(t - late, 0)).transpose();
-    behind += open * (asked - behind);
-    Eigen::VectorXf poses(episode.backbone.cols());
-    no_load.poses(behind, poses);
-    episode.backbone.row(t) = poses.transpose();
-  }
-  episode.pressure_kpa = episode.setpoint_kpa;
-  return episode;
-}
+using testing_support::space_toy_episode;
 
 TEST(SpaceFit, FindsLagDeadTimeAndWhatEveryChamberDoes) {
   const ArmDescription arm = space_arm();
-  const std::vector<Episode> episodes = {toy_episode(arm, 800, 1, 2)};
+  const std::vector<Episode> episodes = {space_toy_episode(arm, 800, 1, 2)};
   const SpaceFit fit = fit_space_model(arm, episodes);
   EXPECT_NEAR(fit.dead_time_s + fit.lag_s, 0.3, 0.05);  // one stands in for the other, a little
   EXPECT_LT(fit.tip_mm, 5.0);
@@ -68,7 +36,7 @@ TEST(SpaceFit, FindsLagDeadTimeAndWhatEveryChamberDoes) {
 
 TEST(SpaceFit, NamesColumnsInAnotherOrder) {
   const ArmDescription arm = space_arm();
-  std::vector<Episode> episodes = {toy_episode(arm, 800, 1, 2)};
+  std::vector<Episode> episodes = {space_toy_episode(arm, 800, 1, 2)};
   for (FrameMatrix* commands : {&episodes[0].setpoint_kpa, &episodes[0].pressure_kpa}) {
     commands->col(0).swap(commands->col(1));
   }
@@ -84,9 +52,9 @@ TEST(SpaceTraining, ANetworkLearnsWhatTheSimpleModelsLack) {
   TrainingData data;
   constexpr int kLate = 3;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-    data.training.push_back(toy_episode(arm, 1500, seed, kLate));
+    data.training.push_back(space_toy_episode(arm, 1500, seed, kLate));
   }
-  data.validation = {toy_episode(arm, 400, 5, kLate)};
+  data.validation = {space_toy_episode(arm, 400, 5, kLate)};
   TrainingSettings settings = best_preset();
   set_window_frames(settings, {16});
   set_epoch_count(settings, 100);
@@ -104,7 +72,7 @@ TEST(SpaceTraining, ANetworkLearnsWhatTheSimpleModelsLack) {
   EXPECT_EQ(read.channel_count(), 6);
   EXPECT_EQ(read.past_commands, default_past_commands(arm));
 
-  const std::vector<Episode> unseen = {toy_episode(arm, 600, 6, kLate)};
+  const std::vector<Episode> unseen = {space_toy_episode(arm, 600, 6, kLate)};
   const ForwardModel no_load(arm);
   const ForwardModel network(arm, read);
   const Evaluation errors = evaluate(no_load, &network, unseen);
@@ -122,8 +90,8 @@ TEST(SpaceTraining, ANetworkLearnsWhatTheSimpleModelsLack) {
 TEST(SpaceForward, ManyQueriesAreAsOne) {
   const ArmDescription arm = space_arm();
   TrainingData data;
-  data.training = {toy_episode(arm, 300, 1)};
-  data.validation = {toy_episode(arm, 200, 3)};
+  data.training = {space_toy_episode(arm, 300, 1)};
+  data.validation = {space_toy_episode(arm, 200, 3)};
   TrainingSettings settings = best_preset();
   set_window_frames(settings, {8});
   set_epoch_count(settings, 2);
@@ -152,8 +120,8 @@ TEST(SpaceForward, ARolloutIsToldTheCommandsOfBefore) {
   const ForwardModel model(arm, untrained_model(arm, BackboneLayout::gap_poses, {20}, 1,
                                                 OutputForm::gated_change, true, past));
   EXPECT_EQ(model.command_size(), 3 * arm.channel_count());
-  const Eigen::MatrixXf commands = toy_episode(arm, 8, 1).pressure_kpa.transpose();
-  Eigen::MatrixXf shapes = toy_episode(arm, 8, 2).backbone.transpose();
+  const Eigen::MatrixXf commands = space_toy_episode(arm, 8, 1).pressure_kpa.transpose();
+  Eigen::MatrixXf shapes = space_toy_episode(arm, 8, 2).backbone.transpose();
   ForwardModel::Workspace workspace;
   model.rollout(commands, shapes, workspace);
   Eigen::MatrixXf before = shapes.col(0), now = shapes.col(0);
@@ -175,7 +143,7 @@ TEST(SpaceForward, ARolloutIsToldTheCommandsOfBefore) {
 TEST(SpaceForward, NoLoadBatchesAgreeWithTheModel) {
   const ArmDescription arm = space_arm();
   const ForwardModel model(arm);
-  const Episode episode = toy_episode(arm, 100, 1);
+  const Episode episode = space_toy_episode(arm, 100, 1);
   const Eigen::MatrixXf commands = episode.pressure_kpa.transpose() * 1.3F;  // beyond limits too
   const Eigen::MatrixXf shapes = episode.backbone.transpose();
   Eigen::MatrixXf next(shapes.rows(), shapes.cols());

@@ -32,7 +32,7 @@ Episode identifying_run(const ArmDescription& arm, double seconds, std::uint64_t
   options.stream = stream;
   VirtualArm driver(arm, options);
   const EpisodeSchedule schedule =
-      make_schedule(arm, identifying_schedule(), seed + stream).front();
+      make_schedule(arm, identifying_schedule(arm.dimension), seed + stream).front();
   return first_seconds(arm, record_episode(arm, driver, schedule, {}), seconds);
 }
 

@@ -173,9 +173,10 @@ void evaluate_stage(DemoResults& results) {
   const ForwardModel* network = &*results.network;
   const std::vector<Episode>& test = results.test_recording.episodes;
   results.evaluation = evaluate(no_load, network, test, results.settings->jobs);
-  results.evaluation_plots = plot_evaluation(no_load, network, test, results.settings->jobs);
+  results.evaluation_plots =
+      plot_evaluation(results.arm(), no_load, network, test, results.settings->jobs);
   std::vector<std::string> plots;
-  for (const std::filesystem::path& path : evaluation_plot_paths("plots")) {
+  for (const std::filesystem::path& path : evaluation_plot_paths("plots", Dimension::plane)) {
     plots.push_back(path.string());
   }
   results.output->write_with(

@@ -172,10 +172,10 @@ std::vector<EpisodeSchedule> make_schedule(const ArmDescription& arm,
   return episodes;
 }
 
-ScheduleSettings identifying_schedule() {
+ScheduleSettings identifying_schedule(Dimension dimension) {
   ScheduleSettings settings;
   settings.kind = ScheduleKind::random;
-  settings.count = 36;
+  settings.count = dimension == Dimension::plane ? 36 : 68;
   settings.approach = Approach::straight;
   settings.hold_s = 1.0;
   settings.hold_min_s = 0.2;

@@ -136,7 +136,7 @@ Eigen::VectorXf LiveArmFit::offsets(const Window& window, const Eigen::VectorXf&
 void LiveArmFit::add(const Window& window, Knowledge& known) const {
   const Eigen::ArrayXf length = lengths(window.left_m + window.slope * (member_.e - window.at));
   const double share = offset_share(kUsualErrorShare * arm_.length_m(), arm_.point_count() - 1);
-  const Eigen::MatrixXf weighted = offset_weights(length, share).asDiagonal() * window.slope;
+  const Eigen::MatrixXf weighted = offset_weights(length, share, 2).asDiagonal() * window.slope;
   known.precision += (weighted.transpose() * window.slope).cast<double>();
   known.pull += (weighted.transpose() * (window.slope * window.at - window.left_m)).cast<double>();
 }

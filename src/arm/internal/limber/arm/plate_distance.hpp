@@ -22,4 +22,10 @@ double largest_plate_distance_m(const Eigen::MatrixBase<A>& a, const Eigen::Matr
   return plate_distances_m(a, b).maxCoeff();
 }
 
+/// The same of places alone: m×2, in space m×3.
+template <class A, class B>
+double largest_place_distance_m(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b) {
+  return (a.derived() - b.derived()).template cast<double>().rowwise().norm().maxCoeff();
+}
+
 }  // namespace limber

@@ -46,6 +46,27 @@ void normalise_rotations(Matrix& poses) {
   }
 }
 
+/// Makes the signs of quaternions continuous, since q and −q are one rotation: in the first row
+/// from plate to plate, as if chained from the base, and of every plate from row to row.
+/// @param frames  a row of poses for each frame
+template <class Matrix>
+void make_signs_continuous(Matrix& frames) {
+  constexpr int kFirst = position_size(Dimension::space);
+  using Quaternion = Eigen::Matrix<typename Matrix::Scalar, 1, 4>;
+  for (Eigen::Index t = 0; t < frames.rows(); ++t) {
+    for (Eigen::Index i = kFirst; i < frames.cols(); i += kSpacePoseSize) {
+      const Quaternion near =
+          t > 0        ? Quaternion(frames.row(t - 1).template segment<4>(i))
+          : i > kFirst ? Quaternion(frames.row(t).template segment<4>(i - kSpacePoseSize))
+                       : Quaternion(Quaternion::Unit(3));
+      auto rotation = frames.row(t).template segment<4>(i);
+      if (near.dot(rotation) < 0) {
+        rotation = -rotation;
+      }
+    }
+  }
+}
+
 /// Where `step`, a pose about `from`, lies in the frame of `from`.
 template <class Scalar>
 SpacePoseOf<Scalar> compose(const SpacePoseOf<Scalar>& from, const SpacePoseOf<Scalar>& step) {

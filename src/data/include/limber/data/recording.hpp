@@ -25,6 +25,14 @@ inline Eigen::Map<const Backbone> backbone_at(const FrameMatrix& backbones, Eige
   return {backbones.row(frame).data(), backbones.cols() / kPoseSize, kPoseSize};
 }
 
+/// Where its plates are (m×2, in space m×3), borrowed; in space `backbones` is T×7m.
+using Places = Eigen::Map<const FrameMatrix, Eigen::Unaligned, Eigen::OuterStride<>>;
+inline Places places_at(const FrameMatrix& backbones, Eigen::Index frame, Dimension dimension) {
+  const int size = pose_size(dimension);
+  return {backbones.row(frame).data(), backbones.cols() / size, position_size(dimension),
+          Eigen::OuterStride<>(size)};
+}
+
 /// One unbroken run of the arm at its frame rate: T frames, n channels (in the plane: segments), m
 /// backbone points.
 struct Episode {

@@ -16,10 +16,11 @@ inline double offset_share(double usual_m, Eigen::Index plates) {
   return 1.0 / (kIndependentFrames * usual_m * static_cast<double>(plates));
 }
 
-/// Least squares' weights of the numbers x, y, x, y, … of offsets with these lengths.
-inline Eigen::VectorXf offset_weights(const Eigen::ArrayXf& length_m, double share) {
-  Eigen::VectorXf weights(2 * length_m.size());
-  weights.reshaped(2, length_m.size()).rowwise() =
+/// Least squares' weights of the numbers of offsets with these lengths: x, y, x, y, …; in space x,
+/// y, z, …
+inline Eigen::VectorXf offset_weights(const Eigen::ArrayXf& length_m, double share, int numbers) {
+  Eigen::VectorXf weights(numbers * length_m.size());
+  weights.reshaped(numbers, length_m.size()).rowwise() =
       (static_cast<float>(share) / length_m.max(static_cast<float>(kSquareUpToM)))
           .matrix()
           .transpose();

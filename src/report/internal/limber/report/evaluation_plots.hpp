@@ -15,13 +15,17 @@ struct EvaluationPlots {
   std::string position_distribution;     ///< the paper's Fig. 4, position
   std::string orientation_distribution;  ///< the paper's Fig. 4, orientation
   std::string backbones;                 ///< a few frames, recorded and predicted
+  std::string shapes;                    ///< HTML (shapes_page.hpp); empty of an arm in the plane
 };
 
-EvaluationPlots plot_evaluation(const ForwardModel& no_load, const ForwardModel* network,
-                                const std::vector<Episode>& episodes, int jobs = 0);
+EvaluationPlots plot_evaluation(const ArmDescription& arm, const ForwardModel& no_load,
+                                const ForwardModel* network, const std::vector<Episode>& episodes,
+                                int jobs = 0);
 
-/// error_over_time.svg, position_distribution.svg, orientation_distribution.svg and backbones.svg.
-std::vector<std::filesystem::path> evaluation_plot_paths(const std::filesystem::path& folder);
+/// error_over_time.svg, position_distribution.svg, orientation_distribution.svg and backbones.svg;
+/// in space shapes.html, too.
+std::vector<std::filesystem::path> evaluation_plot_paths(const std::filesystem::path& folder,
+                                                         Dimension dimension);
 
 /// Writes those, in that order; returns their paths.
 std::vector<std::filesystem::path> write_evaluation_plots(const std::filesystem::path& folder,

@@ -37,9 +37,9 @@ struct ScheduleSettings {
   double limit_scale = 1.0;
 };
 
-/// The minute that tells most about which arm it is (docs/families.md): 36 random motions, straight
-/// and with short holds, in about a minute.
-ScheduleSettings identifying_schedule();
+/// The minute that tells most about which arm it is (docs/families.md): 36 random motions, in space
+/// 68 shorter ones, straight and with short holds.
+ScheduleSettings identifying_schedule(Dimension dimension);
 
 struct Motion {
   Pressures setpoint_kpa;      ///< size n, where it ends
