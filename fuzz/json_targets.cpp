@@ -97,7 +97,8 @@ void read_cross_validation_text(const Input& input) {
 std::vector<std::string> cross_validation_seeds() {
   CrossValidation found;
   found.folds = kFolds;
-  found.tried = {{100, {200}, 0.1, 0.5, 1.0}, {200, {8, 8}, 0.1, 0.4, 0.9}};
+  found.tried = {{300, {200}, Optimiser::soap, 1, 0.1, 0.5, 1.0},
+                 {300, {8, 8}, Optimiser::adam, kFolds, 0.1, 0.4, 0.9}};
   found.chosen = 1;
   return {to_json(found).dump()};
 }

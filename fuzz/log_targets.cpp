@@ -100,8 +100,8 @@ std::string long_take() {
     text.replace(at, 5, "20.0");
   }
   const LogTruth truth(two_plates());
-  constexpr int kFrames = 20;
-  for (int k = 0; k < kFrames; ++k) {
+  constexpr int kTakeFrames = 20;
+  for (int k = 0; k < kTakeFrames; ++k) {
     const double time_s = 0.05 * k;
     const BackboneD b = truth.backbone(time_s);
     const double half_rad = b(1, 2) / 2.0;

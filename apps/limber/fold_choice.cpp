@@ -12,6 +12,10 @@ fs::path folds_path_of(const fs::path& checkpoint) {
   return checkpoint.string() + ".folds.json";
 }
 
+void write_folds(const CrossValidation& found, const fs::path& checkpoint) {
+  write_file_atomically(folds_path_of(checkpoint), to_json(found).dump(2) + "\n");
+}
+
 CrossValidation choose_by_folds(const CommonFlags& flags, const ArmDescription& arm,
                                 const std::vector<Episode>& episodes,
                                 const TrainingSettings& settings, const IdentifiedValves& valves) {
@@ -20,7 +24,7 @@ CrossValidation choose_by_folds(const CommonFlags& flags, const ArmDescription& 
   const CrossValidation found = is_there ? read_cross_validation(read_file(file), file.string())
                                          : cross_validate(arm, episodes, settings, valves);
   if (!is_there) {
-    write_file_atomically(file, to_json(found).dump(2) + "\n");
+    write_folds(found, settings.checkpoint);
   }
   say(flags, "{}", to_text(found));
   return found;

@@ -10,6 +10,9 @@ namespace limber {
 /// The file beside a run's checkpoint that keeps what its folds found.
 std::filesystem::path folds_path_of(const std::filesystem::path& checkpoint);
 
+/// Keeps it there.
+void write_folds(const CrossValidation& found, const std::filesystem::path& checkpoint);
+
 /// `cross_validate`, or what it found before the run was stopped; says what that is.
 CrossValidation choose_by_folds(const CommonFlags& flags, const ArmDescription& arm,
                                 const std::vector<Episode>& episodes,

@@ -121,9 +121,9 @@ void say_little(const CommonFlags& flags, const ArmDescription& arm,
     moving_s += moves(arm, episode) ? seconds : 0.0;
   }
   say(flags,
-      "{:.1f} minutes, {:.1f} of them in episodes that move: too little to hold anything back. {} "
-      "networks, each without a part of these, say how long to train and how large the error is; "
-      "then one learns from everything (--validation or --epochs: as with more data)",
+      "{:.1f} minutes, {:.1f} of them in episodes that move: too little to hold anything back. "
+      "Networks that each lack one of {} parts of these say in which way to learn and how large "
+      "the error is; then one learns from everything (--validation or --epochs: as with more data)",
       all_s / 60.0, moving_s / 60.0, kFolds);
 }
 

@@ -235,9 +235,16 @@ class TrainVerb final : public Verb {
     say_broken(flags, choice);
     say_little(flags, arm, episodes);
     keep_known_valves(flags, arm, std::nullopt, valves);
-    const CrossValidation found = choose_by_folds(flags, arm, episodes, settings, valves);
+    CrossValidation found = choose_by_folds(flags, arm, episodes, settings, valves);
     settings.resume = resume_ && fs::exists(checkpoint_path());
     TrainingResult result = train_on_everything(arm, episodes, settings, valves, found);
+    while (result.status == TrainingStatus::diverged && take_another_way(found)) {
+      say(flags, "{}; so it learns by {} instead, whose error is not known", result.message,
+          to_string(found.best().optimiser));
+      write_folds(found, settings.checkpoint);
+      settings.resume = false;
+      result = train_on_everything(arm, episodes, settings, valves, found);
+    }
     if (!has_network(flags, result)) {
       return kExitNoSolution;
     }

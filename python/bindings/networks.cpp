@@ -87,8 +87,10 @@ void bind_prediction_error(py::module_& module) {
                  "[m].")
       .read_only("end_position_m", &PredictionError::end_position_m,
                  "Distance of the tip from its prediction at a run's end [m].")
-      .read_only("end_orientation_rad", &PredictionError::end_orientation_rad,
-                 "Difference of the tip's heading at a run's end [rad].")
+      .read_only(
+          "end_orientation_rad", &PredictionError::end_orientation_rad,
+          "Difference of the tip's heading at a run's end [rad]; None where rotations were not "
+          "measured.")
       .done();
 }
 

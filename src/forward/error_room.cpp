@@ -35,7 +35,7 @@ ErrorRoom default_room(const ForwardModel& model) {
             kUnknownErrorM * kCmPerM)};
   }
   return {error->off_path_m,
-          {error->end_position_m, error->end_orientation_rad},
+          {error->end_position_m, error->end_orientation_rad.value_or(0.0)},
           std::nullopt,
           true,
           ""};

@@ -18,6 +18,8 @@ using Json = nlohmann::ordered_json;
 // A page with more of them opens slowly, and needs memory for all.
 constexpr std::size_t kMostEnvironmentsOnPage = 100;
 
+constexpr std::size_t kEnvironmentsPerFolder = 400;
+
 bool is_same_way(const PlanningRow& a, const PlanningRow& b) {
   return a.planner == b.planner && a.controller == b.controller && a.disturbance == b.disturbance;
 }
@@ -36,6 +38,15 @@ std::vector<PlanningRow> by_way(const std::vector<PlanningRow>& rows) {
 
 }  // namespace
 
+ResultNames result_names(const ExperimentSettings& settings, const EnvironmentCase& item) {
+  const auto index = static_cast<std::size_t>(&item - settings.environments.data());
+  const std::string name = settings.environments.size() > kEnvironmentsPerFolder
+                               ? fmt::format("{:03}/{}", index / kEnvironmentsPerFolder, item.id)
+                               : item.id;
+  return {"figures/" + name + ".svg", "figures/" + name + "_all.svg",
+          "planner_arena/" + name + ".log"};
+}
+
 void ExperimentResults::add(const EnvironmentCase& item, const std::vector<PlanTrial>& trials) {
   const std::vector<PlanningRow> rows = planning_rows(trials);
   std::vector<PlanTrial> one;
@@ -48,14 +59,14 @@ void ExperimentResults::add(const EnvironmentCase& item, const std::vector<PlanT
   std::ranges::for_each(trials, [&](const PlanTrial& trial) { runs_.add(trial); });
   const std::string single = final_shapes_picture(settings_.arm, item, one);
   const std::string all = final_shapes_picture(settings_.arm, item, trials);
-  output_.write("figures/" + item.id + ".svg", single);
-  output_.write("figures/" + item.id + "_all.svg", all);
+  const ResultNames names = result_names(settings_, item);
+  output_.write(names.one_plan, single);
+  output_.write(names.all_plans, all);
   if (figures_.size() < 2 * kMostEnvironmentsOnPage) {
     figures_.push_back({single, item.id + ": one plan of each model"});
     figures_.push_back({all, item.id + ": all plans"});
   }
-  output_.write("planner_arena/" + item.id + ".log",
-                planner_arena_log(item.id, trials, settings_.limits, settings_.seed));
+  output_.write(names.log, planner_arena_log(item.id, trials, settings_.limits, settings_.seed));
 }
 
 Json ExperimentResults::write() {

@@ -13,6 +13,15 @@
 
 namespace limber {
 
+/// Names of what is written of one environment, relative to the experiment's folder. Of more than
+/// 400 they lie in numbered folders: shared file systems suffer from thousands of entries in one.
+struct ResultNames {
+  std::string one_plan;  ///< a figure
+  std::string all_plans;
+  std::string log;
+};
+ResultNames result_names(const ExperimentSettings& settings, const EnvironmentCase& item);
+
 /// Tables, figures and logs of an experiment, written as its environments come in: what is kept of
 /// a trial are some numbers, so that thousands can be joined.
 class ExperimentResults {
@@ -21,7 +30,7 @@ class ExperimentResults {
   ExperimentResults(const ExperimentSettings& settings, OutputFolder& output)
       : settings_(settings), output_(output) {}
 
-  /// All trials of one environment: writes its figures and its log.
+  /// All trials of one of the settings' environments: writes its figures and its log.
   void add(const EnvironmentCase& item, const std::vector<PlanTrial>& trials);
 
   /// Writes the tables and the report. @returns table.json

@@ -145,8 +145,8 @@ class Experiment {
   std::vector<std::string> names_to_write() const {
     std::vector<std::string> names{"table.json", "table.md", "runs.json", "report.html"};
     for (const EnvironmentCase& item : settings_.environments) {
-      names.insert(names.end(), {"figures/" + item.id + ".svg", "figures/" + item.id + "_all.svg",
-                                 "planner_arena/" + item.id + ".log"});
+      const ResultNames own = result_names(settings_, item);
+      names.insert(names.end(), {own.one_plan, own.all_plans, own.log});
     }
     for (const Task& task : open_tasks()) {
       const std::vector<std::string> files = trial_files(task.key.id);
@@ -262,6 +262,7 @@ class Experiment {
   Json write_results() {
     ExperimentResults results(settings_, *output_);
     for (const EnvironmentCase& item : settings_.environments) {
+      throw_if_interrupted();
       std::vector<PlanTrial> trials;
       for (const Task& task : tasks_in(item)) {
         trials.push_back(read(task));

@@ -235,6 +235,9 @@ void validate(const CompensationModel& model, const std::string& where) {
   }
   if (model.prediction_error) {
     validate(*model.prediction_error, where + ": metadata");
+    if (model.dimension == Dimension::plane && !model.prediction_error->end_orientation_rad) {
+      refuse(where, "metadata prediction_error: end_orientation_rad is missing");
+    }
   }
   if (model.tube) {
     validate(*model.tube, where + ": metadata");

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
+
 #include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "limber/common/error.hpp"
+#include "limber/common/json_number.hpp"
 #include "limber/common/units.hpp"
 #include "limber/common/yaml_reader.hpp"
 
@@ -43,11 +44,11 @@ void validate(const PredictionError& error, const std::string& where) {
   if (!std::isfinite(error.run_s) || error.run_s <= 0.0) {
     refuse("run_s", error.run_s, "a time in seconds, > 0");
   }
-  const double heading_rad = error.knows_heading() ? error.end_orientation_rad : 0.0;
-  for (const auto& [name, value] : {std::pair{"largest_position_m", error.max_position_m},
-                                    std::pair{"off_path_m", error.off_path_m},
-                                    std::pair{"end_position_m", error.end_position_m},
-                                    std::pair{"end_orientation_rad", heading_rad}}) {
+  for (const auto& [name, value] :
+       {std::pair{"largest_position_m", error.max_position_m},
+        std::pair{"off_path_m", error.off_path_m},
+        std::pair{"end_position_m", error.end_position_m},
+        std::pair{"end_orientation_rad", error.end_orientation_rad.value_or(0.0)}}) {
     if (!std::isfinite(value) || value < 0.0) {
       refuse(name, value, "a finite number, ≥ 0");
     }
@@ -60,8 +61,8 @@ std::string prediction_error_to_metadata(const PredictionError& error) {
                                {"largest_position_m", error.max_position_m},
                                {"off_path_m", error.off_path_m},
                                {"end_position_m", error.end_position_m}});
-  if (error.knows_heading()) {
-    json["end_orientation_rad"] = error.end_orientation_rad;
+  if (error.end_orientation_rad) {
+    json["end_orientation_rad"] = *error.end_orientation_rad;
   }
   return json.dump();
 }
@@ -76,9 +77,10 @@ PredictionError read_prediction_error(const YamlReader& root) {
   error.off_path_m = root.at("off_path_m").number("a distance in metres", 0.0);
   error.end_position_m = root.at("end_position_m").number("a distance in metres", 0.0);
   constexpr const char* kHeading = "end_orientation_rad";
-  error.end_orientation_rad = root.has(kHeading)
-                                  ? root.at(kHeading).number("an angle in radians", 0.0)
-                                  : std::numeric_limits<double>::quiet_NaN();
+  error.end_orientation_rad.reset();
+  if (root.has(kHeading)) {
+    error.end_orientation_rad = root.at(kHeading).number("an angle in radians", 0.0);
+  }
   return error;
 }
 
@@ -88,7 +90,7 @@ nlohmann::ordered_json to_json(const PredictionError& error) {
           {"largest_cm_p95", kCmPerM * error.max_position_m},
           {"off_path_cm_p95", kCmPerM * error.off_path_m},
           {"end_cm_p95", kCmPerM * error.end_position_m},
-          {"end_rad_p95", error.end_orientation_rad}};
+          {"end_rad_p95", json_number(error.end_orientation_rad)}};
 }
 
 std::string to_text(const PredictionError& error) {
@@ -97,7 +99,7 @@ std::string to_text(const PredictionError& error) {
       "the predicted path, {:.2f} cm{} at the tip's end",
       error.runs, error.run_s, 100.0 * PredictionError::kShare, kCmPerM * error.max_position_m,
       kCmPerM * error.off_path_m, kCmPerM * error.end_position_m,
-      error.knows_heading() ? fmt::format(" and {:.3f} rad", error.end_orientation_rad) : "");
+      error.end_orientation_rad ? fmt::format(" and {:.3f} rad", *error.end_orientation_rad) : "");
 }
 
 }  // namespace limber

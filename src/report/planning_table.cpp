@@ -52,10 +52,14 @@ bool is_of(const PlanTrial& trial, const PlanningRow& row) {
          trial.disturbance == row.disturbance;
 }
 
-PlanTrial without_frames(PlanTrial trial) {
-  trial.planning.plan.reset();
-  trial.planning.events.clear();
-  return trial;
+/// What tables and figures show of it.
+PlanTrial run_of(const PlanTrial& trial) {
+  PlanTrial run;
+  run.environment = trial.environment;
+  run.model = trial.model;
+  run.asks_heading = trial.asks_heading;
+  run.execution = trial.execution;
+  return run;
 }
 
 template <class IsCounted>
@@ -72,7 +76,7 @@ void fill(PlanningRow& row, const std::vector<PlanTrial>& trials, const IsCounte
     }
     ++row.solved;
     if (!row.one_plan) {
-      row.one_plan = without_frames(trial);
+      row.one_plan = run_of(trial);
     }
     const FirstSolution& first = *trial.planning.first_solution;
     samples.first_solution_s.push_back(first.time_s);

@@ -29,9 +29,11 @@ constexpr int kRunEpochs = 300;  // 100 were never better; 600 no better
 // Both measured on stand-ins for real logs (docs/log/2026-11-27-training.md).
 constexpr double kSoapRate = 2.0;  // over Adam's
 constexpr double kWeightDecay = 0.1;
-// A way whose first network is worse than the best's by more is not tried any further.
+// A way whose first network is worse than the best's by more is not tried any further: two seeds of
+// one way differ by 3 to 10 %.
 constexpr double kWorthTrying = 1.05;
 constexpr std::uint64_t kFoldStream = 0x666f6c6473;
+constexpr double kNever = std::numeric_limits<double>::infinity();  // an error
 constexpr int kMinPartFrames = 100;  // a rollout over less says little
 
 /// What is tried: a wide layer, which learns little of the noise, and the preset's three, better
@@ -137,9 +139,16 @@ class CrossValidator {
       attempts_.emplace_back().way = way;
       add_fold(attempts_.back());
     }
-    while (Attempt* next = most_promising()) {
-      while (next->way.folds < kFolds && std::isfinite(next->way.score_cm())) {
-        add_fold(*next);
+    std::vector<std::pair<double, Attempt*>> order;
+    for (Attempt& attempt : attempts_) {
+      const double first_cm = attempt.way.score_cm();
+      order.emplace_back(std::isfinite(first_cm) ? first_cm : kNever, &attempt);
+    }
+    std::ranges::stable_sort(order, {}, [](const auto& of_first) { return of_first.first; });
+    double best_cm = kNever;
+    for (const auto& [first_cm, attempt] : order) {
+      if (first_cm < kWorthTrying * best_cm && add_folds(*attempt)) {
+        best_cm = std::min(best_cm, first_cm);
       }
     }
     return verdict();
@@ -149,25 +158,15 @@ class CrossValidator {
   struct Attempt {
     WayTried way;  ///< errors are means over the folds so far
     RunErrors errors;
-    double share = 0.0;     ///< of all frames that judge, in those folds
-    double first_cm = 0.0;  ///< score of the first fold's network: all ways have one
+    double share = 0.0;  ///< of all frames that judge, in those folds
   };
 
-  /// The best that is not tried on all folds, if it may be better than those that are.
-  Attempt* most_promising() {
-    Attempt* best = nullptr;
-    double least_cm = kNever;
-    for (Attempt& attempt : attempts_) {
-      const double score_cm = attempt.way.score_cm();
-      if (attempt.way.folds < kFolds && std::isfinite(score_cm) &&
-          (best == nullptr || score_cm < best->way.score_cm())) {
-        best = &attempt;
-      }
-      if (attempt.way.folds == kFolds) {
-        least_cm = std::min(least_cm, attempt.first_cm);
-      }
+  /// A network for each fold that is left, as long as none diverges. @returns whether none did
+  bool add_folds(Attempt& attempt) {
+    while (attempt.way.folds < kFolds && std::isfinite(attempt.way.score_cm())) {
+      add_fold(attempt);
     }
-    return best != nullptr && best->first_cm < kWorthTrying * least_cm ? best : nullptr;
+    return std::isfinite(attempt.way.score_cm());
   }
 
   /// Another network of that way, and what all of them are worth together.
@@ -201,9 +200,6 @@ class CrossValidator {
     add(way.one_step_cm, 1);
     add(way.window_32_cm, 32);
     add(way.window_600_cm, 600);
-    if (way.folds == 1) {
-      attempt.first_cm = way.score_cm();
-    }
     throw_if_interrupted();
   }
 
@@ -231,8 +227,6 @@ class CrossValidator {
     }
     return found;
   }
-
-  static constexpr double kNever = std::numeric_limits<double>::infinity();
 
   const ArmDescription& arm_;
   Parts parts_;
@@ -267,24 +261,29 @@ CrossValidation cross_validate(const ArmDescription& arm, const std::vector<Epis
   return CrossValidator(arm, episodes, settings, valves, hooks).run();
 }
 
+bool take_another_way(CrossValidation& found) {
+  WayTried& diverged = found.tried[static_cast<std::size_t>(found.chosen)];
+  diverged.one_step_cm = diverged.window_32_cm = diverged.window_600_cm = kNever;
+  found.prediction_error.reset();  // of the other's networks, as the tube
+  found.tube.reset();
+  found.widest_where.clear();
+  const auto next = std::ranges::min_element(found.tried, {}, &WayTried::score_cm);
+  found.chosen = static_cast<int>(next - found.tried.begin());
+  return std::isfinite(next->score_cm());
+}
+
 TrainingResult train_on_everything(const ArmDescription& arm, const std::vector<Episode>& episodes,
                                    const TrainingSettings& settings, const IdentifiedValves& valves,
                                    const CrossValidation& found, const TrainingHooks& hooks) {
   TrainingData data;
   data.training = episodes;
   TrainingResult result = train(arm, data, settings_of(found.best(), settings), hooks);
-  const bool as_found = result.status != TrainingStatus::diverged;
-  for (std::size_t i = 0; i < found.tried.size(); ++i) {
-    if (result.status == TrainingStatus::diverged && static_cast<int>(i) != found.chosen) {
-      result = train(arm, data, settings_of(found.tried[i], settings), hooks);
-    }
-  }
   if (result.best_epoch > 0) {
     result.model.set_valves(valves);
     if (!arm.is_spatial()) {
       result.model.learnt = learnt_region_of(data);
     }
-    if (as_found && result.status == TrainingStatus::finished) {
+    if (result.status == TrainingStatus::finished && result.best_epoch == found.epochs()) {
       result.model.prediction_error = found.prediction_error;
       result.model.tube = found.tube;
     }

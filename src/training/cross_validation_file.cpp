@@ -1,3 +1,4 @@
+#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
@@ -101,16 +102,19 @@ CrossValidation read_cross_validation(const std::string& text, const std::string
 
 std::string to_text(const CrossValidation& found) {
   std::string text = fmt::format(
-      "{} networks each, on episodes that they had not seen (one step, 32, up to 600 frames)",
-      found.folds);
+      "on {} parts that the networks had not seen (one step, 32, up to 600 frames)", found.folds);
   for (std::size_t i = 0; i < found.tried.size(); ++i) {
     const WayTried& tried = found.tried[i];
-    text +=
-        fmt::format("{} {} epochs of {} by {}{}: {:.2f}, {:.2f}, {:.2f} cm{}", i == 0 ? ":" : ";",
-                    tried.epochs, fmt::join(tried.hidden_units, "-"), to_string(tried.optimiser),
-                    tried.folds < found.folds ? fmt::format(" ({} network)", tried.folds) : "",
-                    tried.one_step_cm, tried.window_32_cm, tried.window_600_cm,
-                    static_cast<int>(i) == found.chosen ? ", chosen" : "");
+    text += fmt::format("{} {} epochs of {} by {}{}", i == 0 ? ":" : ";", tried.epochs,
+                        fmt::join(tried.hidden_units, "-"), to_string(tried.optimiser),
+                        tried.folds < found.folds && std::isfinite(tried.score_cm())
+                            ? " (worse on the first part)"
+                            : "");
+    text += std::isfinite(tried.score_cm())
+                ? fmt::format(": {:.2f}, {:.2f}, {:.2f} cm", tried.one_step_cm, tried.window_32_cm,
+                              tried.window_600_cm)
+                : ": diverged";
+    text += static_cast<int>(i) == found.chosen ? ", chosen" : "";
   }
   return text;
 }

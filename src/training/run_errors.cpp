@@ -42,13 +42,13 @@ void RunErrors::add(double max_m, double off_path_m, const GrowingErrors& errors
   mean_kpa_.push_back(mean_kpa);
 }
 
-double RunErrors::largest_at_end(double MotionErrors::*value, double tail) const {
+std::optional<double> RunErrors::largest_at_end(double MotionErrors::*value, double tail) const {
   std::vector<double> values;
   for (const GrowingErrors& motion : motions_) {
     values.push_back(motion.of.front().*value);
   }
   std::erase_if(values, [](double one) { return std::isnan(one); });  // headings of lifted poses
-  return values.empty() ? std::numeric_limits<double>::quiet_NaN() : largest_expected(values, tail);
+  return values.empty() ? std::nullopt : std::optional(largest_expected(values, tail));
 }
 
 std::optional<PredictionError> RunErrors::result(double frame_period_s) const {
@@ -60,7 +60,7 @@ std::optional<PredictionError> RunErrors::result(double frame_period_s) const {
   result.run_s = frames_ / result.runs * frame_period_s;
   result.max_position_m = largest_expected(max_m_, kPathTail);
   result.off_path_m = largest_expected(off_path_m_, kPathTail);
-  result.end_position_m = largest_at_end(&MotionErrors::end_m, kEndTail);
+  result.end_position_m = largest_at_end(&MotionErrors::end_m, kEndTail).value();
   result.end_orientation_rad = largest_at_end(&MotionErrors::end_heading_rad, kHeadingTail);
   return result;
 }
@@ -98,9 +98,11 @@ Tube RunErrors::tube_that_grows(std::size_t candidate, double arm_length_m) cons
   tube.levels = {level};
   // The end has quantiles of its own, as in PredictionError: the goal asks for them, not obstacles.
   tube.end_scale_m =
-      std::max(kMinScaleM, largest_at_end(&MotionErrors::end_m, kEndTail)) / level.factor;
+      std::max(kMinScaleM, largest_at_end(&MotionErrors::end_m, kEndTail).value_or(0.0)) /
+      level.factor;
   tube.end_heading_scale_rad =
-      std::max(kMinScaleRad, largest_at_end(&MotionErrors::end_heading_rad, kHeadingTail)) /
+      std::max(kMinScaleRad,
+               largest_at_end(&MotionErrors::end_heading_rad, kHeadingTail).value_or(0.0)) /
       level.factor;
   tube.source = "recorded motions that networks had not learnt from, off their path";
   return tube;

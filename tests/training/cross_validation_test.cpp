@@ -97,6 +97,17 @@ TEST(CrossValidation, OneNetworkThenLearnsFromEverythingForThatLong) {
   EXPECT_TRUE(result.model.learnt);
 }
 
+TEST(CrossValidation, AfterTheChosenWayDivergedTheBestOfTheOthersIsTakenWithoutAnError) {
+  CrossValidation found = found_once();
+  const Optimiser first = found.best().optimiser;
+  EXPECT_TRUE(take_another_way(found));
+  EXPECT_NE(found.best().optimiser, first);
+  EXPECT_FALSE(found.prediction_error);
+  EXPECT_THAT(to_text(found), HasSubstr("diverged"));
+  EXPECT_EQ(read_cross_validation(to_json(found).dump(), "f.json"), found);
+  EXPECT_FALSE(take_another_way(found)) << "both did";
+}
+
 TEST(CrossValidation, ItsFileSaysTheSame) {
   CrossValidation found = found_once();
   found.tried.back().window_600_cm = std::numeric_limits<double>::infinity();

@@ -66,7 +66,7 @@ TEST(RunErrors, TheTubesEndIsThatOfThePredictionError) {
   const PredictionError error = errors.result(0.05).value();
   constexpr double kRounding = 1e-12;
   EXPECT_NEAR(tube.levels[0].factor * tube.end_scale_m, error.end_position_m, kRounding);
-  EXPECT_NEAR(tube.levels[0].factor * tube.end_heading_scale_rad, error.end_orientation_rad,
+  EXPECT_NEAR(tube.levels[0].factor * tube.end_heading_scale_rad, *error.end_orientation_rad,
               kRounding);
   EXPECT_NO_THROW(validate(tube, "the tube"));
 }

@@ -167,12 +167,12 @@ TEST_F(SpaceFamily, OfLiftedRotationsNoHeadingIsMeasured) {
   unseen[0].lifted = true;
   note_unseen(arm(), one, unseen);
   ASSERT_TRUE(one.prediction_error);
-  EXPECT_FALSE(one.prediction_error->knows_heading());
+  EXPECT_FALSE(one.prediction_error->end_orientation_rad);
   EXPECT_GT(one.prediction_error->end_position_m, 0.0);
   const TemporaryFolder folder;
   write_model(folder.path() / "one.safetensors", one);
   const CompensationModel read = read_model(folder.path() / "one.safetensors");
-  EXPECT_FALSE(read.prediction_error->knows_heading());
+  EXPECT_FALSE(read.prediction_error->end_orientation_rad);
   EXPECT_EQ(read.prediction_error->end_position_m, one.prediction_error->end_position_m);
   EXPECT_EQ(to_text(*read.prediction_error).find("rad"), std::string::npos);
 }

@@ -109,7 +109,7 @@ TEST_P(UnseenErrorByHand, IsThatOfMotionsFromSetPoints) {
     EXPECT_NEAR(error->max_position_m, 2.0 * median(largest), kMicrometre);
     EXPECT_NEAR(error->off_path_m, 2.0 * median(off_path), kMicrometre);
     EXPECT_NEAR(error->end_position_m, 2.6 * median(end), kMicrometre);
-    EXPECT_NEAR(error->end_orientation_rad, 5.4 * median(turn), kMicrometre);
+    EXPECT_NEAR(*error->end_orientation_rad, 5.4 * median(turn), kMicrometre);
     EXPECT_LE(error->off_path_m, error->max_position_m);
   }
   // The last motion alone, with what is known of the arm before it.

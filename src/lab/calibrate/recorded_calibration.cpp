@@ -27,8 +27,8 @@ Tube plain_shape(const ArmDescription& arm, const CompensationModel& model) {
   tube.end_scale_m = tube.plate_scale_m.back();
   tube.end_heading_scale_rad = 4.0 * tube.end_scale_m / arm.length_m();
   if (model.prediction_error && model.prediction_error->end_position_m > 0.0 &&
-      model.prediction_error->end_orientation_rad > 0.0) {
-    tube.end_heading_scale_rad = tube.end_scale_m * model.prediction_error->end_orientation_rad /
+      model.prediction_error->end_orientation_rad.value_or(0.0) > 0.0) {
+    tube.end_heading_scale_rad = tube.end_scale_m * *model.prediction_error->end_orientation_rad /
                                  model.prediction_error->end_position_m;
   }
   return tube;

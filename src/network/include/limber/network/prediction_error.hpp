@@ -1,7 +1,7 @@
 #pragma once
 // For those who plan.
 
-#include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,9 +26,9 @@ struct PredictionError {
   /// that the motion would have needed. At most the above.
   double off_path_m = 0.0;
   double end_position_m = 0.0;  ///< the same of the tip's distance at the run's end
-  /// The same of the tip's heading at the run's end; NaN where rotations were not measured.
-  double end_orientation_rad = 0.0;
-  bool knows_heading() const { return !std::isnan(end_orientation_rad); }
+  /// The same of the tip's heading at the run's end; none where rotations were not measured, which
+  /// is in space alone.
+  std::optional<double> end_orientation_rad = 0.0;
   static constexpr double kShare = 0.95;
   bool operator==(const PredictionError&) const = default;
 };

@@ -49,8 +49,8 @@ struct PlanningRow {
   SampleFigures distance_free_cm;  ///< without them
   SampleFigures orientation_rad;   ///< where the goal asks for a heading
   SampleFigures orientation_free_rad;
-  /// As in the paper, one plan per cell: the first trial that was solved, without its plan's frames
-  /// and events.
+  /// As in the paper, one plan per cell: of the first trial that was solved the execution, and what
+  /// it is one of; not the plan.
   std::optional<PlanTrial> one_plan;
 };
 

@@ -22,7 +22,7 @@ struct WayTried {
   int epochs = 0;
   std::vector<int> hidden_units;
   Optimiser optimiser = Optimiser::adam;
-  int folds = 0;  ///< networks; fewer than kFolds where the first was clearly worse than another's
+  int folds = 0;  ///< networks; fewer than kFolds where one was worse than another's, or diverged
   double one_step_cm = 0.0;
   double window_32_cm = 0.0;
   double window_600_cm = 0.0;
@@ -68,9 +68,12 @@ CrossValidation cross_validate(const ArmDescription& arm, const std::vector<Epis
                                const TrainingSettings& settings, const IdentifiedValves& valves,
                                const TrainingHooks& hooks = {});
 
+/// After the chosen way diverged on everything: chooses the best of the others, whose networks then
+/// carry no error. @returns false where none is left.
+[[nodiscard]] bool take_another_way(CrossValidation& found);
+
 /// One network that learns from all `episodes`, in the way that `found` says; it carries its valves
-/// and what it has learnt and, if it was trained to the end, the folds' error. Where it diverges,
-/// the other ways are tried; their networks carry no error.
+/// and what it has learnt and, if it was trained to the end, the folds' error.
 [[nodiscard]] TrainingResult train_on_everything(const ArmDescription& arm,
                                                  const std::vector<Episode>& episodes,
                                                  const TrainingSettings& settings,

@@ -45,7 +45,8 @@ class RunErrors {
   std::string widest_where(const std::string& unit) const;
 
  private:
-  double largest_at_end(double MotionErrors::*value, double tail) const;
+  /// None where no run has a number.
+  std::optional<double> largest_at_end(double MotionErrors::*value, double tail) const;
   Tube tube_that_grows(std::size_t candidate, double arm_length_m) const;
   double tip_share(std::size_t candidate) const;
 
