@@ -1,8 +1,10 @@
 #include "fold_choice.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
 
 namespace limber {
 
@@ -23,6 +25,11 @@ CrossValidation choose_by_folds(const CommonFlags& flags, const ArmDescription& 
   const bool is_there = settings.resume && fs::exists(file);
   const CrossValidation found = is_there ? read_cross_validation(read_file(file), file.string())
                                          : cross_validate(arm, episodes, settings, valves);
+  if (found.identity != folds_identity(arm, episodes, settings)) {
+    throw InputError(fmt::format(
+        "{}: a run with other data or settings began there; give the same, or leave out --resume",
+        file.string()));
+  }
   if (!is_there) {
     write_folds(found, settings.checkpoint);
   }

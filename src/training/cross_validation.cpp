@@ -7,7 +7,9 @@
 #include <numeric>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/random_stream.hpp"
@@ -15,6 +17,7 @@
 #include "limber/data/recording_inspection.hpp"
 #include "limber/training/run_errors.hpp"
 #include "limber/training/unseen_error.hpp"
+#include "number_bytes.hpp"
 #include "rollout.hpp"
 #include "shuffle.hpp"
 
@@ -118,6 +121,7 @@ class CrossValidator {
                  const TrainingSettings& settings, const IdentifiedValves& valves,
                  const TrainingHooks& hooks)
       : arm_(arm),
+        identity_(folds_identity(arm, episodes, settings)),
         parts_(parts_of(arm, episodes)),
         fold_(deal(parts_.moving, settings.seed)),
         settings_(settings),
@@ -205,6 +209,7 @@ class CrossValidator {
 
   CrossValidation verdict() {
     CrossValidation found;
+    found.identity = identity_;
     found.folds = kFolds;
     const Attempt* best = nullptr;
     for (const Attempt& attempt : attempts_) {
@@ -229,6 +234,7 @@ class CrossValidator {
   }
 
   const ArmDescription& arm_;
+  std::string identity_;
   Parts parts_;
   std::vector<int> fold_;  // of each moving part
   TrainingSettings settings_;
@@ -253,6 +259,18 @@ TrainingSettings preset_for_little() {
   settings.weight_decay = kWeightDecay;
   settings.hidden_units.clear();
   return settings;
+}
+
+std::string folds_identity(const ArmDescription& arm, const std::vector<Episode>& episodes,
+                           const TrainingSettings& settings) {
+  std::string text =
+      fmt::format("{} {} {} {} {}", arm.hash(), fmt::join(settings.hidden_units, "-"),
+                  settings.reads_velocity, settings.learning_rate, settings.seed);
+  for (const Episode& episode : episodes) {
+    text += content_hash(number_bytes(episode.pressure_kpa)) +
+            content_hash(number_bytes(episode.backbone));
+  }
+  return content_hash(text);
 }
 
 CrossValidation cross_validate(const ArmDescription& arm, const std::vector<Episode>& episodes,

@@ -37,7 +37,8 @@ WayTried way_at(const JsonReader& row) {
 }  // namespace
 
 nlohmann::ordered_json to_json(const CrossValidation& found) {
-  nlohmann::ordered_json json = {{"folds", found.folds},
+  nlohmann::ordered_json json = {{"identity", found.identity},
+                                 {"folds", found.folds},
                                  {"epochs", found.epochs()},
                                  {"hidden_units", found.best().hidden_units},
                                  {"optimiser", to_string(found.best().optimiser)},
@@ -68,6 +69,7 @@ CrossValidation read_cross_validation(const std::string& text, const std::string
   const nlohmann::json json = parse_json_object(text, where);
   const JsonReader root(json, where, "");
   CrossValidation found;
+  found.identity = root.at("identity").text();
   found.folds = root.at("folds").integer(1, kFolds);
   const WayTried wanted = way_at(root);
   found.chosen = -1;

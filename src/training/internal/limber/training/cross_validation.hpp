@@ -34,6 +34,7 @@ struct WayTried {
 /// How to learn from a recording, and how wrong one is that learnt from it
 /// (docs/training.md, Learning from little).
 struct CrossValidation {
+  std::string identity;  ///< folds_identity of what it was found for
   int folds = 0;
   std::vector<WayTried> tried;
   int chosen = 0;                                   ///< index in `tried`
@@ -52,6 +53,10 @@ bool is_little(const ArmDescription& arm, const std::vector<Episode>& episodes);
 /// The default preset as it learns from little: windows of 32 frames, in which early frames count
 /// more. It says no hidden units, which cross-validation then chooses.
 TrainingSettings preset_for_little();
+
+/// Hash of what decides `cross_validate`.
+std::string folds_identity(const ArmDescription& arm, const std::vector<Episode>& episodes,
+                           const TrainingSettings& settings);
 
 /// Deals the episodes that move to kFolds folds of about equal length (long ones are cut where
 /// there are few), and trains a network for each fold on all that is not in it. What rests is
