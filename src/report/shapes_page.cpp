@@ -28,6 +28,19 @@ Json places_of(const FrameMatrix& backbones, const Episode& recorded, Eigen::Ind
   return all;
 }
 
+/// Frames of which nothing is known: not seen, or not predicted.
+Json unknown_frames(const FrameMatrix& backbones, const Episode& recorded, Eigen::Index frames) {
+  Json unknown = Json::array();
+  for (Eigen::Index t = 0; t < frames; ++t) {
+    const bool is_seen =
+        &backbones != &recorded.backbone || recorded.was_tracked(static_cast<int>(t));
+    if (!is_seen || !backbones.row(t).allFinite()) {
+      unknown.push_back(t);
+    }
+  }
+  return unknown;
+}
+
 }  // namespace
 
 std::string shapes_page(const std::string& title, const ArmDescription& arm, const Episode& episode,
@@ -43,8 +56,10 @@ std::string shapes_page(const std::string& title, const ArmDescription& arm, con
   shown.insert(shown.end(), predicted.begin(), predicted.end());
   for (const auto& [name, color, backbones] : shown) {
     const Json places = places_of(*backbones, episode, frames);
-    data["tracks"].push_back(
-        {{"name", name}, {"color", color}, {"places", packed_frames(places, {kPlaceUnitM})}});
+    data["tracks"].push_back({{"name", name},
+                              {"color", color},
+                              {"places", packed_frames(places, {kPlaceUnitM})},
+                              {"unknown", unknown_frames(*backbones, episode, frames)}});
   }
   std::string notes;
   if (predicted.size() > 1) {

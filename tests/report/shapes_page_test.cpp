@@ -42,7 +42,8 @@ TEST(ShapesPage, HoldsAllThatItNeeds) {
 // packing.ts makes 200 = 8 + 32·6, the digits "oG". Nothing moves: zeros after the first frame.
 TEST(ShapesPage, PlacesArePackedAndAPredictionThatIsNoNumberShowsTheShapeBefore) {
   const ArmDescription arm = testing_support::space_arm();
-  const Episode episode = straight_arm(arm, 3);
+  Episode episode = straight_arm(arm, 3);
+  episode.tracked = {1, 0, 1};
   FrameMatrix predicted = episode.backbone;
   predicted.row(0).setConstant(std::numeric_limits<float>::quiet_NaN());  // where it starts
   predicted(2, 0) = std::numeric_limits<float>::infinity();
@@ -52,9 +53,9 @@ TEST(ShapesPage, PlacesArePackedAndAPredictionThatIsNoNumberShowsTheShapeBefore)
   const std::string still(18, 'A');
   EXPECT_THAT(page, HasSubstr("\"name\":\"recorded\",\"color\":\"--virtual_arm\",\"places\":"
                               "\"AAAoGAAwMAA4SAAgZAAofAA" +
-                              still + still + "\""));
+                              still + still + "\",\"unknown\":[1]"));
   EXPECT_THAT(page, HasSubstr("\"places\":\"AAAoGAAwMAA4SAAgZAAofAAAAAC" + std::string(14, 'A') +
-                              still + "\""));
+                              still + "\",\"unknown\":[0,2]"));
   EXPECT_THAT(page, HasSubstr("The first 0 s of 0 s"));
 }
 

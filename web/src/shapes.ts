@@ -7,11 +7,14 @@ import { axesOf, dot, tilted, type Vector, type View } from './turning';
 
 type Data = {
   frame_rate_hz: number; plates: number; length_m: number; gravity: Vector; unit_m: number;
-  tracks: { name: string; color: string; places: string }[]; // colour: a variable of style.css
+  // colour: a variable of style.css; unknown: frames that were not seen or not predicted
+  tracks: { name: string; color: string; places: string; unknown: number[] }[];
 };
 const data = JSON.parse(byId('data').textContent!) as Data;
-const tracks = data.tracks.map(({ name, color, places }) =>
-  ({ name, color, on: true, frames: unpacked(places, 3 * data.plates, [data.unit_m]), figure: h('output') }));
+const tracks = data.tracks.map(({ name, color, places, unknown }) => ({
+  name, color, on: true, frames: unpacked(places, 3 * data.plates, [data.unit_m]), unknown: new Set(unknown),
+  figure: h('output')
+}));
 const recorded = tracks[0];
 const last = recorded.frames.length - 1;
 const kStart: View = { turn_rad: -0.6, tilt_rad: 0.3 };
@@ -85,7 +88,9 @@ function draw(time_s = player.time_s): void {
     }
   }
   for (const track of tracks.slice(1)) {
-    track.figure.textContent = `${(1000 * apart(tipOf(track.frames[frame]), tipOf(recorded.frames[frame]))).toFixed(1)} mm`;
+    const known = !track.unknown.has(frame) && !recorded.unknown.has(frame);
+    const off_m = apart(tipOf(track.frames[frame]), tipOf(recorded.frames[frame]));
+    track.figure.textContent = known ? `${(1000 * off_m).toFixed(1)} mm` : '–';
   }
 }
 
