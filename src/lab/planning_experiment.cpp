@@ -73,7 +73,10 @@ class Experiment {
         network_forward_(settings.arm, read_model_of_one_arm(settings.model_file)),
         no_load_(no_load_forward_, ValveModel(settings.arm, settings.valves)),
         network_(network_forward_, ValveModel(settings.arm, settings.valves)),
-        identity_(experiment_identity(settings, model_bytes_hash_)) {}
+        identity_(experiment_identity(settings, model_bytes_hash_)),
+        part_identity_(identity_) {
+    part_identity_["environments"] = Json::object();
+  }
 
   Json run() {
     prepare_folder();
@@ -124,9 +127,8 @@ class Experiment {
   /// What a trial is one of: trials in closed loop depend on its budget too. Those of a part are of
   /// an experiment in their environment alone.
   std::string hash_for(const std::string& controller, const EnvironmentCase& item) const {
-    Json identity = identity_;
+    Json identity = settings_.parts.empty() ? identity_ : part_identity_;
     if (!settings_.parts.empty()) {
-      identity["environments"] = Json::object();
       identity["environments"][item.id] = environment_hash(item.environment);
     }
     return content_hash(controller == "replan"
@@ -279,6 +281,7 @@ class Experiment {
   MotionModel no_load_;
   MotionModel network_;
   Json identity_;
+  Json part_identity_;  ///< without environments
   std::optional<OutputFolder> output_;
 };
 
