@@ -71,6 +71,7 @@ std::optional<std::uint64_t> known_motion_queries(const ExperimentSettings& sett
 ///   runs.json               run_table.hpp: arrivals, collisions and stops over all environments
 ///   report.html             tables and figures on one page
 ///   planner_arena/*.log     OMPL's benchmark logs, one for each environment
+///                           (of over 400 environments these and figures in folders 000 …)
 ///
 /// and returns the table. Trials are spread over threads; if no clock limits them, results do not
 /// depend on `jobs`. The table is read from the files, whether they are new or resumed.
