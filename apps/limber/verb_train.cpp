@@ -237,14 +237,7 @@ class TrainVerb final : public Verb {
     keep_known_valves(flags, arm, std::nullopt, valves);
     CrossValidation found = choose_by_folds(flags, arm, episodes, settings, valves);
     settings.resume = resume_ && fs::exists(checkpoint_path());
-    TrainingResult result = train_on_everything(arm, episodes, settings, valves, found);
-    while (result.status == TrainingStatus::diverged && take_another_way(found)) {
-      say(flags, "{}; so it learns by {} instead, whose error is not known", result.message,
-          to_string(found.best().optimiser));
-      write_folds(found, settings.checkpoint);
-      settings.resume = false;
-      result = train_on_everything(arm, episodes, settings, valves, found);
-    }
+    TrainingResult result = train_as_found(flags, arm, episodes, settings, valves, found);
     if (!has_network(flags, result)) {
       return kExitNoSolution;
     }
