@@ -113,7 +113,7 @@ class Peer:
             for l in range(count)
             for part in ("weight", "bias")
         ]
-        kind = torch.optim.Adam if metadata["optimiser"] == "adam" else torch.optim.SGD
+        kind = {"adam": torch.optim.Adam, "sgd": torch.optim.SGD}[metadata["optimiser"]]
         # `foreach` takes all parameters in one call, which is faster.
         self.optimiser = kind(self.parameters, lr=float(metadata["learning_rate"]), foreach=True)
         self.graph = None

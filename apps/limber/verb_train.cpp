@@ -21,7 +21,6 @@
 #include "limber/training/learnt_region_fit.hpp"
 #include "limber/training/trainer.hpp"
 #include "limber/training/unseen_error.hpp"
-#include "limber/training/window_stages.hpp"
 #include "recording_kinds.hpp"
 #include "train_report.hpp"
 #include "verbs.hpp"
@@ -56,15 +55,14 @@ class TrainVerb final : public Verb {
         ->check(CLI::Range(0.0, 0.95))
         ->needs("--old-data");
     app.add_option("--epochs", epochs_,
-                   "Epochs in all, in the preset's proportions and with its "
-                   "windows; 0 with --from only adds bounds to an old model")
+                   "Epochs in all; 0 with --from only adds bounds to an old model")
         ->check(CLI::Range(0, 10'000'000));
     app.add_option("--time-limit-s", time_limit_s_,
                    "Fix the number of epochs, at the start, to what fits in this time")
         ->check(CLI::PositiveNumber)
         ->excludes("--epochs");
     app.add_option("--windows", windows_,
-                   "Frames per window of each stage. Without this flag and --epochs, best takes 32")
+                   "Frames per window of each stage, instead of the preset's 32")
         ->check(CLI::Range(1, 1000));
     app.add_option("--learning-rate", learning_rate_, "Learning rate, instead of the preset's")
         ->check(CLI::PositiveNumber);
@@ -74,9 +72,7 @@ class TrainVerb final : public Verb {
         "--velocity,!--no-velocity", [this](std::int64_t sign) { velocity_ = sign > 0; },
         "Whether the network reads how the arm moved in the frame before; else as the preset");
     app.add_option("--ensemble", ensemble_,
-                   "Networks to train together; their spread says how certain they are. "
-                   "Without this flag, best trains 3 for a third of the epochs where the "
-                   "data hold 1 to 4 hours and nothing says how long to train; else 1")
+                   "Networks to train together; their spread says how certain they are")
         ->check(CLI::Range(1, 64));
     app.add_flag(
            "--family", family_,
@@ -127,9 +123,6 @@ class TrainVerb final : public Verb {
     const TrainingData old_data = files_.load_old(flags, reader);
     data.replay = old_data.training;
     say_episodes(flags, choice);
-    if (!family_ && takes_usual()) {
-      take_usual(arm, data, settings);
-    }
     say_training(flags, data, settings);
     keep_known_valves(flags, arm, start, valves);
     TrainingResult result =
@@ -222,7 +215,7 @@ class TrainVerb final : public Verb {
     return start;
   }
 
-  /// Nothing says how to train: windows and epochs are limber's to choose.
+  /// Nothing says how to train: of little data, folds may choose.
   bool takes_usual() const {
     return preset_ == "best" && from_.empty() && windows_.empty() && !epochs_ && !time_limit_s_;
   }
@@ -249,17 +242,6 @@ class TrainVerb final : public Verb {
     }
     write(result);
     return finish(flags, arm, result, std::nullopt, choice, found);
-  }
-
-  /// Sets the windows, and how many networks share the epochs.
-  void take_usual(const ArmDescription& arm, const TrainingData& data,
-                  TrainingSettings& settings) const {
-    const int epochs = settings.epoch_count();
-    set_window_frames(settings, {kUsualWindowFrames});
-    set_epoch_count(settings, epochs);
-    if (!ensemble_) {
-      share_epochs(settings, network_count_for(arm, data));
-    }
   }
 
   /// A model keeps its shape; flags that ask for another shape are a mistake.
@@ -327,7 +309,11 @@ class TrainVerb final : public Verb {
   void record_origin(CompensationModel& model, const std::string& sources,
                      const TrainingSettings& settings, const EpisodeChoice& choice) const {
     model.training["data"] = sources;
-    model.training["windows"] = fmt::format("{}", fmt::join(windows_of(settings), " "));
+    std::vector<int> windows;
+    for (const TrainingStage& stage : settings.stages) {
+      windows.push_back(stage.window_frames);
+    }
+    model.training["windows"] = fmt::format("{}", fmt::join(windows, " "));
     model.training["validation"] = fmt::format("{}", fmt::join(choice.validation, "; "));
     if (!from_.empty()) {
       model.training["from"] = content_hash(read_file(from_));

@@ -61,7 +61,11 @@ TrainingSettings paper_preset() {
 
 TrainingSettings best_preset() {
   TrainingSettings settings;
-  settings.stages = {{2, 256, 150}, {8, 64, 120}, {32, 32, 180}};
+  settings.hidden_units = {200};
+  settings.stages = {{32, 32, 180}};
+  settings.first_frames_power = 1.0;
+  settings.optimiser = Optimiser::soap;
+  settings.weight_decay = 0.1;
   settings.validation_interval = 2;
   settings.gradient_norm_limit = 1.0;
   settings.growth_limit = 1.5;
@@ -118,6 +122,8 @@ void set_family_size(TrainingSettings& settings, int size) {
   constexpr double kWeightDecay = 0.1;
   constexpr double kInputNoise = 0.03;
   set_window_frames(settings, {kWindowFrames});
+  settings.hidden_units = TrainingSettings().hidden_units;
+  settings.first_frames_power = 0.0;
   settings.family_size = size;
   settings.optimiser = Optimiser::soap;
   settings.weight_decay = kWeightDecay;

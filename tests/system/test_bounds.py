@@ -105,7 +105,7 @@ class Bounds(InFolder):
                         "other.h5")
         validation = ("--validation", "other.h5")
         one = self.train("--jobs", 1, *validation)
-        self.assertEqual(one["epochs"], 450)
+        self.assertEqual(one["epochs"], 180)
         self.assertEqual(self.run_json("inspect", "m.safetensors")["training"]["windows"], "32")
         first = (self.folder / "m.safetensors").read_bytes()
         self.train("--jobs", 2, "--force", *validation)

@@ -112,7 +112,7 @@ class Train(InFolder):
     def test_resuming_with_other_settings_is_refused(self):
         self.killed("--epochs", "3000", "--checkpoint-interval-s", "0")
         message = self.refused("--epochs", 600, "--resume")
-        self.assertIn("the checkpoint of a run of 1000 epochs of 2-frame windows", message)
+        self.assertIn("the checkpoint of a run of 3000 epochs of 32-frame windows", message)
         self.assertIn("leave out --resume to start over", message)
         self.assertIn("a run that was stopped; --resume goes on", self.refused("--epochs", 3000))
         self.assertIn("other data or settings", self.refused("--epochs", 3000, "--resume", "--ensemble", 2))
@@ -213,7 +213,7 @@ class Train(InFolder):
         self.assertIn("two_segment", message)
 
     def test_too_few_epochs_are_refused(self):
-        self.assertIn("3 stages", self.refused("--epochs", 2))
+        self.assertIn("3 stages", self.refused("--epochs", 2, "--windows", 2, 8, 32))
         self.assertIn("needs --from MODEL", self.refused("--epochs", 0))
         self.assertIn("--epochs: Value -1 not in range 0 to ", self.refused("--epochs", -1))
 

@@ -35,6 +35,8 @@ TrainingSettings small_settings() {
   TrainingSettings settings = best_preset();
   settings.hidden_units = {32, 32};
   settings.stages = {{2, 64, 30}, {8, 32, 10}};
+  settings.optimiser = Optimiser::adam;  // SOAP begins slowly
+  settings.weight_decay = 0.0;
   settings.jobs = 2;
   return settings;
 }

@@ -44,11 +44,11 @@ TEST_F(TrainingBenchmark, WritesTablesForAPeer) {
   write_training_tables(folder.path() / "t.safetensors", arm_, data_, settings_);
   const Safetensors content =
       parse_safetensors(read_file(folder.path() / "t.safetensors"), "t.safetensors");
-  EXPECT_EQ(content.metadata.at("optimiser"), "adam");
+  EXPECT_EQ(content.metadata.at("optimiser"), "soap");
   EXPECT_EQ(content.tensors.at("pressure").shape, (std::vector<std::size_t>{201, 3}));
-  EXPECT_EQ(content.tensors.at("starts.2").shape, (std::vector<std::size_t>{6}));
+  EXPECT_EQ(content.tensors.at("starts.0").shape, (std::vector<std::size_t>{6}));
   const std::vector<std::size_t>& shape = content.tensors.at("layers.0.weight").shape;
-  EXPECT_EQ(shape, (std::vector<std::size_t>{100, 105}));
+  EXPECT_EQ(shape, (std::vector<std::size_t>{200, 105}));
 }
 
 TEST_F(TrainingBenchmark, StopsOnCtrlC) {

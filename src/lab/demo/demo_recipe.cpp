@@ -7,9 +7,6 @@ namespace limber {
 namespace {
 
 constexpr int kMotionsPerEpisode = 50;
-/// Plans count only where all networks agree on them. Each has its share of the epochs, so that all
-/// take the time of one.
-constexpr int kNetworks = 3;
 constexpr std::uint64_t kSeedStream =
     0x64656d6f;  // apart from the streams that use a seed as it is
 
@@ -57,14 +54,6 @@ ScheduleSettings unseen_motions(int count) {
   return schedule;
 }
 
-/// Windows of 32 from the start predict long motions best (docs/training.md, What it reaches).
-TrainingSettings training_for(int epochs) {
-  TrainingSettings settings = best_preset();
-  set_window_frames(settings, {32});
-  set_epoch_count(settings, epochs);
-  return settings;
-}
-
 }  // namespace
 
 DemoRecipe full_recipe(const ArmDescription& arm) {
@@ -75,8 +64,7 @@ DemoRecipe full_recipe(const ArmDescription& arm) {
   recipe.unseen_schedule = unseen_motions(300);
   recipe.test_schedule = one_episode(100);
   recipe.other_arm_test_schedule = one_episode(28);  // 100 s
-  recipe.training = training_for(best_preset().epoch_count() / kNetworks);
-  recipe.training.ensemble = kNetworks;
+  recipe.training = best_preset();
   // Those that leave room for the error of a network trained on three hours (docs/planning.md).
   recipe.environments = {"01_pillar", "05_between_pillars", "06_overshoot"};
   return recipe;
@@ -87,7 +75,6 @@ DemoRecipe quick_recipe(const ArmDescription& arm) {
   recipe.training_schedules = {transitions(arm, 729), random(300, Approach::step), plan_like(300)};
   recipe.validation_schedule = one_episode(30);
   recipe.unseen_schedule = unseen_motions(50);
-  recipe.training = training_for(200);
   recipe.starts_from_family = true;
   recipe.bench_queries = 100'000;
   recipe.plans_per_environment = 1;

@@ -79,7 +79,7 @@ struct TrainingSettings {
   std::vector<TrainingStage> stages;
 
   Optimiser optimiser = Optimiser::adam;
-  double learning_rate = 3e-3;     ///< 6e-3 learns faster, but sometimes diverges
+  double learning_rate = 3e-3;     ///< 6e-3 learns faster, but Adam sometimes diverges
   bool cosine_decay = true;        ///< towards zero over the whole run, otherwise constant
   double gradient_norm_limit = 0;  ///< longer gradients are shortened to this; 0: never
   /// The gradient that a window carries back to a frame is shortened to this many times the sum of
@@ -127,8 +127,8 @@ struct TrainingSettings {
 /// gradients.
 TrainingSettings paper_preset();
 
-/// The default: a gated change of plate-relative poses, Adam with cosine decay, windows growing
-/// 2 → 8 → 32.
+/// The default: a gated change of plate-relative poses, one layer of 200 units, SOAP with cosine
+/// decay and weight decay, windows of 32 frames of which the first ones count most.
 TrainingSettings best_preset();
 
 /// @throws InputError naming the known presets.
@@ -143,9 +143,9 @@ void set_epoch_count(TrainingSettings& settings, int epochs);
 /// @throws InputError if there is none, one is < 1, or there are fewer epochs than stages.
 void set_window_frames(TrainingSettings& settings, const std::vector<int>& window_frames);
 
-/// For a family of arms (docs/families.md) that so many numbers tell apart: trained by SOAP with
-/// weight decay, in windows of 32 frames, since shorter ones don't tell arms apart, and validated
-/// every 25 epochs, since every arm held back is fitted then.
+/// For a family of arms (docs/families.md) that so many numbers tell apart: three layers of 100
+/// units, trained by SOAP with weight decay, in windows of 32 frames, all of which count alike, and
+/// validated every 25 epochs, since every arm held back is fitted then.
 void set_family_size(TrainingSettings& settings, int size);
 
 /// The settings with layout, output, hidden units and number of networks of `model`.
