@@ -147,7 +147,6 @@ TEST_F(SpaceFamily, FineTuningGoesOnFromAModelInSpace) {
   data.validation = {space_toy_episode(arm(), 300, 702, 0, bends_of(1.5))};
   TrainingSettings settings = fine_tuning_of(best_preset());
   settings.stages = {{16, 16, 60}};
-  settings.optimiser = Optimiser::adam;  // 240 steps are too few for SOAP
   settings.jobs = 2;
   const TrainingResult tuned = fine_tune(arm(), data, settings, start);
   ASSERT_EQ(tuned.status, TrainingStatus::finished);

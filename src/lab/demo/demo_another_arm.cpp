@@ -20,6 +20,7 @@ namespace {
 constexpr std::uint64_t kOtherArmSeed = 320;
 constexpr double kMinuteS = 60.0;
 constexpr double kShortS = 20.0;
+constexpr int kEnvironments = 8;
 // Of a search in mid-motion: what 20 ms were measured to allow on a busy core; fixed, so that runs
 // are the same on every machine.
 constexpr std::uint64_t kMotionQueries = 2500;
@@ -51,9 +52,9 @@ double open_loop_cm(const ArmDescription& arm, const CompensationModel& model, c
   return evaluate(ForwardModel(arm), &forward, {test}, jobs).network->open_loop.position_cm.mean;
 }
 
-/// One plan in each of limber's own environments, for the adapted model, executed open loop, and
-/// again in closed loop.
-void plan_and_execute(const DemoResults& results, const OtherArm& other,
+/// One plan in each of some environments about that arm's own motions (limber's own may be out of
+/// a weak arm's reach), for the adapted model, executed open loop, and again in closed loop.
+void plan_and_execute(const DemoResults& results, const OtherArm& other, int number,
                       const CompensationModel& model, OtherArmFigures& figures) {
   const ArmDescription& arm = results.settings->arm;
   const ForwardModel forward(arm, model);
@@ -62,7 +63,9 @@ void plan_and_execute(const DemoResults& results, const OtherArm& other,
   settings.limits.time_s = results.recipe.planning_time_limit_s;
   settings.controller = "replan";
   settings.motion_queries = kMotionQueries;
-  for (const EnvironmentCase& item : own_environments(arm)) {
+  for (const EnvironmentCase& item :
+       random_environments(other.arm, derived_seed(results.settings->seed, kOtherArmSeed + number),
+                           kEnvironments)) {
     throw_if_interrupted();
     PlanTrial trial = plan_trial(arm, motion, item, settings,
                                  derived_seed(results.settings->seed, kOtherArmSeed));
@@ -95,7 +98,7 @@ OtherArmFigures other_arm_figures(const DemoResults& results, const Compensation
   figures.after_20_s_cm = open_loop_cm(arm, fitted_to(kShortS), other.test, jobs);
   const CompensationModel adapted = fitted_to(kMinuteS);
   figures.after_60_s_cm = open_loop_cm(arm, adapted, other.test, jobs);
-  plan_and_execute(results, other, adapted, figures);
+  plan_and_execute(results, other, number, adapted, figures);
   return figures;
 }
 

@@ -21,20 +21,25 @@ std::vector<EnvironmentCase> own_environments(const ArmDescription& arm) {
                                : std::vector<EnvironmentCase>{};
 }
 
-std::vector<EnvironmentCase> random_environments(const DemoResults& results, int count) {
+std::vector<EnvironmentCase> random_environments(const ArmDescription& arm, std::uint64_t seed,
+                                                 int count) {
   std::vector<EnvironmentCase> cases;
   for (int k = 1; k <= count; ++k) {
     throw_if_interrupted();
-    std::optional<WitnessedEnvironment> sampled = witnessed_environment(
-        results.arm(), virtual_witness(results.arm()),
-        derived_seed(results.settings->seed, kEnvironmentSeed), std::uint64_t(k));
+    std::optional<WitnessedEnvironment> sampled =
+        witnessed_environment(arm, virtual_witness(arm), seed, std::uint64_t(k));
     if (!sampled) {
-      throw InputError(fmt::format("arm '{}': its tip comes nowhere in a hundred random motions",
-                                   results.arm().name));
+      throw InputError(
+          fmt::format("arm '{}': its tip comes nowhere in a hundred random motions", arm.name));
     }
     cases.push_back({fmt::format("random_{}", k), std::move(sampled->environment)});
   }
   return cases;
+}
+
+std::vector<EnvironmentCase> random_environments(const DemoResults& results, int count) {
+  return random_environments(results.arm(), derived_seed(results.settings->seed, kEnvironmentSeed),
+                             count);
 }
 
 }  // namespace limber

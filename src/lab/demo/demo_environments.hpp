@@ -10,8 +10,12 @@ namespace limber {
 /// another one.
 std::vector<EnvironmentCase> own_environments(const ArmDescription& arm);
 
-/// Environments 1 to `count` of the run's seed, "random_1" and so on.
+/// Environments 1 to `count` of that seed about motions of that virtual arm, "random_1" and so on.
 /// @throws InputError for an arm that hardly moves.
+std::vector<EnvironmentCase> random_environments(const ArmDescription& arm, std::uint64_t seed,
+                                                 int count);
+
+/// Those of the run's own arm and seed.
 std::vector<EnvironmentCase> random_environments(const DemoResults& results, int count);
 
 }  // namespace limber

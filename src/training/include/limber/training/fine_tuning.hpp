@@ -13,7 +13,7 @@ namespace limber {
 /// The settings for training a trained model further: those of `preset` with its last stage alone,
 /// because the model knows already what short windows teach, and with half of that stage's epochs
 /// and a tenth of the rate, so that nothing learnt is lost first (docs/training.md has the
-/// figures).
+/// figures). Adam in place of SOAP, no decay, all frames of a window alike.
 TrainingSettings fine_tuning_of(TrainingSettings preset);
 
 /// Errors of a model before and after tuning, on episodes that neither run was trained on. The
