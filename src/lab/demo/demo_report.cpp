@@ -236,8 +236,8 @@ void other_arms(ReportPage& page, const DemoResults& results) {
           "above learnt another arm, and is worth little on them. limber's family learnt from many "
           "virtual arms; a minute of motion says which of them an arm is like (docs/families.md). "
           "Mean tip error over other motions, open loop; then a plan in each of eight random "
-          "environments about that arm's motions with the adapted model, executed on it: open loop, "
-          "as it stands; and in closed loop, planned again from where the arm is measured "
+          "environments about that arm's motions with the adapted model, executed on it: open "
+          "loop, as it stands; and in closed loop, planned again from where the arm is measured "
           "(docs/experiments.md).");
   ReportTable table;
   table.header = {
