@@ -2,10 +2,10 @@
 #include <cstdio>
 #include <thread>
 
+#include "driver_flags.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/studio/studio.hpp"
 #include "verbs.hpp"
-#include "wire_flags.hpp"
 
 namespace limber {
 

@@ -10,7 +10,7 @@ namespace limber {
 
 namespace {
 
-constexpr double kUnitLength = 0.02;  // quaternions are written with six digits
+constexpr double kUnitMiss = 0.02;  // quaternions are written with six digits
 
 }  // namespace
 
@@ -18,7 +18,7 @@ Eigen::MatrixXd unit_quaternions(const CsvReader& csv, const std::string& object
                                  const std::vector<double>& time_s, Eigen::MatrixXd rotation) {
   for (Eigen::Index t = 0; t < rotation.rows(); ++t) {
     const double length = rotation.row(t).norm();
-    if (std::isfinite(length) && std::abs(length - 1.0) > kUnitLength) {
+    if (std::isfinite(length) && std::abs(length - 1.0) > kUnitMiss) {
       csv.refuse(1,
                  fmt::format("the rotation of '{}' at {} s is ({}, {}, {}, {}), of length {:.4g}; "
                              "expected a unit quaternion X, Y, Z, W",
