@@ -17,7 +17,6 @@
 #include "limber/data/valve_identification.hpp"
 #include "limber/driver/segment_bench.hpp"
 #include "limber/logs/command_shares.hpp"
-#include "limber/report/bench_chart.hpp"
 #include "limber/report/valve_plot.hpp"
 #include "limber/sim/bench_test.hpp"
 #include "recording_kinds.hpp"

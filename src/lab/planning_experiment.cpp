@@ -12,7 +12,6 @@
 #include <nlohmann/json.hpp>
 
 #include "demo/demo_recipe.hpp"
-#include "experiment_identity.hpp"
 #include "experiment_results.hpp"
 #include "kernels/job_arena.hpp"
 #include "limber/common/atomic_file.hpp"

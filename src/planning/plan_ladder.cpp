@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "limber/planning/plan_builder.hpp"
-#include "plan_judge.hpp"
+#include "second_opinions.hpp"
 
 namespace limber {
 

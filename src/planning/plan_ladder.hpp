@@ -6,8 +6,8 @@
 
 #include "limber/forward/motion_simulator.hpp"
 #include "limber/planning/planner.hpp"
-#include "plan_judge.hpp"
 #include "planner_budget.hpp"
+#include "second_opinions.hpp"
 
 namespace limber {
 

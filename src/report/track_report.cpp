@@ -5,10 +5,19 @@
 
 #include "limber/common/units.hpp"
 #include "limber/plot/chart.hpp"
+#include "limber/report/execution_report.hpp"
+#include "limber/report/plan_report.hpp"
 
 namespace limber {
 
 namespace {
+
+nlohmann::ordered_json with_names(const PlanTrial& trial, const nlohmann::ordered_json& object) {
+  nlohmann::ordered_json named = {
+      {"environment", trial.environment}, {"model", trial.model}, {"seed", trial.seed}};
+  named.update(object);
+  return named;
+}
 
 using Json = nlohmann::ordered_json;
 
@@ -43,6 +52,16 @@ Eigen::Vector2d tip_cm(const Episode& episode, int frame) {
 }
 
 }  // namespace
+
+nlohmann::ordered_json planning_to_json(const PlanTrial& trial, const Environment& environment) {
+  const Command pressures;  // trials are those of the virtual arm
+  return with_names(trial, to_json(trial.planning, pressures, environment.goal, trial.planner,
+                                   trial.model, trial.seed));
+}
+
+nlohmann::ordered_json execution_to_json(const PlanTrial& trial, const Environment& environment) {
+  return with_names(trial, to_json(*trial.execution, environment));
+}
 
 Json to_json(const TrackRun& run) {
   return {{"status", to_string(run.result.status)},

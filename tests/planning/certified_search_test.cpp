@@ -5,9 +5,9 @@
 #include "limber/planning/plan_builder.hpp"
 #include "planning/planner_setting.hpp"
 #include "src/planning/certified/goal_room.hpp"
-#include "src/planning/plan_judge.hpp"
 #include "src/planning/plan_ladder.hpp"
 #include "src/planning/plan_result.hpp"
+#include "src/planning/second_opinions.hpp"
 
 namespace limber {
 namespace {

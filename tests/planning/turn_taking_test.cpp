@@ -1,4 +1,4 @@
-#include "src/planning/search/turn_taking.hpp"
+#include "src/planning/search/restarts.hpp"
 
 #include <algorithm>
 #include <cmath>

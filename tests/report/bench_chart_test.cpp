@@ -1,4 +1,4 @@
-#include "limber/report/bench_chart.hpp"
+#include "limber/report/valve_plot.hpp"
 
 #include <cmath>
 #include <filesystem>

@@ -9,7 +9,6 @@
 #include "limber/common/version.hpp"
 #include "limber/data/valve_identification.hpp"
 #include "limber/lab/unseen_arm.hpp"
-#include "limber/report/bench_chart.hpp"
 #include "limber/report/speed_report.hpp"
 #include "limber/report/training_report.hpp"
 #include "limber/report/valve_plot.hpp"

@@ -1,10 +1,19 @@
 #include "demo_recipe.hpp"
 
+#include <fmt/format.h>
+
+#include "limber/common/data_folder.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
 #include "limber/common/random_stream.hpp"
+#include "limber/lab/witnessed_environment.hpp"
 
 namespace limber {
 
 namespace {
+
+constexpr std::uint64_t kEnvironmentSeed = 64;
+constexpr const char* kPaperArm = "three_segment";
 
 constexpr int kMotionsPerEpisode = 50;
 /// Plans count only where all networks agree on them. Each has its share of the epochs, so that all
@@ -66,6 +75,27 @@ TrainingSettings training_for(int epochs) {
 }
 
 }  // namespace
+
+std::vector<EnvironmentCase> own_environments(const ArmDescription& arm) {
+  return arm.name == kPaperArm ? environments_in(data_folder() / "environments", arm)
+                               : std::vector<EnvironmentCase>{};
+}
+
+std::vector<EnvironmentCase> random_environments(const DemoResults& results, int count) {
+  std::vector<EnvironmentCase> cases;
+  for (int k = 1; k <= count; ++k) {
+    throw_if_interrupted();
+    std::optional<WitnessedEnvironment> sampled = witnessed_environment(
+        results.arm(), virtual_witness(results.arm()),
+        derived_seed(results.settings->seed, kEnvironmentSeed), std::uint64_t(k));
+    if (!sampled) {
+      throw InputError(fmt::format("arm '{}': its tip comes nowhere in a hundred random motions",
+                                   results.arm().name));
+    }
+    cases.push_back({fmt::format("random_{}", k), std::move(sampled->environment)});
+  }
+  return cases;
+}
 
 DemoRecipe full_recipe(const ArmDescription& arm) {
   DemoRecipe recipe;

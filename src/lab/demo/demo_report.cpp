@@ -8,12 +8,12 @@
 #include "limber/common/progress.hpp"
 #include "limber/common/units.hpp"
 #include "limber/common/version.hpp"
-#include "limber/report/bench_chart.hpp"
 #include "limber/report/planning_table.hpp"
 #include "limber/report/report_page.hpp"
 #include "limber/report/speed_report.hpp"
+#include "limber/report/track_report.hpp"
 #include "limber/report/training_report.hpp"
-#include "limber/report/trial_report.hpp"
+#include "limber/report/valve_plot.hpp"
 
 namespace limber {
 

@@ -2,11 +2,16 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "limber/certificate/certificate.hpp"
 #include "limber/planning/planner.hpp"
 
 namespace limber {
+
+/// Where PlanningProblem::margin_yields_to_start says so, and the arm starts nearer to an obstacle
+/// than the margin: plans keep what it starts with. A sentence about it goes to `notes`.
+void yield_to_start(PlanningProblem& problem, std::vector<std::string>& notes);
 
 /// A problem as its user asked for it, with what its plans are checked against: made once, when it
 /// is first needed, and shared by all searches for its plans. Borrows what the problem borrows.

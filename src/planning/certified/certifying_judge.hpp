@@ -5,7 +5,7 @@
 #include "asked_problem.hpp"
 #include "limber/certificate/certificate.hpp"
 #include "limber/planning/planner.hpp"
-#include "plan_judge.hpp"
+#include "second_opinions.hpp"
 
 namespace limber {
 

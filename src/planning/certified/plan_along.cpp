@@ -8,7 +8,6 @@
 #include "limber/common/error.hpp"
 #include "limber/planning/planner_factory.hpp"
 #include "limber/planning/problem_check.hpp"
-#include "margin_yield.hpp"
 #include "smaller_clearances.hpp"
 
 namespace limber {

@@ -1,8 +1,8 @@
 #include "pressure_rrt_star.hpp"
 
 #include "plan_result.hpp"
+#include "planner_name.hpp"
 #include "rrt_star_search.hpp"
-#include "setting_check.hpp"
 
 namespace limber {
 

@@ -13,7 +13,6 @@
 #include "planner_budget.hpp"
 #include "restarts.hpp"
 #include "second_opinions.hpp"
-#include "turn_taking.hpp"
 
 namespace limber {
 
