@@ -5,7 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "limber/arm/names.hpp"
-#include "limber/arm/valve_findings.hpp"
+#include "limber/arm/valve_parameters.hpp"
 #include "limber/data/recording_inspection.hpp"
 #include "limber/network/gap_bounds.hpp"
 #include "limber/report/training_report.hpp"

@@ -4,7 +4,7 @@
 
 #include <fmt/ranges.h>
 
-#include "limber/arm/valve_findings.hpp"
+#include "limber/arm/valve_parameters.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/units.hpp"

@@ -8,7 +8,7 @@
 #include "driver_flags.hpp"
 #include "limber/arm/characterisation.hpp"
 #include "limber/arm/names.hpp"
-#include "limber/arm/valve_findings.hpp"
+#include "limber/arm/valve_parameters.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/data/recording_inspection.hpp"
@@ -18,7 +18,7 @@
 #include "limber/driver/segment_bench.hpp"
 #include "limber/logs/command_shares.hpp"
 #include "limber/report/valve_plot.hpp"
-#include "limber/sim/bench_test.hpp"
+#include "limber/sim/virtual_arm.hpp"
 #include "recording_kinds.hpp"
 #include "verbs.hpp"
 

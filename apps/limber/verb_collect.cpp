@@ -1,7 +1,7 @@
 #include "driver_flags.hpp"
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/names.hpp"
-#include "limber/arm/valve_findings.hpp"
+#include "limber/arm/valve_parameters.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
@@ -10,7 +10,7 @@
 #include "limber/forward/motion_model.hpp"
 #include "limber/lab/plan_schedule.hpp"
 #include "limber/sim/related_arms.hpp"
-#include "limber/sim/virtual_arm_factory.hpp"
+#include "limber/sim/virtual_arm.hpp"
 #include "verbs.hpp"
 
 namespace limber {

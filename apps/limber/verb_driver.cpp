@@ -6,7 +6,7 @@
 
 #include "driver_flags.hpp"
 #include "limber/arm/names.hpp"
-#include "limber/arm/valve_findings.hpp"
+#include "limber/arm/valve_parameters.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"

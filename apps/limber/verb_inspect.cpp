@@ -10,7 +10,7 @@
 #include "limber/arm/no_load_model.hpp"
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/arm/space_no_load.hpp"
-#include "limber/arm/valve_findings.hpp"
+#include "limber/arm/valve_parameters.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/yaml_reader.hpp"

@@ -10,7 +10,7 @@
 #include "data_flags.hpp"
 #include "fold_choice.hpp"
 #include "limber/arm/names.hpp"
-#include "limber/arm/valve_findings.hpp"
+#include "limber/arm/valve_parameters.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"

@@ -12,7 +12,7 @@
 #include "limber/common/error.hpp"
 #include "limber/data/simple_model.hpp"
 #include "limber/data/space_fit.hpp"
-#include "limber/sim/bench_test.hpp"
+#include "limber/sim/virtual_arm.hpp"
 #include "others_may_run.hpp"
 #include "planar.hpp"
 #include "record.hpp"

@@ -12,7 +12,7 @@
 #include "limber/arm/names.hpp"
 #include "limber/arm/plate_distance.hpp"
 #include "limber/arm/pressure_limits.hpp"
-#include "limber/arm/valve_findings.hpp"
+#include "limber/arm/valve_parameters.hpp"
 #include "limber/common/error.hpp"
 #include "limber/data/simple_model.hpp"
 #include "limber/data/space_fit.hpp"

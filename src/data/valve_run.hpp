@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "limber/arm/valve_motion.hpp"
+#include "limber/arm/valve_model.hpp"
 #include "limber/data/recording.hpp"
 
 namespace limber {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "chart_area.hpp"
-#include "limber/plot/shape_style.hpp"
+#include "limber/plot/svg_drawing.hpp"
 
 namespace limber {
 

@@ -1,4 +1,4 @@
-#include "limber/plot/shape_style.hpp"
+#include "limber/plot/svg_drawing.hpp"
 
 #include <array>
 #include <cassert>

@@ -6,7 +6,7 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/plot/chart.hpp"
-#include "limber/plot/shape_style.hpp"
+#include "limber/plot/svg_drawing.hpp"
 #include "limber/report/shapes_page.hpp"
 #include "limber/training/evaluation.hpp"
 

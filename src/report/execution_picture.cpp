@@ -7,7 +7,7 @@
 
 #include "animation.hpp"
 #include "limber/common/units.hpp"
-#include "limber/plot/shape_style.hpp"
+#include "limber/plot/svg_drawing.hpp"
 #include "limber/report/motion_track.hpp"
 #include "limber/report/plan_picture.hpp"
 #include "limber/report/scene_json.hpp"

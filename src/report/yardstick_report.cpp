@@ -13,7 +13,7 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/json_number.hpp"
 #include "limber/plot/chart.hpp"
-#include "limber/plot/shape_style.hpp"
+#include "limber/plot/svg_drawing.hpp"
 #include "limber/report/training_report.hpp"
 
 namespace limber {

@@ -14,7 +14,7 @@
 #include "limber/common/number_text.hpp"
 #include "limber/common/printable.hpp"
 #include "limber/common/random_stream.hpp"
-#include "limber/sim/virtual_arm_factory.hpp"
+#include "limber/sim/virtual_arm.hpp"
 
 namespace limber {
 

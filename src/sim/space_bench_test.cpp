@@ -9,7 +9,7 @@
 #include "bench_rest.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
-#include "limber/sim/bench_test.hpp"
+#include "limber/sim/virtual_arm.hpp"
 
 namespace limber {
 

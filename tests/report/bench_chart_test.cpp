@@ -7,7 +7,7 @@
 
 #include <gmock/gmock.h>
 
-#include "limber/sim/bench_test.hpp"
+#include "limber/sim/virtual_arm.hpp"
 
 namespace limber {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "demo_arrivals.hpp"
 #include "demo_stages.hpp"
-#include "limber/arm/valve_findings.hpp"
+#include "limber/arm/valve_parameters.hpp"
 #include "limber/common/json_number.hpp"
 #include "limber/common/progress.hpp"
 #include "limber/common/units.hpp"

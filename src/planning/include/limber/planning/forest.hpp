@@ -1,5 +1,4 @@
 #pragma once
-
 // For those who plan.
 
 #include <cstddef>
@@ -18,8 +17,6 @@
 #include "limber/world/environment.hpp"
 
 namespace limber {
-
-// For those who plan.
 
 /// Poses of tips, and the cost to get there, in square cells, to find those near a point quickly.
 /// Constant after construction.

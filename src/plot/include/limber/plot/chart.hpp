@@ -1,5 +1,4 @@
 #pragma once
-
 // For those who show results.
 
 #include <optional>
@@ -8,11 +7,9 @@
 #include <variant>
 #include <vector>
 
-#include "limber/plot/shape_style.hpp"
+#include "limber/plot/svg_drawing.hpp"
 
 namespace limber {
-
-// For those who show results.
 
 /// How one series looks. Lengths are pixels of the picture.
 struct SeriesStyle {

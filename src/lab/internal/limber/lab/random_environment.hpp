@@ -1,5 +1,4 @@
 #pragma once
-// For those who compare planners and models over many trials.
 
 #include <optional>
 #include <vector>
