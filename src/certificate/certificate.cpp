@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "exact_arm.hpp"
-#include "exact_start.hpp"
 #include "exact_valves.hpp"
 #include "frame_checks.hpp"
 #include "give_up.hpp"
@@ -16,7 +15,6 @@
 #include "limber/common/units.hpp"
 #include "shape_comparison.hpp"
 #include "swept_clearance.hpp"
-#include "tube_check.hpp"
 
 namespace limber {
 

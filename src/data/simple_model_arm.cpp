@@ -8,7 +8,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/number_text.hpp"
 #include "limber/data/simple_model.hpp"
-#include "seven_digits.hpp"
+#include "limber/data/space_fit.hpp"
 
 namespace limber {
 

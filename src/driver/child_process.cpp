@@ -15,8 +15,8 @@
 
 #include <fmt/format.h>
 
-#include "limber/common/broken_pipe.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/standard_streams.hpp"
 
 namespace limber {
 

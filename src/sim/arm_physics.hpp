@@ -13,7 +13,6 @@
 #include "pneumatics.hpp"
 #include "side_law.hpp"
 #include "spring_slider.hpp"
-#include "table_friction.hpp"
 
 namespace limber {
 
