@@ -24,14 +24,11 @@ nlohmann::ordered_json cm_or_null(double error_m) {
 
 class AdaptVerb final : public Verb {
  public:
-  const char* name() const override { return "adapt"; }
-  const char* summary() const override {
-    return "Make a family's network one arm's, from a minute of its motion";
-  }
-  const char* example() const override {
-    return "limber collect --schedule identify --out minute.h5\n"
-           "  limber adapt --model family.safetensors --recording minute.h5 --out mine.safetensors";
-  }
+  AdaptVerb()
+      : Verb("adapt", "Make a family's network one arm's, from a minute of its motion",
+             "limber collect --schedule identify --out minute.h5\n"
+             "  limber adapt --model family.safetensors --recording minute.h5 --out "
+             "mine.safetensors") {}
 
   void add_flags(CLI::App& app) override {
     add_arm_flag(app, arm_);

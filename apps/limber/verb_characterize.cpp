@@ -64,19 +64,19 @@ std::string to_text(int segment, const StrainFit& fit) {
 
 class CharacterizeVerb final : public Verb {
  public:
-  const char* name() const override { return "characterize"; }
-  const char* summary() const override {
-    return "Bench test of one free segment, or a fit of your bench data, for the no-load model; or "
-           "the simple model, or the valves, of recordings; or what an arm's own commands make of "
-           "its segments, of logs";
-  }
-  const char* example() const override {
-    return "limber characterize --arm three_segment --out my_arm.yaml --plot bench.svg\n"
-           "  limber characterize --arm mine.yaml --recording train.h5 --out fitted.yaml\n"
-           "  limber characterize --arm mine.yaml --commands log1.csv log2.csv --mapping map.yaml\n"
-           "  limber characterize --arm one_segment.yaml --driver "
-           "\"exec:python3 my_driver.py\" --out fitted.yaml";
-  }
+  CharacterizeVerb()
+      : Verb(
+            "characterize",
+            "Bench test of one free segment, or a fit of your bench data, for the no-load "
+            "model; or "
+            "the simple model, or the valves, of recordings; or what an arm's own commands make of "
+            "its segments, of logs",
+            "limber characterize --arm three_segment --out my_arm.yaml --plot bench.svg\n"
+            "  limber characterize --arm mine.yaml --recording train.h5 --out fitted.yaml\n"
+            "  limber characterize --arm mine.yaml --commands log1.csv log2.csv --mapping "
+            "map.yaml\n"
+            "  limber characterize --arm one_segment.yaml --driver "
+            "\"exec:python3 my_driver.py\" --out fitted.yaml") {}
 
   void add_flags(CLI::App& app) override {
     add_arm_flag(app, arm_);

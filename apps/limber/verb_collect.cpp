@@ -21,11 +21,9 @@ constexpr const char* kPlans = "plans";
 
 class CollectVerb final : public Verb {
  public:
-  const char* name() const override { return "collect"; }
-  const char* summary() const override { return "Record an arm while it follows a schedule"; }
-  const char* example() const override {
-    return "limber collect --arm three_segment --schedule random --count 20 --out random.h5";
-  }
+  CollectVerb()
+      : Verb("collect", "Record an arm while it follows a schedule",
+             "limber collect --arm three_segment --schedule random --count 20 --out random.h5") {}
 
   void add_flags(CLI::App& app) override {
     add_arm_flag(app, arm_);

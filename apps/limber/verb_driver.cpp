@@ -222,15 +222,12 @@ namespace fs = std::filesystem;
 
 class DriverVerb final : public Verb {
  public:
-  const char* name() const override { return "driver"; }
-  const char* summary() const override {
-    return "Check a driver (timing, units, valves, deadmen), or calibrate it";
-  }
-  const char* example() const override {
-    return "limber driver check --driver \"exec:limber virtual-arm --serve\" --out checked\n"
-           "  limber driver calibrate --driver \"exec:limber virtual-arm --serve "
-           "--fast --misassembled 1\" --simulated --yes --handedness left --out calibration.yaml";
-  }
+  DriverVerb()
+      : Verb("driver", "Check a driver (timing, units, valves, deadmen), or calibrate it",
+             "limber driver check --driver \"exec:limber virtual-arm --serve\" --out checked\n"
+             "  limber driver calibrate --driver \"exec:limber virtual-arm --serve "
+             "--fast --misassembled 1\" --simulated --yes --handedness left --out "
+             "calibration.yaml") {}
 
   void add_flags(CLI::App& app) override {
     app.add_option("action", action_, "check or calibrate")

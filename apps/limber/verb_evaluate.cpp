@@ -22,14 +22,10 @@ namespace {
 
 class EvaluateVerb final : public Verb {
  public:
-  const char* name() const override { return "evaluate"; }
-  const char* summary() const override {
-    return "Errors of the no-load and the network model on a recording";
-  }
-  const char* example() const override {
-    return "limber collect --schedule random --count 100 --seed 7 --out test.h5\n"
-           "  limber evaluate --model model.safetensors --data test.h5 --plots plots";
-  }
+  EvaluateVerb()
+      : Verb("evaluate", "Errors of the no-load and the network model on a recording",
+             "limber collect --schedule random --count 100 --seed 7 --out test.h5\n"
+             "  limber evaluate --model model.safetensors --data test.h5 --plots plots") {}
 
   void add_flags(CLI::App& app) override {
     add_arm_flag(app, arm_);

@@ -23,13 +23,10 @@ namespace {
 
 class ExecuteVerb final : public Verb {
  public:
-  const char* name() const override { return "execute"; }
-  const char* summary() const override {
-    return "Run a plan on an arm, open or closed loop, or follow a path with its tip";
-  }
-  const char* example() const override {
-    return "limber execute --plan plan.json --environment environments/01_pillar.yaml --out run.h5";
-  }
+  ExecuteVerb()
+      : Verb("execute", "Run a plan on an arm, open or closed loop, or follow a path with its tip",
+             "limber execute --plan plan.json --environment environments/01_pillar.yaml --out "
+             "run.h5") {}
 
   void add_flags(CLI::App& app) override {
     app.add_option("--plan", plan_, "Plan to run, as `limber plan` wrote it");

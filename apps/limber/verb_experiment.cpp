@@ -101,12 +101,11 @@ std::vector<std::string> RunFlags::disturbances() const {
 
 class ExperimentVerb final : public Verb {
  public:
-  const char* name() const override { return "experiment"; }
-  const char* summary() const override {
-    return "The paper's Table I: plan with both models in many environments, execute, compare";
-  }
-  const char* example() const override {
-    return "limber experiment --model model.safetensors --trials 2 --time-limit-s 1 --out table";
+  ExperimentVerb()
+      : Verb(
+            "experiment",
+            "The paper's Table I: plan with both models in many environments, execute, compare",
+            "limber experiment --model model.safetensors --trials 2 --time-limit-s 1 --out table") {
   }
 
   void add_flags(CLI::App& app) override {

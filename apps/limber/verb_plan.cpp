@@ -70,14 +70,10 @@ class PlanProgress {
 
 class PlanVerb final : public Verb {
  public:
-  const char* name() const override { return "plan"; }
-  const char* summary() const override {
-    return "Plan a motion in pressure space that reaches a goal without collision";
-  }
-  const char* example() const override {
-    return "limber plan --arm three_segment --no-load --environment 01_pillar --time-limit-s 5 "
-           "--out plan.json --svg plan.svg";
-  }
+  PlanVerb()
+      : Verb("plan", "Plan a motion in pressure space that reaches a goal without collision",
+             "limber plan --arm three_segment --no-load --environment 01_pillar --time-limit-s 5 "
+             "--out plan.json --svg plan.svg") {}
 
   void add_flags(CLI::App& app) override {
     add_arm_flag(app, arm_);

@@ -34,12 +34,10 @@ namespace fs = std::filesystem;
 
 class TrainVerb final : public Verb {
  public:
-  const char* name() const override { return "train"; }
-  const char* summary() const override { return "Train a compensation network on recordings"; }
-  const char* example() const override {
-    return "limber collect --schedule transitions --out train.h5\n"
-           "  limber train --data train.h5 --out model.safetensors";
-  }
+  TrainVerb()
+      : Verb("train", "Train a compensation network on recordings",
+             "limber collect --schedule transitions --out train.h5\n"
+             "  limber train --data train.h5 --out model.safetensors") {}
 
   void add_flags(CLI::App& app) override {
     add_arm_flag(app, arm_);

@@ -113,15 +113,12 @@ std::string to_text(const OtherJudgement& judgement) {
 
 class VerifyVerb final : public Verb {
  public:
-  const char* name() const override { return "verify"; }
-  const char* summary() const override {
-    return "Certify a plan: simulate and check it again with independent code";
-  }
-  const char* example() const override {
-    return "limber verify --plan plan.json --no-load --environment 01_pillar\n"
-           "  limber verify --plan plan.json --model a.safetensors --environment 01_pillar --also "
-           "b.safetensors --also c.safetensors";
-  }
+  VerifyVerb()
+      : Verb(
+            "verify", "Certify a plan: simulate and check it again with independent code",
+            "limber verify --plan plan.json --no-load --environment 01_pillar\n"
+            "  limber verify --plan plan.json --model a.safetensors --environment 01_pillar --also "
+            "b.safetensors --also c.safetensors") {}
 
   void add_flags(CLI::App& app) override {
     app.add_option("--plan", plan_, "Plan to certify, as `limber plan` wrote it")->required();
