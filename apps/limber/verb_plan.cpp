@@ -84,9 +84,8 @@ class PlanVerb final : public Verb {
     app.add_option(
            "--planner", planner_,
            "default: keeps several backbones for similar pressures, then improves plans; paper: "
-           "RRT* in pressure space; paper-steer-all: the same, simulating from every near node; "
-           "ompl:NAME: one of OMPL's. Settings follow the name: ompl:SST,pruning_radius=0.1 or "
-           "default,goal_steering_share=0.2")
+           "RRT* in pressure space; ompl:NAME: one of OMPL's. Settings follow the name: "
+           "ompl:SST,pruning_radius=0.1 or default,goal_steering_share=0.2")
         ->capture_default_str();
     app.add_option(
            "--time-limit-s", limits_.time_s,

@@ -23,14 +23,13 @@ std::unique_ptr<Planner> make_paper_planner(PlannerName parsed, const std::strin
         fmt::format("planner setting {}: unknown; '{}' has the setting valves (0 or 1)",
                     parsed.settings.begin()->first, parsed.name));
   }
-  const ParentRule rule = parsed.name == "paper" ? ParentRule::lazy : ParentRule::steer_all;
-  return make_certified_planner(make_pressure_rrt_star(rule, {}, name), valves);
+  return make_certified_planner(make_pressure_rrt_star({}, name), valves);
 }
 
 }  // namespace
 
 std::vector<std::string> planner_names() {
-  return {"default", "paper", "paper-steer-all"};
+  return {"default", "paper"};
 }
 
 std::unique_ptr<Planner> make_planner(const std::string& name, int jobs, const Forest* forest) {
@@ -43,8 +42,7 @@ std::unique_ptr<Planner> make_planner(const std::string& name, int jobs, const F
   if (forest != nullptr) {
     throw InputError(fmt::format("planner '{}' uses no forest; only 'default' does", name));
   }
-  if (PlannerName parsed = PlannerName::parse(name);
-      parsed.name == "paper" || parsed.name == "paper-steer-all") {
+  if (PlannerName parsed = PlannerName::parse(name); parsed.name == "paper") {
     return make_paper_planner(std::move(parsed), name);
   }
   if (name.rfind("ompl:", 0) == 0) {
