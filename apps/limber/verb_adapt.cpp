@@ -4,13 +4,13 @@
 
 #include <fmt/ranges.h>
 
+#include "episode_choice.hpp"
 #include "limber/arm/valve_parameters.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/units.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/training/adaptation.hpp"
-#include "recording_kinds.hpp"
 #include "verbs.hpp"
 
 namespace limber {

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "driver_flags.hpp"
+#include "episode_choice.hpp"
 #include "limber/arm/characterisation.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/arm/valve_parameters.hpp"
@@ -19,7 +20,6 @@
 #include "limber/logs/command_shares.hpp"
 #include "limber/report/valve_plot.hpp"
 #include "limber/sim/virtual_arm.hpp"
-#include "recording_kinds.hpp"
 #include "verbs.hpp"
 
 namespace limber {

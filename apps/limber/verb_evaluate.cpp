@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <iterator>
 
+#include "episode_choice.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
@@ -13,7 +14,6 @@
 #include "limber/training/ensemble_evaluation.hpp"
 #include "limber/training/evaluation.hpp"
 #include "limber/training/unseen_error.hpp"
-#include "recording_kinds.hpp"
 #include "verbs.hpp"
 
 namespace limber {

@@ -5,16 +5,15 @@
 #include "limber/common/error.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/report/execution_report.hpp"
-#include "limber/report/execution_times.hpp"
 #include "limber/report/plan_picture.hpp"
+#include "limber/report/track_report.hpp"
 #include "limber/run/closed_loop.hpp"
 #include "limber/run/model_arm.hpp"
 #include "limber/sim/disturbance.hpp"
 #include "limber/sim/virtual_arm.hpp"
 #include "model_flags.hpp"
+#include "plan_flags.hpp"
 #include "replan_flags.hpp"
-#include "room_flags.hpp"
-#include "track_flags.hpp"
 #include "verbs.hpp"
 
 namespace limber {

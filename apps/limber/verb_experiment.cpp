@@ -5,8 +5,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cost_threshold_flag.hpp"
-#include "forest_flags.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/data_folder.hpp"
 #include "limber/common/error.hpp"
@@ -18,8 +16,8 @@
 #include "limber/planning/planner_factory.hpp"
 #include "limber/sim/disturbance.hpp"
 #include "model_flags.hpp"
+#include "plan_flags.hpp"
 #include "replan_flags.hpp"
-#include "room_flags.hpp"
 #include "verbs.hpp"
 
 namespace limber {

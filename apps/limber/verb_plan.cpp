@@ -1,6 +1,4 @@
-#include "cost_threshold_flag.hpp"
 #include "driver_flags.hpp"
-#include "forest_flags.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/data_folder.hpp"
@@ -10,9 +8,8 @@
 #include "limber/planning/planner_factory.hpp"
 #include "limber/report/plan_picture.hpp"
 #include "limber/report/plan_report.hpp"
-#include "limit_flags.hpp"
 #include "model_flags.hpp"
-#include "room_flags.hpp"
+#include "plan_flags.hpp"
 #include "spread_report.hpp"
 #include "verbs.hpp"
 

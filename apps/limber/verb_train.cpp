@@ -6,9 +6,8 @@
 
 #include <fmt/ranges.h>
 
-#include "bound_model.hpp"
 #include "data_flags.hpp"
-#include "fold_choice.hpp"
+#include "episode_choice.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/arm/valve_parameters.hpp"
 #include "limber/common/atomic_file.hpp"
@@ -22,7 +21,6 @@
 #include "limber/training/trainer.hpp"
 #include "limber/training/unseen_error.hpp"
 #include "limber/training/window_stages.hpp"
-#include "recording_kinds.hpp"
 #include "train_report.hpp"
 #include "verbs.hpp"
 

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "exact_arm.hpp"
-#include "exact_valves.hpp"
 #include "frame_checks.hpp"
 #include "give_up.hpp"
 #include "limber/arm/names.hpp"

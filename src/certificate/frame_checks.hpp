@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "exact_arm.hpp"
-#include "exact_valves.hpp"
 #include "limber/certificate/certificate.hpp"
 #include "limber/world/environment.hpp"
 

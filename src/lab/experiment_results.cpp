@@ -11,8 +11,8 @@
 #include "limber/common/json_number.hpp"
 #include "limber/common/json_reader.hpp"
 #include "limber/planning/forest.hpp"
-#include "limber/report/final_shapes_picture.hpp"
 #include "limber/report/planner_arena.hpp"
+#include "limber/report/shapes_page.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
 
 namespace limber {

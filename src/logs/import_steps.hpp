@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "limber/logs/log_import.hpp"
-#include "log_tracks.hpp"
+#include "log_rows.hpp"
 
 // What imports of arms in the plane and in space do in the same way.
 namespace limber {

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 
 #include "limber/arm/arm_description.hpp"
-#include "log_tracks.hpp"
+#include "log_rows.hpp"
 
 namespace limber {
 

@@ -10,7 +10,6 @@
 #include "limber/logs/import_report.hpp"
 #include "log_rows.hpp"
 #include "log_table.hpp"
-#include "log_tracks.hpp"
 
 namespace limber {
 

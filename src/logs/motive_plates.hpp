@@ -6,7 +6,7 @@
 #include "limber/arm/arm_description.hpp"
 #include "limber/logs/import_mapping.hpp"
 #include "limber/logs/import_report.hpp"
-#include "log_tracks.hpp"
+#include "log_rows.hpp"
 #include "motive_csv.hpp"
 
 namespace limber {

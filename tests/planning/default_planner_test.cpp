@@ -4,7 +4,7 @@
 
 #include "limber/common/error.hpp"
 #include "planning/planner_setting.hpp"
-#include "src/planning/second_opinions.hpp"
+#include "src/planning/plan_judge.hpp"
 
 namespace limber {
 namespace {

@@ -8,7 +8,6 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/common/yaml_reader.hpp"
-#include "limber/driver/tracker_plane.hpp"
 #include "limber/driver/wire_calibration.hpp"
 
 namespace limber {

@@ -13,7 +13,6 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "binomial_bound.hpp"
-#include "factor_search.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"

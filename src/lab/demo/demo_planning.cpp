@@ -10,8 +10,8 @@
 #include "demo_stages.hpp"
 #include "kernels/job_arena.hpp"
 #include "limber/common/interrupt.hpp"
-#include "limber/report/final_shapes_picture.hpp"
 #include "limber/report/plan_picture.hpp"
+#include "limber/report/shapes_page.hpp"
 
 namespace limber {
 

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "environment_parts.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/forward/motion_simulator.hpp"
 #include "limber/lab/environment_measures.hpp"

@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "environment_parts.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/forward/motion_simulator.hpp"
+#include "limber/lab/environment_measures.hpp"
 #include "limber/sim/virtual_arm.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
 #include "limber/world/collision.hpp"

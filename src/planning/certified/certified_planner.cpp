@@ -5,12 +5,12 @@
 #include <fmt/format.h>
 
 #include "asked_problem.hpp"
-#include "certified_search.hpp"
+#include "certifying_judge.hpp"
+#include "given_waypoints.hpp"
 #include "goal_room.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/units.hpp"
 #include "limber/planning/problem_check.hpp"
-#include "smaller_clearances.hpp"
 
 namespace limber {
 

@@ -5,7 +5,7 @@
 #include "asked_problem.hpp"
 #include "limber/certificate/certificate.hpp"
 #include "limber/planning/planner.hpp"
-#include "second_opinions.hpp"
+#include "plan_judge.hpp"
 
 namespace limber {
 
@@ -37,5 +37,11 @@ class CertifyingJudge final : public PlanJudge {
   std::optional<Certificate> refused_;  // of the cheapest that was refused
   double refused_kpa_ = 0.0;
 };
+
+/// Plans `problem` with `planner` and a little less room, and certifies it as it was asked for.
+/// @param asked  the same arm, model and environment, whatever their margins
+PlanResult certified_search(Planner& planner, const PlanningProblem& problem, AskedProblem& asked,
+                            const PlannerLimits& limits, std::uint64_t seed,
+                            const PlannerCallback& callback);
 
 }  // namespace limber

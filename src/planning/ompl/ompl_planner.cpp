@@ -24,7 +24,6 @@
 #include "limber/planning/problem_check.hpp"
 #include "limber/world/inverse_kinematics.hpp"
 #include "plan_ladder.hpp"
-#include "plan_result.hpp"
 #include "planner_name.hpp"
 
 namespace limber {

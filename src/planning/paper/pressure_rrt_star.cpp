@@ -1,6 +1,6 @@
 #include "pressure_rrt_star.hpp"
 
-#include "plan_result.hpp"
+#include "plan_ladder.hpp"
 #include "planner_name.hpp"
 #include "rrt_star_search.hpp"
 
