@@ -115,8 +115,6 @@ EpisodeChoice choose_sliced(OutlinedRecordings outlines, double fraction, std::u
   return choice;
 }
 
-namespace fs = std::filesystem;
-
 constexpr double kValidationShare = 0.1;
 constexpr double kUnseenShare = 0.1;
 constexpr double kMostHeldBack = 100'000.0;  // frames of arms that validate: 200 of half a minute

@@ -10,7 +10,6 @@
 #include "limber/network/arm_family.hpp"
 #include "limber/report/evaluation_plots.hpp"
 #include "limber/report/training_report.hpp"
-#include "limber/report/yardstick_report.hpp"
 #include "limber/training/ensemble_evaluation.hpp"
 #include "limber/training/evaluation.hpp"
 #include "limber/training/unseen_error.hpp"

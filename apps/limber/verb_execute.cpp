@@ -13,7 +13,6 @@
 #include "limber/sim/virtual_arm.hpp"
 #include "model_flags.hpp"
 #include "plan_flags.hpp"
-#include "replan_flags.hpp"
 #include "verbs.hpp"
 
 namespace limber {

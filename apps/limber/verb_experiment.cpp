@@ -17,7 +17,6 @@
 #include "limber/sim/disturbance.hpp"
 #include "model_flags.hpp"
 #include "plan_flags.hpp"
-#include "replan_flags.hpp"
 #include "verbs.hpp"
 
 namespace limber {

@@ -12,7 +12,6 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/units.hpp"
-#include "shape_comparison.hpp"
 #include "swept_clearance.hpp"
 
 namespace limber {

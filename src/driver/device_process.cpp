@@ -14,9 +14,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "child_process.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/standard_streams.hpp"
+#include "limber/driver/line_reader.hpp"
 
 namespace limber {
 

@@ -11,7 +11,7 @@
 #include "limber/common/json_number.hpp"
 #include "limber/common/json_reader.hpp"
 #include "limber/planning/forest.hpp"
-#include "limber/report/planner_arena.hpp"
+#include "limber/report/run_table.hpp"
 #include "limber/report/shapes_page.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
 
@@ -25,8 +25,6 @@ std::string forest_hash(const Forest& forest) {
   return content_hash({reinterpret_cast<const char*>(forest.setpoints_kpa.data()),
                        static_cast<std::size_t>(forest.setpoints_kpa.size()) * sizeof(float)});
 }
-
-using Json = nlohmann::ordered_json;
 
 // A page with more of them opens slowly, and needs memory for all.
 constexpr std::size_t kMostEnvironmentsOnPage = 100;

@@ -286,8 +286,6 @@ class Experiment {
 
 }  // namespace
 
-namespace fs = std::filesystem;
-
 std::vector<EnvironmentCase> environments_in(const fs::path& folder, const ArmDescription& arm) {
   if (fs::is_regular_file(folder)) {
     return {{folder.stem().string(), load_environment(folder, arm)}};

@@ -8,7 +8,6 @@
 #include "clock_match.hpp"
 #include "column_check.hpp"
 #include "command_check.hpp"
-#include "import_steps.hpp"
 #include "level_correlation.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"

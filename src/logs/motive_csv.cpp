@@ -13,7 +13,7 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/csv_reader.hpp"
 #include "limber/common/error.hpp"
-#include "motive_rotations.hpp"
+#include "motive_plates.hpp"
 
 namespace limber {
 

@@ -11,15 +11,14 @@
 #include <fmt/format.h>
 #include <Eigen/LU>
 
-#include "import_steps.hpp"
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/arm/space_pose.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/data/log_units.hpp"
+#include "log_runs.hpp"
 #include "space_alignment.hpp"
-#include "space_flips.hpp"
 #include "space_tracks.hpp"
 
 namespace limber {

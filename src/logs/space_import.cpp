@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "command_check.hpp"
-#include "import_steps.hpp"
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"

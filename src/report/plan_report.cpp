@@ -45,8 +45,6 @@ std::string tube_note(const std::optional<PlanTube>& tube) {
 
 }  // namespace
 
-using Json = nlohmann::ordered_json;
-
 Json to_json(const Certificate& certificate, const Command& command,
              const Environment& environment) {
   Json json;

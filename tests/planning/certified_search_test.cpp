@@ -4,7 +4,7 @@
 
 #include "limber/planning/plan_builder.hpp"
 #include "planning/planner_setting.hpp"
-#include "src/planning/certified/goal_room.hpp"
+#include "src/planning/certified/asked_problem.hpp"
 #include "src/planning/plan_judge.hpp"
 #include "src/planning/plan_ladder.hpp"
 

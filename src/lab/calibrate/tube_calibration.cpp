@@ -93,7 +93,6 @@ std::string evidence_page(const nlohmann::ordered_json& evidence) {
   return page.html();
 }
 
-using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr const char* kCalibrationFile = "calibration.json";

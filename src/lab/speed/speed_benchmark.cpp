@@ -20,7 +20,7 @@
 #include "limber/network/packed_network.hpp"
 #include "limber/network/past_commands.hpp"
 #include "limber/network/untrained_model.hpp"
-#include "peer_makers.hpp"
+#include "network_peer.hpp"
 
 namespace limber {
 

@@ -29,4 +29,26 @@ class AskedProblem {
   std::string environment_hash_;
 };
 
+/// Searches work in float32 and certificates in double, so a search gets this much less room: far
+/// above the rounding of the forward model over a plan, and far below what matters to a plan.
+inline constexpr double kReserveM = Certificate::kDeviationM;
+inline constexpr double kReserveRad = Certificate::kHeadingDeviationRad;
+
+/// `environment`, with its goal's tolerances reduced by the model's error and a reserve.
+Environment with_room(Environment environment, const PoseError& margin);
+
+/// The part of its goal that a search prefers, if there is an error to keep room for.
+std::optional<PoseError> aim_of(const PlanningProblem& problem);
+
+/// Whether plans that end where they aim are in the goal also with the model's error.
+bool has_room(const PlanningProblem& problem);
+
+/// The tube that plans keep; whether it holds the goal as well. None if the problem has none.
+std::optional<PlanTube> tube_of_plans(const PlanningProblem& problem);
+/// Its largest radius.
+double max_room_m(const PlanTube& tube);
+
+/// If the goal has no room for the error: what plans aim at instead.
+std::vector<std::string> warnings_of_aim(const PlanningProblem& problem);
+
 }  // namespace limber

@@ -7,7 +7,6 @@
 #include "asked_problem.hpp"
 #include "certifying_judge.hpp"
 #include "given_waypoints.hpp"
-#include "goal_room.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/units.hpp"
 #include "limber/planning/problem_check.hpp"

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "goal_room.hpp"
+#include "asked_problem.hpp"
 #include "limber/arm/names.hpp"
 
 namespace limber {

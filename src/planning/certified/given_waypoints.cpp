@@ -9,7 +9,6 @@
 
 #include "asked_problem.hpp"
 #include "certifying_judge.hpp"
-#include "goal_room.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/units.hpp"

@@ -10,7 +10,6 @@
 #include "plan_improver.hpp"
 #include "plan_ladder.hpp"
 #include "planner_budget.hpp"
-#include "restarts.hpp"
 #include "second_opinions.hpp"
 
 namespace limber {

@@ -13,13 +13,13 @@
 
 #include <fmt/format.h>
 
-#include "child_process.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/standard_streams.hpp"
 #include "limber/common/version.hpp"
 #include "limber/driver/device_process.hpp"
 #include "limber/driver/driver_protocol.hpp"
+#include "limber/driver/line_reader.hpp"
 #include "limber/sim/misassembly.hpp"
 
 namespace limber {
