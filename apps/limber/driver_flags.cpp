@@ -25,12 +25,35 @@ namespace {
 /// where it was told to be.
 class DryRunDriver final : public ArmDriver {
  public:
-  DryRunDriver(const ArmDescription& arm, std::function<void(const std::string& line)> print);
-  ~DryRunDriver() override;
+  DryRunDriver(const ArmDescription& arm, std::function<void(const std::string& line)> print)
+      : period_s_(arm.frame_period_s()), print_(std::move(print)) {
+    state_.pressure_kpa = Pressures::Zero(arm.channel_count());
+    Backbone straight(arm.point_count(), kPoseSize);
+    NoLoadModel(arm).backbone(Eigen::Ref<const Eigen::VectorXf>(state_.pressure_kpa),
+                              Eigen::Ref<Backbone>(straight));
+    state_.backbone = straight;
+    print_(to_line(host_hello(arm)));
+  }
+
+  ~DryRunDriver() override { print_(bye_line()); }
 
   const ArmState& state() const override { return state_; }
-  const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) override;
-  void vent() noexcept override;
+  const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) override {
+    state_.time_s = static_cast<double>(seq_) * period_s_;
+    print_(set_line(seq_, state_.time_s, setpoint_kpa));
+    ++seq_;
+    state_.pressure_kpa = setpoint_kpa;
+    resting_ = false;
+    return state_;
+  }
+
+  void vent() noexcept override {
+    if (!resting_) {
+      print_(vent_line(seq_, static_cast<double>(seq_) * period_s_));
+      ++seq_;
+      resting_ = true;
+    }
+  }
 
  private:
   double period_s_;
@@ -39,38 +62,6 @@ class DryRunDriver final : public ArmDriver {
   std::int64_t seq_ = 0;
   bool resting_ = true;
 };
-
-DryRunDriver::DryRunDriver(const ArmDescription& arm,
-                           std::function<void(const std::string& line)> print)
-    : period_s_(arm.frame_period_s()), print_(std::move(print)) {
-  state_.pressure_kpa = Pressures::Zero(arm.channel_count());
-  Backbone straight(arm.point_count(), kPoseSize);
-  NoLoadModel(arm).backbone(Eigen::Ref<const Eigen::VectorXf>(state_.pressure_kpa),
-                            Eigen::Ref<Backbone>(straight));
-  state_.backbone = straight;
-  print_(to_line(host_hello(arm)));
-}
-
-DryRunDriver::~DryRunDriver() {
-  print_(bye_line());
-}
-
-const ArmState& DryRunDriver::command(const Eigen::Ref<const Pressures>& setpoint_kpa) {
-  state_.time_s = static_cast<double>(seq_) * period_s_;
-  print_(set_line(seq_, state_.time_s, setpoint_kpa));
-  ++seq_;
-  state_.pressure_kpa = setpoint_kpa;
-  resting_ = false;
-  return state_;
-}
-
-void DryRunDriver::vent() noexcept {
-  if (!resting_) {
-    print_(vent_line(seq_, static_cast<double>(seq_) * period_s_));
-    ++seq_;
-    resting_ = true;
-  }
-}
 
 using Json = nlohmann::ordered_json;
 

@@ -21,24 +21,6 @@ namespace limber {
 
 namespace {
 
-/// `limber driver calibrate`: its flags, its questions and its file.
-class DriverCalibrate {
- public:
-  void add_to(CLI::App& app);
-  /// @param driver  without a calibration
-  /// @param out     the calibration's file
-  int run(const ArmDescription& arm, const ProcessDriverSettings& driver, const std::string& out,
-          const CommonFlags& flags) const;
-
- private:
-  OperatorAnswer answer(int channel) const;
-
-  bool yes_ = false;
-  std::string handedness_;
-  std::vector<double> base_marker_m_;
-  CalibrationTolerance tolerance_;
-};
-
 /// A line from standard input, without its end. Ctrl-C is seen while it waits.
 /// @throws Interrupted, also at the end of the input: then nobody is there.
 std::string operator_line() {
@@ -127,98 +109,111 @@ Json to_json(const WireCalibration& calibration) {
           {"shape_delay", to_json(calibration.clocks.shape_delay)}};
 }
 
-void DriverCalibrate::add_to(CLI::App& app) {
-  app.add_flag("--yes", yes_, "calibrate: confirm every step, for scripts; needs --handedness");
-  app.add_option("--handedness", handedness_,
-                 "calibrate: of the tracker's frame seen from above, right (y to the left of x) or "
-                 "left (mirrored); of one that sees in 3D, right where that of its axes which is "
-                 "steepest points up, left where down; by default you are asked which way the arm "
-                 "bends")
-      ->check(CLI::IsMember({"right", "left"}));
-  app.add_option("--base-marker", base_marker_m_,
-                 "calibrate: X,Y where the base's marker body sits as built, in metres from the "
-                 "base's origin, x along the arm, y to its left; by default unknown")
-      ->delimiter(',')
-      ->expected(2);
-  app.add_option("--tolerance-m", tolerance_.position_m,
-                 "calibrate: refuse a base known less well than that")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  app.add_option("--tolerance-rad", tolerance_.heading_rad, "calibrate: the same of its heading")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-}
+namespace fs = std::filesystem;
 
-OperatorAnswer DriverCalibrate::answer(int channel) const {
-  OperatorAnswer result;
-  if (!base_marker_m_.empty()) {
-    result.base_marker_m = Eigen::Vector2d(base_marker_m_[0], base_marker_m_[1]);
+/// `limber driver calibrate`: its flags, its questions and its file.
+class DriverCalibrate {
+ public:
+  void add_to(CLI::App& app) {
+    app.add_flag("--yes", yes_, "calibrate: confirm every step, for scripts; needs --handedness");
+    app.add_option(
+           "--handedness", handedness_,
+           "calibrate: of the tracker's frame seen from above, right (y to the left of x) or "
+           "left (mirrored); of one that sees in 3D, right where that of its axes which is "
+           "steepest points up, left where down; by default you are asked which way the arm "
+           "bends")
+        ->check(CLI::IsMember({"right", "left"}));
+    app.add_option("--base-marker", base_marker_m_,
+                   "calibrate: X,Y where the base's marker body sits as built, in metres from the "
+                   "base's origin, x along the arm, y to its left; by default unknown")
+        ->delimiter(',')
+        ->expected(2);
+    app.add_option("--tolerance-m", tolerance_.position_m,
+                   "calibrate: refuse a base known less well than that")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    app.add_option("--tolerance-rad", tolerance_.heading_rad, "calibrate: the same of its heading")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
   }
-  if (!handedness_.empty()) {
-    result.mirrored = handedness_ == "left";
-    return result;
+
+  /// @param driver  without a calibration
+  /// @param out     the calibration's file
+  int run(const ArmDescription& arm, const ProcessDriverSettings& driver, const std::string& out,
+          const CommonFlags& flags) const {
+    if (yes_ && handedness_.empty()) {
+      throw InputError(
+          "--yes: needs --handedness right or left. A mirrored tracker with left and right swapped "
+          "reads like one that is right, so only who sees the arm can tell");
+    }
+    const std::string log = out + ".driver.jsonl";
+    for (const std::string& file : {out, log}) {
+      refuse_to_overwrite(file, flags.force);
+    }
+    CalibrateDriverSettings settings;
+    settings.driver = driver;
+    settings.driver.log = log;
+    settings.driver.say = [&](const std::string& message) {
+      if (message.starts_with("VENT")) {
+        print_to_stderr(printable(message) + "\n");
+      }
+    };
+    settings.tolerance = tolerance_;
+    settings.confirm = [&](const std::string& step) {
+      if (yes_) {
+        say(flags, "{}", step);
+      } else {
+        wait_for_operator(step);
+      }
+    };
+    settings.answer = [&](int channel) { return answer(channel); };
+    const DriverCalibration done = calibrate_driver(arm, settings);
+    Json json = {{"status", done.estimate.refusal.empty() ? "ok" : "refused"},
+                 {"reason", done.estimate.refusal},
+                 {"driver", done.hello.driver},
+                 {"device", done.hello.device},
+                 {"frames", done.log.frames.size()}};
+    if (!done.estimate.refusal.empty()) {
+      print_result(flags, json, "");
+      print_error("refused: " + done.estimate.refusal);
+      return kExitNoSolution;
+    }
+    write_file_atomically(out, to_yaml(done.estimate.calibration));
+    json["calibration"] = to_json(done.estimate.calibration);
+    print_result(flags, json,
+                 fmt::format("{}\n{}: give it to every verb that moves the arm, --calibration {}",
+                             in_words(done.estimate.calibration), out, out));
+    return kExitDone;
   }
-  while (true) {
-    ask(fmt::format(
-        "Seen from above, along the arm from its base: which way did it bend as channel "
-        "{} went up? r (right) or l (left): ",
-        channel));
-    const std::string said = operator_line();
-    if (said == "r" || said == "l") {
-      result.bends_right = said == "r";
+
+ private:
+  OperatorAnswer answer(int channel) const {
+    OperatorAnswer result;
+    if (!base_marker_m_.empty()) {
+      result.base_marker_m = Eigen::Vector2d(base_marker_m_[0], base_marker_m_[1]);
+    }
+    if (!handedness_.empty()) {
+      result.mirrored = handedness_ == "left";
       return result;
     }
-  }
-}
-
-int DriverCalibrate::run(const ArmDescription& arm, const ProcessDriverSettings& driver,
-                         const std::string& out, const CommonFlags& flags) const {
-  if (yes_ && handedness_.empty()) {
-    throw InputError(
-        "--yes: needs --handedness right or left. A mirrored tracker with left and right swapped "
-        "reads like one that is right, so only who sees the arm can tell");
-  }
-  const std::string log = out + ".driver.jsonl";
-  for (const std::string& file : {out, log}) {
-    refuse_to_overwrite(file, flags.force);
-  }
-  CalibrateDriverSettings settings;
-  settings.driver = driver;
-  settings.driver.log = log;
-  settings.driver.say = [&](const std::string& message) {
-    if (message.starts_with("VENT")) {
-      print_to_stderr(printable(message) + "\n");
+    while (true) {
+      ask(fmt::format(
+          "Seen from above, along the arm from its base: which way did it bend as channel "
+          "{} went up? r (right) or l (left): ",
+          channel));
+      const std::string said = operator_line();
+      if (said == "r" || said == "l") {
+        result.bends_right = said == "r";
+        return result;
+      }
     }
-  };
-  settings.tolerance = tolerance_;
-  settings.confirm = [&](const std::string& step) {
-    if (yes_) {
-      say(flags, "{}", step);
-    } else {
-      wait_for_operator(step);
-    }
-  };
-  settings.answer = [&](int channel) { return answer(channel); };
-  const DriverCalibration done = calibrate_driver(arm, settings);
-  Json json = {{"status", done.estimate.refusal.empty() ? "ok" : "refused"},
-               {"reason", done.estimate.refusal},
-               {"driver", done.hello.driver},
-               {"device", done.hello.device},
-               {"frames", done.log.frames.size()}};
-  if (!done.estimate.refusal.empty()) {
-    print_result(flags, json, "");
-    print_error("refused: " + done.estimate.refusal);
-    return kExitNoSolution;
   }
-  write_file_atomically(out, to_yaml(done.estimate.calibration));
-  json["calibration"] = to_json(done.estimate.calibration);
-  print_result(flags, json,
-               fmt::format("{}\n{}: give it to every verb that moves the arm, --calibration {}",
-                           in_words(done.estimate.calibration), out, out));
-  return kExitDone;
-}
 
-namespace fs = std::filesystem;
+  bool yes_ = false;
+  std::string handedness_;
+  std::vector<double> base_marker_m_;
+  CalibrationTolerance tolerance_;
+};
 
 class DriverVerb final : public Verb {
  public:

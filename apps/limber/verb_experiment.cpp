@@ -23,25 +23,6 @@ namespace limber {
 
 namespace {
 
-/// How the plans of an experiment are executed, and what the arm then meets.
-class RunFlags {
- public:
-  /// --replan, --controller and --disturbance.
-  void add_to(CLI::App& app);
-
-  /// In the order given; with --replan, replan is one of them. Open loop if none is given.
-  std::vector<std::string> controllers() const;
-  bool replans() const;
-  /// In the order given, empty for none; none alone if nothing is given.
-  /// @throws InputError if there is no such kind.
-  std::vector<std::string> disturbances() const;
-
- private:
-  bool replan_ = false;
-  std::vector<std::string> controllers_;
-  std::vector<std::string> disturbances_;
-};
-
 /// Without what is there twice: it would be the same row.
 std::vector<std::string> once_each(const std::vector<std::string>& names) {
   std::vector<std::string> result;
@@ -53,48 +34,62 @@ std::vector<std::string> once_each(const std::vector<std::string>& names) {
   return result;
 }
 
-void RunFlags::add_to(CLI::App& app) {
-  app.add_flag("--replan", replan_,
-               "Execute closed loop: plan again from where the arm is measured, while it moves and "
-               "after; as --controller replan");
-  app.add_option(
-         "--controller", controllers_,
-         "What executes the plans: " + controller_names() + "; may be repeated to compare them")
-      ->expected(1)
-      ->take_all();
-  app.add_option("--disturbance", disturbances_,
-                 "The virtual arm is not as the model knows it: none, " + disturbance_kinds() +
-                     "; several at once with commas between; may be repeated to compare them")
-      ->expected(1)
-      ->take_all();
-}
+/// How the plans of an experiment are executed, and what the arm then meets.
+class RunFlags {
+ public:
+  /// --replan, --controller and --disturbance.
+  void add_to(CLI::App& app) {
+    app.add_flag(
+        "--replan", replan_,
+        "Execute closed loop: plan again from where the arm is measured, while it moves and "
+        "after; as --controller replan");
+    app.add_option(
+           "--controller", controllers_,
+           "What executes the plans: " + controller_names() + "; may be repeated to compare them")
+        ->expected(1)
+        ->take_all();
+    app.add_option("--disturbance", disturbances_,
+                   "The virtual arm is not as the model knows it: none, " + disturbance_kinds() +
+                       "; several at once with commas between; may be repeated to compare them")
+        ->expected(1)
+        ->take_all();
+  }
 
-std::vector<std::string> RunFlags::controllers() const {
-  std::vector<std::string> names = controllers_;
-  if (replan_) {
-    names.emplace_back("replan");
+  /// In the order given; with --replan, replan is one of them. Open loop if none is given.
+  std::vector<std::string> controllers() const {
+    std::vector<std::string> names = controllers_;
+    if (replan_) {
+      names.emplace_back("replan");
+    }
+    if (names.empty()) {
+      names.emplace_back("open");
+    }
+    return once_each(names);
   }
-  if (names.empty()) {
-    names.emplace_back("open");
-  }
-  return once_each(names);
-}
 
-bool RunFlags::replans() const {
-  const std::vector<std::string> names = controllers();
-  return std::find(names.begin(), names.end(), "replan") != names.end();
-}
+  bool replans() const {
+    const std::vector<std::string> names = controllers();
+    return std::find(names.begin(), names.end(), "replan") != names.end();
+  }
 
-std::vector<std::string> RunFlags::disturbances() const {
-  std::vector<std::string> names;
-  for (const std::string& name : disturbances_) {
-    names.push_back(name == "none" ? "" : to_string(parse_disturbances(name)));
+  /// In the order given, empty for none; none alone if nothing is given.
+  /// @throws InputError if there is no such kind.
+  std::vector<std::string> disturbances() const {
+    std::vector<std::string> names;
+    for (const std::string& name : disturbances_) {
+      names.push_back(name == "none" ? "" : to_string(parse_disturbances(name)));
+    }
+    if (names.empty()) {
+      names.emplace_back();
+    }
+    return once_each(names);
   }
-  if (names.empty()) {
-    names.emplace_back();
-  }
-  return once_each(names);
-}
+
+ private:
+  bool replan_ = false;
+  std::vector<std::string> controllers_;
+  std::vector<std::string> disturbances_;
+};
 
 class ExperimentVerb final : public Verb {
  public:
