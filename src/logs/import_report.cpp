@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <string>
 
 #include <fmt/format.h>
@@ -11,12 +10,12 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "limber/arm/names.hpp"
+#include "limber/common/units.hpp"
 
 namespace limber {
 
 namespace {
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kMm = 1e3;
 
 nlohmann::ordered_json three(const Eigen::Vector3d& v) {
@@ -45,7 +44,7 @@ std::string gap_text(const SpaceGapReport& gap, bool lifted) {
       kMm * gap.longest_m, kMm * gap.arm_m);
   if (!lifted) {
     text +=
-        fmt::format("; measured rotations are {:.1f} degrees off it", kDegrees * gap.off_arc_rad);
+        fmt::format("; measured rotations are {:.1f} degrees off it", kDegPerRad * gap.off_arc_rad);
   }
   return text;
 }
@@ -54,7 +53,7 @@ std::string flips_text(const SpaceFlips& flips) {
   std::string text = fmt::format(
       "\n  '{}' ({}) jumps while its place does not, by up to {:.0f} "
       "degrees, first at {:.3f} s:",
-      flips.point, plate_name(flips.plate), kDegrees * flips.largest_rad, flips.first_s);
+      flips.point, plate_name(flips.plate), kDegPerRad * flips.largest_rad, flips.first_s);
   const char* separator = " ";
   const auto add = [&](std::int64_t count, const std::string& what) {
     if (count > 0) {

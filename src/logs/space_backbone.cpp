@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +15,7 @@
 #include "limber/arm/space_pose.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/statistics.hpp"
+#include "limber/common/units.hpp"
 #include "limber/data/log_units.hpp"
 #include "log_runs.hpp"
 #include "space_alignment.hpp"
@@ -30,7 +30,6 @@ constexpr double kShortestSpaceChord = 0.2;  // an arc of 4.6 rad has this
 constexpr double kFarthestOffX_rad = 1.2;    // half of how far an arm bends between two points
 constexpr double kShortShare = 0.05;
 constexpr double kLongShare = 0.95;
-constexpr double kDegreesPerRad = 180.0 / std::numbers::pi;
 
 /// Distances and directions from each point to the next, over the rows of a log.
 class GapMeasurement {
@@ -85,8 +84,7 @@ class GapMeasurement {
             "at most {:.0f}: x points along the straight arm, to its tip. Say where it does with "
             "'alignment: {{x_axis: [x, y, z]}}' or '{{rest_s: [from, to]}}'; bodies' rotations "
             "then count from the log's axes, or from the rest",
-            log, name(i), name(i + 1), off_rad * kDegreesPerRad,
-            kFarthestOffX_rad * kDegreesPerRad));
+            log, name(i), name(i + 1), off_rad * kDegPerRad, kFarthestOffX_rad * kDegPerRad));
       }
     }
   }

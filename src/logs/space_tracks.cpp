@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include <fmt/format.h>
 
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/statistics.hpp"
+#include "limber/common/units.hpp"
 #include "limber/data/median_rate.hpp"
 
 namespace limber {
@@ -47,10 +47,9 @@ class RotationReader {
   const ImportMapping& mapping_;
 };
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kJump_rad = 6.0 * kDegree;   // a tracker's noise is less
-constexpr double kFlip_rad = 30.0 * kDegree;  // markers that look alike are farther apart
-constexpr double kSameFlip_rad = 15.0 * kDegree;
+constexpr double kJump_rad = 6.0 * kRadPerDeg;   // a tracker's noise is less
+constexpr double kFlip_rad = 30.0 * kRadPerDeg;  // markers that look alike are farther apart
+constexpr double kSameFlip_rad = 15.0 * kRadPerDeg;
 constexpr double kQuietShare = 0.25;  // of the steps around: flips themselves are fewer than that
 constexpr double kOverQuiet = 8.0;    // steps beyond so many quiet ones are no motion
 constexpr double kPlaceJump = 0.05;   // of the arm's length: something else was tracked there

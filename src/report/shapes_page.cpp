@@ -12,9 +12,6 @@ namespace limber {
 
 namespace {
 
-constexpr int kNoLoadColor = 0;
-constexpr int kNetworkColor = 1;
-
 ShapeStyle body_style(const std::string& model) {
   ShapeStyle style;
   style.fill = palette_color(model == "network" ? kNetworkColor : kNoLoadColor);

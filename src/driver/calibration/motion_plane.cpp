@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +11,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "limber/common/units.hpp"
 #include "limber/driver/calibration_log.hpp"
 #include "seen_poses.hpp"
 
@@ -118,7 +118,6 @@ BodyNoise body_noise(const CalibrationLog& log, std::size_t first, std::size_t e
   return {std::sqrt(positions / axes), std::sqrt(rotations / axes)};
 }
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kMinAxisTurnRad = 0.005;        // of the largest turn, to see an axis at all
 constexpr double kNotAtAllDegrees = 90.0;        // what an axis that is not known is known to
 constexpr double kMaxAxisIntervalDegrees = 1.0;  // to which the axis has to be known
@@ -194,7 +193,7 @@ class MotionPlaneFit {
 
  private:
   static double degrees_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    return kDegrees * std::atan2(a.cross(b).norm(), std::abs(a.dot(b)));
+    return kDegPerRad * std::atan2(a.cross(b).norm(), std::abs(a.dot(b)));
   }
 
   std::string pulse_name(std::size_t pulse) const {
@@ -212,7 +211,7 @@ class MotionPlaneFit {
       }
     }
     const double interval =
-        axis.length() > 0.0 ? 2.0 * kDegrees * turn_noise_rad_ / axis.length() : kNotAtAllDegrees;
+        axis.length() > 0.0 ? 2.0 * kDegPerRad * turn_noise_rad_ / axis.length() : kNotAtAllDegrees;
     if (largest_rad < kMinAxisTurnRad || interval > kMaxAxisIntervalDegrees) {
       throw CalibrationRefused(fmt::format(
           "marker bodies turned by at most {:.4f} rad, with noise of {:.4f} rad: the axis about "
@@ -229,7 +228,7 @@ class MotionPlaneFit {
 
   /// By how many degrees `own` is off `normal`, less what noise may do; 0 where noise hides it.
   double degrees_off(const CommonDirection& own, const Eigen::Vector3d& normal) const {
-    const double noise = kAxisNoiseFactor * kDegrees * turn_noise_rad_ / own.length();
+    const double noise = kAxisNoiseFactor * kDegPerRad * turn_noise_rad_ / own.length();
     if (own.length() < kMinAxisTurnRad || noise > kMaxAxisOffDegrees) {
       return 0.0;
     }
@@ -274,7 +273,7 @@ class MotionPlaneFit {
         way.add(motion.moved);
       }
     }
-    const double noise = kAxisNoiseFactor * kDegrees * moved_noise_ / way.length();
+    const double noise = kAxisNoiseFactor * kDegPerRad * moved_noise_ / way.length();
     if (!(noise <= kMaxAxisOffDegrees)) {
       return;  // what moves too little is refused by name later
     }
