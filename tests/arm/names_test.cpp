@@ -19,6 +19,7 @@ TEST(Names, CountFrom0AtTheBase) {
   EXPECT_EQ(gap_name(arm, 3), "between plates 3 and 4 (segment 1)");
   EXPECT_EQ(frame_name(0), "frame 0");
   EXPECT_EQ(waypoint_name(2), "waypoint 2");
+  EXPECT_EQ(motion_name(7), "motion 7");
   EXPECT_EQ(episode_name(0), "episode 0");
   EXPECT_EQ(column_name(3), "column 3");
   EXPECT_EQ(point_name(1), "point 1");

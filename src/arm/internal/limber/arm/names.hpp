@@ -58,6 +58,10 @@ inline std::string waypoint_name(Eigen::Index waypoint) {
   return fmt::format("waypoint {}", waypoint);
 }
 
+inline std::string motion_name(Eigen::Index motion) {
+  return fmt::format("motion {}", motion);
+}
+
 /// Of a recording.
 /// @param log  that it was imported from; empty: of none
 inline std::string episode_name(Eigen::Index episode, const std::string& log = {}) {
