@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "demo_stages.hpp"
 #include "limber/common/data_folder.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"

@@ -4,12 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "demo_stages.hpp"
 #include "limber/arm/arm_description.hpp"
+#include "limber/lab/planning_experiment.hpp"
 #include "limber/run/schedule.hpp"
 #include "limber/training/training_settings.hpp"
 
 namespace limber {
+
+struct DemoResults;
 
 /// All of limber's own environments, by name; they are drawn up for the paper's arm, so none for
 /// another one.
