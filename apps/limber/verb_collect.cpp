@@ -9,6 +9,7 @@
 #include "limber/forward/forward_model.hpp"
 #include "limber/forward/motion_model.hpp"
 #include "limber/lab/plan_schedule.hpp"
+#include "limber/network/arm_family.hpp"
 #include "limber/sim/related_arms.hpp"
 #include "limber/sim/virtual_arm.hpp"
 #include "verbs.hpp"
