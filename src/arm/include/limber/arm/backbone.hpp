@@ -20,7 +20,7 @@ struct PoseOf {
 using Pose = PoseOf<double>;
 
 // What follows is all of limber's planar arithmetic on single poses. The same equations stand,
-// over many queries at once, in forward/row_kernels_impl.hpp, network/novelty_measure.cpp and
+// over many queries at once, in forward/row_kernels_impl.hpp, network/learnt_region.cpp and
 // training's kernels; the certificate has a form of its own, so that it can't share a mistake.
 
 /// The pose of kPoseSize numbers, such as a row of a backbone.
