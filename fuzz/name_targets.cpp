@@ -5,7 +5,7 @@
 #include "limber/sim/disturbance.hpp"
 #include "limber/sim/driver_server.hpp"
 #include "limber/sim/related_arms.hpp"
-#include "src/driver/command_words.hpp"
+#include "src/driver/child_process.hpp"
 #include "target.hpp"
 
 namespace limber::fuzz {

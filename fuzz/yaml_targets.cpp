@@ -1,5 +1,5 @@
 #include "limber/arm/no_load_model.hpp"
-#include "limber/arm/valve_findings.hpp"
+#include "limber/arm/valve_parameters.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "limber/driver/wire_calibration.hpp"

@@ -20,7 +20,7 @@ import tempfile
 
 CORNERS = 1000
 POLYGONS = 100
-PLANNERS = ["default", "paper", "paper-steer-all", "ompl:RRT", "ompl:EST", "ompl:KPIECE1", "ompl:PDST", "ompl:SST"]
+PLANNERS = ["default", "paper", "ompl:RRT", "ompl:EST", "ompl:KPIECE1", "ompl:PDST", "ompl:SST"]
 OWN = ["01_pillar", "06_overshoot", "07_clutter", "08_overshoot_in_clutter"]
 GOAL = {"x_m": 0.30, "y_m": 0.40, "position_tolerance_m": 0.02}
 BASE_ROOM_M = 0.12  # free of polygons, about the base

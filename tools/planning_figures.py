@@ -31,7 +31,6 @@ ROWS = {
     "first": ("default", 20, 10, [*FIRST, *BOTH_CORES]),
     "first_forest": ("default", 20, 10, [*FIRST, *BOTH_CORES, "--forest", "FOREST"]),
     "first_paper": ("paper", 20, 60, FIRST),
-    "steer_all": ("paper-steer-all", 2, 10, []),
     "plain": ("default,goal_steering_share=0,improved_plans=0", 2, 10, []),
     "shots": ("default,improved_plans=0", 2, 10, []),
     "with_forest": ("default", 2, 10, ["--forest", "FOREST"]),

@@ -1,27 +1,218 @@
 #include "command_line.hpp"
 
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <sstream>
+#include <string>
+#include <string_view>
 #include <vector>
 
-#include "distinct_files.hpp"
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "limber/common/csv_reader.hpp"
+#include "limber/common/error.hpp"
 #include "limber/common/file_error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/number_text.hpp"
 #include "limber/common/printable.hpp"
 #include "limber/common/utf8.hpp"
 #include "limber/common/version.hpp"
 #include "limber/driver/process_driver.hpp"
-#include "numeric_flags.hpp"
+#include "limber/lab/output_folder.hpp"
 #include "verb.hpp"
 #include "verbs.hpp"
 
 namespace limber {
 
 namespace {
+
+constexpr double kMax = 1e15;  // in kPa, m, s, Hz, rad: nothing real comes near
+
+/// @return what is wrong with `text`; empty if nothing is
+std::string check_finite(std::string& text) {
+  double value = 0.0;
+  return parse_number(text, value) && std::abs(value) <= kMax
+             ? ""
+             : fmt::format("'{}' found; expected a finite number of at most {}", shortened(text),
+                           kMax);
+}
+
+std::string check_blanks(std::string& text) {
+  return text.find(',') == std::string::npos
+             ? ""
+             : fmt::format("'{}' found; expected numbers with blanks between them, no commas",
+                           shortened(text));
+}
+
+/// Rewrites `text` as a plain number, which CLI11 can't take for an octal one.
+template <class Whole>
+std::string check_whole(std::string& text) {
+  const char* first = text.data() + (text.starts_with('+') ? 1 : 0);
+  const char* last = text.data() + text.size();
+  Whole value = 0;
+  const auto [end, error] = std::from_chars(first, last, value);
+  if (error != std::errc() || end != last) {
+    return fmt::format("'{}' found; expected a whole number from {} to {}", shortened(text),
+                       std::numeric_limits<Whole>::min(), std::numeric_limits<Whole>::max());
+  }
+  text = fmt::format("{}", value);
+  return "";
+}
+
+/// Leaves what follows each `=` to the planner, except numbers that are not finite.
+std::string check_planner(const std::string& text) {
+  for (std::size_t at = text.find('='); at != std::string::npos; at = text.find('=', at + 1)) {
+    const std::string value = text.substr(at + 1, text.find(',', at) - at - 1);
+    const std::optional<double> number = number_in(value);
+    if (number && !std::isfinite(*number)) {
+      return fmt::format("setting '{}' found; expected a finite number", shortened(value));
+    }
+  }
+  return "";
+}
+
+/// Gives every option of `command` that takes numbers a check that runs before all others: the
+/// value has to be one plain decimal number within its type, or of at most 1e15 if it may have
+/// fractions. (CLI11 accepts nan, inf, hexadecimal and octal numbers, and clamps numbers that are
+/// too large.) Settings of planners, `NAME,key=value`, have to be finite too.
+void require_plain_numbers(CLI::App& command) {
+  for (CLI::Option* option : command.get_options()) {
+    const std::string type = option->get_type_name().substr(0, option->get_type_name().find(':'));
+    if (type == "FLOAT") {
+      option->transform(CLI::Validator(check_finite, ""));
+    } else if (type == "INT") {
+      option->transform(CLI::Validator(check_whole<std::int64_t>, ""));
+    } else if (type == "UINT") {
+      option->transform(CLI::Validator(check_whole<std::uint64_t>, ""));
+    } else if (option->check_name("--planner")) {
+      option->check(check_planner);
+    }
+    const bool is_number = type == "FLOAT" || type == "INT" || type == "UINT";
+    if (is_number && option->get_items_expected_max() > 1) {
+      option->transform(CLI::Validator(check_blanks, ""));  // comes before those above
+    }
+  }
+}
+
+namespace fs = std::filesystem;
+
+// Every option by which a verb names a file or folder to write …
+constexpr std::array kOutputs = {"--out",       "--svg",    "--plot",          "--plots",
+                                 "--tables",    "--onnx",   "--mjcf",          "--motive",
+                                 "--animation", "--forest", "--pressures-svg", "--driver-log",
+                                 "--device-log"};
+// … and the verbs that write one which others read.
+constexpr std::array<std::string_view, 2> kWritersOfCsv = {"plan", "export"};
+// With --force, this verb fills in the arm file that it reads.
+constexpr std::string_view kRewriter = "characterize";
+
+// Verbs that fill a folder with results, and remove those of the last run.
+constexpr std::array<std::string_view, 2> kFillers = {"demo", "experiment"};
+
+struct NamedPath {
+  std::string option;
+  fs::path path;
+};
+
+bool is_output(const CLI::App& command, const CLI::Option& option) {
+  if (option.check_name("--csv")) {
+    return std::ranges::find(kWritersOfCsv, command.get_name()) != kWritersOfCsv.end();
+  }
+  return std::ranges::any_of(kOutputs, [&](const char* name) { return option.check_name(name); });
+}
+
+bool same_file(const fs::path& a, const fs::path& b) {
+  std::error_code error;
+  if (fs::equivalent(a, b, error)) {
+    return true;
+  }
+  const fs::path whole_a = fs::weakly_canonical(fs::absolute(a), error);
+  const fs::path whole_b = fs::weakly_canonical(fs::absolute(b), error);
+  return !whole_a.empty() && whole_a == whole_b;
+}
+
+/// The folder given, or the default.
+fs::path folder_for_results(const CLI::Option& out) {
+  std::string name = out.results().empty() ? out.get_default_str() : out.results().front();
+  std::erase(name, '"');
+  return name;
+}
+
+/// A file in the folder for results would be taken for a result, or be in the way of one.
+void require_outside_of_results(const CLI::App& command, const fs::path& folder) {
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& value : option->results()) {
+      std::error_code error;
+      if (!value.empty() && !option->check_name("--out") &&
+          fs::exists(fs::symlink_status(value, error)) && lies_in(value, folder)) {
+        throw InputError(fmt::format(
+            "{} {} lies in {}, the folder for results; choose another folder with --out",
+            option->get_name(), value, folder.string()));
+      }
+    }
+  }
+}
+
+/// Refuses a command line if a file to be written is also read or is written twice, or if a file to
+/// be read lies in the folder that `demo` or `experiment` fill: the
+/// work or its input would be lost. Files to be written are the values of the
+/// options named in the source; any other value that names an existing file is
+/// read. Paths are compared as files, so links and detours don't hide them.
+/// @throws InputError naming both options and the file.
+void require_distinct_files(const CLI::App& command) {
+  std::vector<NamedPath> inputs;
+  std::vector<NamedPath> outputs;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& value : option->results()) {
+      std::error_code error;
+      if (value.empty() && is_output(command, *option)) {
+        throw InputError(fmt::format("{} '': names no file; expected a file or folder to write",
+                                     option->get_name()));
+      }
+      if (value.empty()) {
+        continue;
+      }
+      if (is_output(command, *option)) {
+        outputs.push_back({option->get_name(), value});
+      } else if (command.get_name() == kRewriter && option->check_name("--arm")) {
+        continue;
+      } else if (fs::is_regular_file(value, error)) {
+        inputs.push_back({option->get_name(), value});
+      }
+    }
+  }
+  if (std::ranges::find(kFillers, command.get_name()) != kFillers.end()) {
+    require_outside_of_results(command, folder_for_results(*command.get_option("--out")));
+  }
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const auto refuse = [&](const NamedPath& other, const char* what) {
+      throw InputError(fmt::format("{} {} is the file that {} {}; give it another name",
+                                   outputs[i].option, outputs[i].path.string(), other.option,
+                                   what));
+    };
+    for (const NamedPath& input : inputs) {
+      if (same_file(outputs[i].path, input.path)) {
+        refuse(input, "reads");
+      }
+    }
+    for (std::size_t k = 0; k < i; ++k) {
+      if (same_file(outputs[i].path, outputs[k].path)) {
+        refuse(outputs[k], "also writes");
+      }
+    }
+  }
+}
 
 int report(int code, const std::string& message) {
   print_error(message);

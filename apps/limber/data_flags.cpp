@@ -1,27 +1,127 @@
 #include "data_flags.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
+#include "episode_choice.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/data/episode_slice.hpp"
+#include "limber/data/recording_part.hpp"
 #include "limber/training/cross_validation.hpp"
 #include "limber/training/episode_slices.hpp"
-#include "sliced_recordings.hpp"
 
 namespace limber {
 
+namespace fs = std::filesystem;
+
+fs::path folds_path_of(const fs::path& checkpoint) {
+  return checkpoint.string() + ".folds.json";
+}
+
 namespace {
 
-namespace fs = std::filesystem;
+/// A family's recordings without their frames.
+struct OutlinedRecordings {
+  /// Of an episode.
+  struct Place {
+    std::string path;
+    int number = 0;  ///< in that file
+  };
+
+  NamedEpisodes all;  ///< times and texts (read_recording_outline)
+  std::vector<Place> places;
+  std::vector<int> arms;  ///< add_arms_of
+};
+
+using Place = OutlinedRecordings::Place;
+
+/// The episodes at these of the places, whose numbers rise: file after file.
+std::vector<Episode> read_at(const std::vector<Place>& places, std::span<const int> which,
+                             EpisodeReader& reader) {
+  std::vector<Episode> episodes;
+  for (std::size_t first = 0; first < which.size();) {
+    const std::string& path = places[static_cast<std::size_t>(which[first])].path;
+    std::vector<int> numbers;
+    for (; first < which.size(); ++first) {
+      const Place& place = places[static_cast<std::size_t>(which[first])];
+      if (place.path != path) {
+        break;
+      }
+      numbers.push_back(place.number);
+    }
+    std::ranges::move(reader.read_part(path, numbers), std::back_inserter(episodes));
+  }
+  return episodes;
+}
+
+OutlinedRecordings outline_recordings(const ArmDescription& arm,
+                                      const std::vector<std::string>& paths) {
+  OutlinedRecordings outlines;
+  for (const std::string& path : paths) {
+    Recording one = read_recording_outline(path);
+    require_sizes_of(one, arm, path);
+    add_arms_of(one, outlines.arms);
+    for (int i = 0; i < static_cast<int>(one.episodes.size()); ++i) {
+      outlines.places.push_back({path, i});
+    }
+    outlines.all.add(path, std::move(one.episodes));
+  }
+  return outlines;
+}
+
+/// What hold_back_arms() makes of them: the episodes that validate are read, and all others are
+/// TrainingData::slices.
+/// @param reader  reads them, and must live as long as that; the files are noted as its sources.
+EpisodeChoice choose_sliced(OutlinedRecordings outlines, double fraction, std::uint64_t seed,
+                            EpisodeReader& reader) {
+  for (std::size_t i = 0; i < outlines.places.size(); ++i) {
+    if (outlines.places[i].number == 0) {
+      reader.note_source(outlines.places[i].path);
+    }
+  }
+  EpisodeChoice choice;
+  TrainingData& data = choice.data;
+  data = hold_back_arms(std::move(outlines.all.episodes), outlines.arms, fraction, seed);
+  std::vector<Place> learnt;
+  auto held = data.held_back.begin();
+  for (int i = 0; i < static_cast<int>(outlines.places.size()); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (held != data.held_back.end() && *held == i) {
+      choice.validation.push_back(outlines.all.names[at]);
+      ++held;
+    } else {
+      learnt.push_back(outlines.places[at]);
+    }
+  }
+  data.validation = read_at(outlines.places, data.held_back, reader);
+  for (const Episode& outline : data.training) {
+    data.slices.frame_counts.push_back(outline.frame_count());
+  }
+  data.training.clear();
+  data.slices.read = [places = std::move(learnt), &reader](std::span<const int> which) {
+    return read_at(places, which, reader);
+  };
+  return choice;
+}
 
 constexpr double kValidationShare = 0.1;
 constexpr double kUnseenShare = 0.1;
 constexpr double kMostHeldBack = 100'000.0;  // frames of arms that validate: 200 of half a minute
+
+void write_folds(const CrossValidation& found, const fs::path& checkpoint) {
+  write_file_atomically(folds_path_of(checkpoint), to_json(found).dump(2) + "\n");
+}
 
 }  // namespace
 
@@ -138,6 +238,39 @@ EpisodeChoice DataFlags::load(const CommonFlags& flags, const ArmDescription& ar
     choice.data.unseen = reader.read(unseen_).episodes;
   }
   return choice;
+}
+
+CrossValidation choose_by_folds(const CommonFlags& flags, const ArmDescription& arm,
+                                const std::vector<Episode>& episodes,
+                                const TrainingSettings& settings, const IdentifiedValves& valves) {
+  const fs::path file = folds_path_of(settings.checkpoint);
+  const bool is_there = settings.resume && fs::exists(file);
+  const CrossValidation found = is_there ? read_cross_validation(read_file(file), file.string())
+                                         : cross_validate(arm, episodes, settings, valves);
+  if (is_there && found.identity != folds_identity(arm, episodes, settings)) {
+    throw InputError(fmt::format(
+        "{}: a run with other data or settings began there; give the same, or leave out --resume",
+        file.string()));
+  }
+  if (!is_there) {
+    write_folds(found, settings.checkpoint);
+  }
+  say(flags, "{}", to_text(found));
+  return found;
+}
+
+TrainingResult train_as_found(const CommonFlags& flags, const ArmDescription& arm,
+                              const std::vector<Episode>& episodes, TrainingSettings settings,
+                              const IdentifiedValves& valves, CrossValidation& found) {
+  TrainingResult result = train_on_everything(arm, episodes, settings, valves, found);
+  while (result.status == TrainingStatus::diverged && take_another_way(found)) {
+    say(flags, "{}; so it learns by {} instead, whose error is not known", result.message,
+        to_string(found.best().optimiser));
+    write_folds(found, settings.checkpoint);
+    settings.resume = false;
+    result = train_on_everything(arm, episodes, settings, valves, found);
+  }
+  return result;
 }
 
 }  // namespace limber

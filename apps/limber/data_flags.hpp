@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,7 @@
 
 #include "episode_choice.hpp"
 #include "limber/data/valve_identification.hpp"
+#include "limber/training/cross_validation.hpp"
 #include "verb.hpp"
 
 namespace limber {
@@ -51,5 +53,18 @@ class DataFlags {
   bool keep_broken_ = false;
   bool setpoints_ = false;
 };
+
+/// The file beside a run's checkpoint that keeps what its folds found.
+std::filesystem::path folds_path_of(const std::filesystem::path& checkpoint);
+
+/// `cross_validate`, or what it found before the run was stopped; says what that is.
+CrossValidation choose_by_folds(const CommonFlags& flags, const ArmDescription& arm,
+                                const std::vector<Episode>& episodes,
+                                const TrainingSettings& settings, const IdentifiedValves& valves);
+
+/// `train_on_everything`; where a way diverges, by the next, which is said and kept for --resume.
+TrainingResult train_as_found(const CommonFlags& flags, const ArmDescription& arm,
+                              const std::vector<Episode>& episodes, TrainingSettings settings,
+                              const IdentifiedValves& valves, CrossValidation& found);
 
 }  // namespace limber

@@ -1,25 +1,101 @@
 #include "driver_flags.hpp"
 
 #include <cmath>
+#include <cstdint>
+#include <functional>
+#include <string>
 
 #include <fmt/format.h>
 
+#include "limber/arm/arm_description.hpp"
 #include "limber/arm/names.hpp"
+#include "limber/arm/no_load_model.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
-#include "limber/driver/dry_run_driver.hpp"
+#include "limber/driver/driver_protocol.hpp"
 #include "limber/driver/vented_rest.hpp"
 #include "limber/report/driver_report.hpp"
+#include "limber/run/arm_driver.hpp"
 
 namespace limber {
 
 namespace {
+
+/// Stands in for a driver in a dry run: hands every line that would be sent to `print`, and is
+/// where it was told to be.
+class DryRunDriver final : public ArmDriver {
+ public:
+  DryRunDriver(const ArmDescription& arm, std::function<void(const std::string& line)> print)
+      : period_s_(arm.frame_period_s()), print_(std::move(print)) {
+    state_.pressure_kpa = Pressures::Zero(arm.channel_count());
+    Backbone straight(arm.point_count(), kPoseSize);
+    NoLoadModel(arm).backbone(Eigen::Ref<const Eigen::VectorXf>(state_.pressure_kpa),
+                              Eigen::Ref<Backbone>(straight));
+    state_.backbone = straight;
+    print_(to_line(host_hello(arm)));
+  }
+
+  ~DryRunDriver() override { print_(bye_line()); }
+
+  const ArmState& state() const override { return state_; }
+  const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) override {
+    state_.time_s = static_cast<double>(seq_) * period_s_;
+    print_(set_line(seq_, state_.time_s, setpoint_kpa));
+    ++seq_;
+    state_.pressure_kpa = setpoint_kpa;
+    resting_ = false;
+    return state_;
+  }
+
+  void vent() noexcept override {
+    if (!resting_) {
+      print_(vent_line(seq_, static_cast<double>(seq_) * period_s_));
+      ++seq_;
+      resting_ = true;
+    }
+  }
+
+ private:
+  double period_s_;
+  std::function<void(const std::string&)> print_;
+  ArmState state_;
+  std::int64_t seq_ = 0;
+  bool resting_ = true;
+};
 
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kModel = "model:";
 
 }  // namespace
+
+void WireFlags::add_to(CLI::App& app) {
+  app.add_option("--calibration", calibration_,
+                 "File of limber driver calibrate: channels, "
+                 "signs, zeros and the tracker's frame of a driver");
+  app.add_flag("--simulated", simulated_,
+               "The driver may be a simulation that runs as fast as it is asked (real_time: false "
+               "in its hello); not for an arm");
+}
+
+ProcessDriverSettings WireFlags::settings(const std::string& driver, const ArmDescription& arm,
+                                          const std::string& arm_file) const {
+  if (!driver.starts_with(kExec)) {
+    throw InputError(
+        fmt::format("driver '{}': expected exec:COMMAND, as in \"exec:python3 my_driver.py\" "
+                    "(docs/driver.md)",
+                    driver));
+  }
+  ProcessDriverSettings settings;
+  settings.command = driver.substr(kExec.size());
+  settings.simulated = simulated_;
+  settings.safety = load_safety(arm_file);
+  if (is_calibrated()) {
+    settings.calibration = read_wire_calibration(calibration_);
+    require_calibration_of(*settings.calibration, arm, calibration_);
+  }
+  return settings;
+}
 
 void DriverFlags::add_to(CLI::App& app, bool may_be_model) {
   may_be_model_ = may_be_model;

@@ -37,12 +37,21 @@ struct CommonFlags {
 class Verb {
  public:
   virtual ~Verb() = default;
-  virtual const char* name() const = 0;
-  virtual const char* summary() const = 0;
+  const char* name() const { return name_; }
+  const char* summary() const { return summary_; }
   /// A command that runs as it stands, for --help.
-  virtual const char* example() const = 0;
+  const char* example() const { return example_; }
   virtual void add_flags(CLI::App& app) = 0;
   virtual int run(const CommonFlags& flags) = 0;
+
+ protected:
+  Verb(const char* name, const char* summary, const char* example)
+      : name_(name), summary_(summary), example_(example) {}
+
+ private:
+  const char* name_;
+  const char* summary_;
+  const char* example_;
 };
 
 /// A line for people on standard error, unless quiet.

@@ -4,13 +4,13 @@
 
 #include <fmt/ranges.h>
 
-#include "limber/arm/valve_findings.hpp"
+#include "episode_choice.hpp"
+#include "limber/arm/valve_parameters.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/units.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/training/adaptation.hpp"
-#include "recording_kinds.hpp"
 #include "verbs.hpp"
 
 namespace limber {
@@ -24,14 +24,11 @@ nlohmann::ordered_json cm_or_null(double error_m) {
 
 class AdaptVerb final : public Verb {
  public:
-  const char* name() const override { return "adapt"; }
-  const char* summary() const override {
-    return "Make a family's network one arm's, from a minute of its motion";
-  }
-  const char* example() const override {
-    return "limber collect --schedule identify --out minute.h5\n"
-           "  limber adapt --model family.safetensors --recording minute.h5 --out mine.safetensors";
-  }
+  AdaptVerb()
+      : Verb("adapt", "Make a family's network one arm's, from a minute of its motion",
+             "limber collect --schedule identify --out minute.h5\n"
+             "  limber adapt --model family.safetensors --recording minute.h5 --out "
+             "mine.safetensors") {}
 
   void add_flags(CLI::App& app) override {
     add_arm_flag(app, arm_);

@@ -18,13 +18,10 @@ constexpr std::int64_t kQuickQueries = 50'000;
 
 class BenchVerb final : public Verb {
  public:
-  const char* name() const override { return "bench"; }
-  const char* summary() const override {
-    return "Forward model queries per second, compared with peers and the machine's limit";
-  }
-  const char* example() const override {
-    return "limber bench --arm three_segment --quick --plot speed.svg";
-  }
+  BenchVerb()
+      : Verb("bench",
+             "Forward model queries per second, compared with peers and the machine's limit",
+             "limber bench --arm three_segment --quick --plot speed.svg") {}
 
   void add_flags(CLI::App& app) override {
     add_arm_flag(app, arm_);

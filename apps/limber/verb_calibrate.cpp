@@ -15,14 +15,11 @@ namespace {
 
 class CalibrateVerb final : public Verb {
  public:
-  const char* name() const override { return "calibrate"; }
-  const char* summary() const override {
-    return "Measure how far the arm may be from its predictions over whole motions: its tube";
-  }
-  const char* example() const override {
-    return "limber calibrate --model model.safetensors --out calibrated.safetensors\n"
-           "  limber calibrate --model calibrated.safetensors --check 200 --time-limit-s 1";
-  }
+  CalibrateVerb()
+      : Verb("calibrate",
+             "Measure how far the arm may be from its predictions over whole motions: its tube",
+             "limber calibrate --model model.safetensors --out calibrated.safetensors\n"
+             "  limber calibrate --model calibrated.safetensors --check 200 --time-limit-s 1") {}
 
   void add_flags(CLI::App& app) override {
     add_arm_flag(app, arm_);

@@ -36,16 +36,13 @@ struct CampaignStatus {
 
 class CampaignVerb final : public Verb {
  public:
-  const char* name() const override { return "campaign"; }
-  const char* summary() const override {
-    return "Many runs of collect, train, evaluate, experiment or calibrate, also on a cluster";
-  }
-  const char* example() const override {
-    return "limber campaign sweep.yaml --dry-run\n"
-           "  limber campaign sweep.yaml --shard 3/16\n"
-           "  mpirun -n 16 limber campaign sweep.yaml\n"
-           "  limber campaign sweep.yaml --collect";
-  }
+  CampaignVerb()
+      : Verb("campaign",
+             "Many runs of collect, train, evaluate, experiment or calibrate, also on a cluster",
+             "limber campaign sweep.yaml --dry-run\n"
+             "  limber campaign sweep.yaml --shard 3/16\n"
+             "  mpirun -n 16 limber campaign sweep.yaml\n"
+             "  limber campaign sweep.yaml --collect") {}
 
   void add_flags(CLI::App& app) override {
     app.add_option("campaign", file_, "Campaign file (docs/cluster.md)")->required();

@@ -6,9 +6,10 @@
 #include <fmt/ranges.h>
 
 #include "driver_flags.hpp"
+#include "episode_choice.hpp"
 #include "limber/arm/characterisation.hpp"
 #include "limber/arm/names.hpp"
-#include "limber/arm/valve_findings.hpp"
+#include "limber/arm/valve_parameters.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/data/recording_inspection.hpp"
@@ -17,10 +18,8 @@
 #include "limber/data/valve_identification.hpp"
 #include "limber/driver/segment_bench.hpp"
 #include "limber/logs/command_shares.hpp"
-#include "limber/report/bench_chart.hpp"
 #include "limber/report/valve_plot.hpp"
-#include "limber/sim/bench_test.hpp"
-#include "recording_kinds.hpp"
+#include "limber/sim/virtual_arm.hpp"
 #include "verbs.hpp"
 
 namespace limber {
@@ -65,19 +64,19 @@ std::string to_text(int segment, const StrainFit& fit) {
 
 class CharacterizeVerb final : public Verb {
  public:
-  const char* name() const override { return "characterize"; }
-  const char* summary() const override {
-    return "Bench test of one free segment, or a fit of your bench data, for the no-load model; or "
-           "the simple model, or the valves, of recordings; or what an arm's own commands make of "
-           "its segments, of logs";
-  }
-  const char* example() const override {
-    return "limber characterize --arm three_segment --out my_arm.yaml --plot bench.svg\n"
-           "  limber characterize --arm mine.yaml --recording train.h5 --out fitted.yaml\n"
-           "  limber characterize --arm mine.yaml --commands log1.csv log2.csv --mapping map.yaml\n"
-           "  limber characterize --arm one_segment.yaml --driver "
-           "\"exec:python3 my_driver.py\" --out fitted.yaml";
-  }
+  CharacterizeVerb()
+      : Verb(
+            "characterize",
+            "Bench test of one free segment, or a fit of your bench data, for the no-load "
+            "model; or "
+            "the simple model, or the valves, of recordings; or what an arm's own commands make of "
+            "its segments, of logs",
+            "limber characterize --arm three_segment --out my_arm.yaml --plot bench.svg\n"
+            "  limber characterize --arm mine.yaml --recording train.h5 --out fitted.yaml\n"
+            "  limber characterize --arm mine.yaml --commands log1.csv log2.csv --mapping "
+            "map.yaml\n"
+            "  limber characterize --arm one_segment.yaml --driver "
+            "\"exec:python3 my_driver.py\" --out fitted.yaml") {}
 
   void add_flags(CLI::App& app) override {
     add_arm_flag(app, arm_);

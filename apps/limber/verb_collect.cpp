@@ -1,7 +1,7 @@
 #include "driver_flags.hpp"
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/names.hpp"
-#include "limber/arm/valve_findings.hpp"
+#include "limber/arm/valve_parameters.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
@@ -9,8 +9,9 @@
 #include "limber/forward/forward_model.hpp"
 #include "limber/forward/motion_model.hpp"
 #include "limber/lab/plan_schedule.hpp"
+#include "limber/network/arm_family.hpp"
 #include "limber/sim/related_arms.hpp"
-#include "limber/sim/virtual_arm_factory.hpp"
+#include "limber/sim/virtual_arm.hpp"
 #include "verbs.hpp"
 
 namespace limber {
@@ -21,11 +22,9 @@ constexpr const char* kPlans = "plans";
 
 class CollectVerb final : public Verb {
  public:
-  const char* name() const override { return "collect"; }
-  const char* summary() const override { return "Record an arm while it follows a schedule"; }
-  const char* example() const override {
-    return "limber collect --arm three_segment --schedule random --count 20 --out random.h5";
-  }
+  CollectVerb()
+      : Verb("collect", "Record an arm while it follows a schedule",
+             "limber collect --arm three_segment --schedule random --count 20 --out random.h5") {}
 
   void add_flags(CLI::App& app) override {
     add_arm_flag(app, arm_);

@@ -32,11 +32,10 @@ std::string to_text(const nlohmann::ordered_json& summary, const std::string& fo
 
 class DemoVerb final : public Verb {
  public:
-  const char* name() const override { return "demo"; }
-  const char* summary() const override {
-    return "The whole chain on the virtual arm, from bench test to executed plans and a report";
-  }
-  const char* example() const override { return "limber demo --quick --out out"; }
+  DemoVerb()
+      : Verb("demo",
+             "The whole chain on the virtual arm, from bench test to executed plans and a report",
+             "limber demo --quick --out out") {}
 
   void add_flags(CLI::App& app) override {
     app.add_option("--out", out_,

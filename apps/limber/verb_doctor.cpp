@@ -47,11 +47,9 @@ bool on_path(const std::string& program) {
 
 class DoctorVerb final : public Verb {
  public:
-  const char* name() const override { return "doctor"; }
-  const char* summary() const override {
-    return "Versions, CPU features, and which optional parts are present";
-  }
-  const char* example() const override { return "limber doctor --json"; }
+  DoctorVerb()
+      : Verb("doctor", "Versions, CPU features, and which optional parts are present",
+             "limber doctor --json") {}
   void add_flags(CLI::App&) override {}
 
   int run(const CommonFlags& flags) override {

@@ -23,12 +23,10 @@ constexpr int kStraightLineStarts = 100;
 
 class EnvironmentVerb final : public Verb {
  public:
-  const char* name() const override { return "environment"; }
-  const char* summary() const override { return "Check an environment file, or sample some"; }
-  const char* example() const override {
-    return "limber environment --random --seed 7 --count 5 --out my_environments\n"
-           "  limber environment check my_environments/random_7_001.yaml";
-  }
+  EnvironmentVerb()
+      : Verb("environment", "Check an environment file, or sample some",
+             "limber environment --random --seed 7 --count 5 --out my_environments\n"
+             "  limber environment check my_environments/random_7_001.yaml") {}
 
   void add_flags(CLI::App& app) override {
     app.add_option("action", words_,

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <iterator>
 
+#include "episode_choice.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
@@ -9,11 +10,9 @@
 #include "limber/network/arm_family.hpp"
 #include "limber/report/evaluation_plots.hpp"
 #include "limber/report/training_report.hpp"
-#include "limber/report/yardstick_report.hpp"
 #include "limber/training/ensemble_evaluation.hpp"
 #include "limber/training/evaluation.hpp"
 #include "limber/training/unseen_error.hpp"
-#include "recording_kinds.hpp"
 #include "verbs.hpp"
 
 namespace limber {
@@ -22,14 +21,10 @@ namespace {
 
 class EvaluateVerb final : public Verb {
  public:
-  const char* name() const override { return "evaluate"; }
-  const char* summary() const override {
-    return "Errors of the no-load and the network model on a recording";
-  }
-  const char* example() const override {
-    return "limber collect --schedule random --count 100 --seed 7 --out test.h5\n"
-           "  limber evaluate --model model.safetensors --data test.h5 --plots plots";
-  }
+  EvaluateVerb()
+      : Verb("evaluate", "Errors of the no-load and the network model on a recording",
+             "limber collect --schedule random --count 100 --seed 7 --out test.h5\n"
+             "  limber evaluate --model model.safetensors --data test.h5 --plots plots") {}
 
   void add_flags(CLI::App& app) override {
     add_arm_flag(app, arm_);

@@ -5,16 +5,14 @@
 #include "limber/common/error.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/report/execution_report.hpp"
-#include "limber/report/execution_times.hpp"
 #include "limber/report/plan_picture.hpp"
+#include "limber/report/track_report.hpp"
 #include "limber/run/closed_loop.hpp"
 #include "limber/run/model_arm.hpp"
 #include "limber/sim/disturbance.hpp"
 #include "limber/sim/virtual_arm.hpp"
 #include "model_flags.hpp"
-#include "replan_flags.hpp"
-#include "room_flags.hpp"
-#include "track_flags.hpp"
+#include "plan_flags.hpp"
 #include "verbs.hpp"
 
 namespace limber {
@@ -23,13 +21,10 @@ namespace {
 
 class ExecuteVerb final : public Verb {
  public:
-  const char* name() const override { return "execute"; }
-  const char* summary() const override {
-    return "Run a plan on an arm, open or closed loop, or follow a path with its tip";
-  }
-  const char* example() const override {
-    return "limber execute --plan plan.json --environment environments/01_pillar.yaml --out run.h5";
-  }
+  ExecuteVerb()
+      : Verb("execute", "Run a plan on an arm, open or closed loop, or follow a path with its tip",
+             "limber execute --plan plan.json --environment environments/01_pillar.yaml --out "
+             "run.h5") {}
 
   void add_flags(CLI::App& app) override {
     app.add_option("--plan", plan_, "Plan to run, as `limber plan` wrote it");

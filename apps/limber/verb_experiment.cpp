@@ -1,34 +1,103 @@
 #include <algorithm>
 #include <iterator>
+#include <string>
+#include <vector>
 
-#include "cost_threshold_flag.hpp"
-#include "forest_flags.hpp"
+#include <CLI/CLI.hpp>
+
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/data_folder.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/lab/planning_experiment.hpp"
+#include "limber/lab/trial_run.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/network/gap_bounds.hpp"
 #include "limber/planning/planner_factory.hpp"
+#include "limber/sim/disturbance.hpp"
 #include "model_flags.hpp"
-#include "replan_flags.hpp"
-#include "room_flags.hpp"
-#include "run_flags.hpp"
+#include "plan_flags.hpp"
 #include "verbs.hpp"
 
 namespace limber {
 
 namespace {
 
+/// Without what is there twice: it would be the same row.
+std::vector<std::string> once_each(const std::vector<std::string>& names) {
+  std::vector<std::string> result;
+  for (const std::string& name : names) {
+    if (std::find(result.begin(), result.end(), name) == result.end()) {
+      result.push_back(name);
+    }
+  }
+  return result;
+}
+
+/// How the plans of an experiment are executed, and what the arm then meets.
+class RunFlags {
+ public:
+  /// --replan, --controller and --disturbance.
+  void add_to(CLI::App& app) {
+    app.add_flag(
+        "--replan", replan_,
+        "Execute closed loop: plan again from where the arm is measured, while it moves and "
+        "after; as --controller replan");
+    app.add_option(
+           "--controller", controllers_,
+           "What executes the plans: " + controller_names() + "; may be repeated to compare them")
+        ->expected(1)
+        ->take_all();
+    app.add_option("--disturbance", disturbances_,
+                   "The virtual arm is not as the model knows it: none, " + disturbance_kinds() +
+                       "; several at once with commas between; may be repeated to compare them")
+        ->expected(1)
+        ->take_all();
+  }
+
+  /// In the order given; with --replan, replan is one of them. Open loop if none is given.
+  std::vector<std::string> controllers() const {
+    std::vector<std::string> names = controllers_;
+    if (replan_) {
+      names.emplace_back("replan");
+    }
+    if (names.empty()) {
+      names.emplace_back("open");
+    }
+    return once_each(names);
+  }
+
+  bool replans() const {
+    const std::vector<std::string> names = controllers();
+    return std::find(names.begin(), names.end(), "replan") != names.end();
+  }
+
+  /// In the order given, empty for none; none alone if nothing is given.
+  /// @throws InputError if there is no such kind.
+  std::vector<std::string> disturbances() const {
+    std::vector<std::string> names;
+    for (const std::string& name : disturbances_) {
+      names.push_back(name == "none" ? "" : to_string(parse_disturbances(name)));
+    }
+    if (names.empty()) {
+      names.emplace_back();
+    }
+    return once_each(names);
+  }
+
+ private:
+  bool replan_ = false;
+  std::vector<std::string> controllers_;
+  std::vector<std::string> disturbances_;
+};
+
 class ExperimentVerb final : public Verb {
  public:
-  const char* name() const override { return "experiment"; }
-  const char* summary() const override {
-    return "The paper's Table I: plan with both models in many environments, execute, compare";
-  }
-  const char* example() const override {
-    return "limber experiment --model model.safetensors --trials 2 --time-limit-s 1 --out table";
+  ExperimentVerb()
+      : Verb(
+            "experiment",
+            "The paper's Table I: plan with both models in many environments, execute, compare",
+            "limber experiment --model model.safetensors --trials 2 --time-limit-s 1 --out table") {
   }
 
   void add_flags(CLI::App& app) override {

@@ -23,16 +23,13 @@ constexpr int kReferenceQueries = 100;
 
 class ExportVerb final : public Verb {
  public:
-  const char* name() const override { return "export"; }
-  const char* summary() const override {
-    return "What a file holds, for other programs: CSV, Motive's CSV, ONNX, MuJoCo's XML";
-  }
-  const char* example() const override {
-    return "limber export arms/three_segment.yaml --mjcf arm.xml\n"
-           "  limber export train.h5 --motive logs --time-offset-s "
-           "12.5 --noise-m 0.0005 --occlusions 20\n"
-           "  limber export model.safetensors --onnx model.onnx";
-  }
+  ExportVerb()
+      : Verb("export",
+             "What a file holds, for other programs: CSV, Motive's CSV, ONNX, MuJoCo's XML",
+             "limber export arms/three_segment.yaml --mjcf arm.xml\n"
+             "  limber export train.h5 --motive logs --time-offset-s "
+             "12.5 --noise-m 0.0005 --occlusions 20\n"
+             "  limber export model.safetensors --onnx model.onnx") {}
 
   void add_flags(CLI::App& app) override {
     app.add_option("file", file_, "Recording, model, plan or arm")->required();

@@ -36,17 +36,13 @@ constexpr Share kShares[] = {{"steps", 0.7, Approach::step, 30, 0.2, 2.0, 34.0},
 
 class FamilyVerb final : public Verb {
  public:
-  const char* name() const override { return "family"; }
-  const char* summary() const override {
-    return "Make a family for an arm file, from virtual arms: for limber adapt";
-  }
-  const char* example() const override {
-    return "limber family --arm mine.yaml --out mine_family.safetensors\n"
-           "  limber collect --arm mine.yaml --schedule identify --driver \"exec:./driver\" "
-           "--out minute.h5\n"
-           "  limber adapt --arm mine.yaml --model mine_family.safetensors --recording minute.h5 "
-           "--out mine.safetensors";
-  }
+  FamilyVerb()
+      : Verb("family", "Make a family for an arm file, from virtual arms: for limber adapt",
+             "limber family --arm mine.yaml --out mine_family.safetensors\n"
+             "  limber collect --arm mine.yaml --schedule identify --driver \"exec:./driver\" "
+             "--out minute.h5\n"
+             "  limber adapt --arm mine.yaml --model mine_family.safetensors --recording minute.h5 "
+             "--out mine.safetensors") {}
 
   void add_flags(CLI::App& app) override {
     add_arm_flag(app, arm_);

@@ -15,15 +15,12 @@ constexpr double kMaxOffsetS = 1e10;
 
 class ImportVerb final : public Verb {
  public:
-  const char* name() const override { return "import"; }
-  const char* summary() const override {
-    return "Make a recording of motion-capture and pressure logs";
-  }
-  const char* example() const override {
-    return "limber import motive take1.csv --pressures "
-           "pressures1.csv --arm mine.yaml --out train.h5\n"
-           "  limber import csv run1.csv run2.csv --mapping mapping.yaml --arm mine.yaml --dry-run";
-  }
+  ImportVerb()
+      : Verb("import", "Make a recording of motion-capture and pressure logs",
+             "limber import motive take1.csv --pressures "
+             "pressures1.csv --arm mine.yaml --out train.h5\n"
+             "  limber import csv run1.csv run2.csv --mapping mapping.yaml --arm mine.yaml "
+             "--dry-run") {}
 
   void add_flags(CLI::App& app) override {
     app.add_option("format", format_, "motive: OptiTrack's export; csv: any table, with --mapping")

@@ -26,15 +26,12 @@ void append(Words& to, const Words& more) {
 /// Rounds of two other verbs, in this process: `collect --schedule plans`, then `train --from`.
 class ImproveVerb final : public Verb {
  public:
-  const char* name() const override { return "improve"; }
-  const char* summary() const override {
-    return "Rounds of planning, executing and learning from what the arm then did";
-  }
-  const char* example() const override {
-    return "limber collect --schedule random --count 40 --episodes 20 --out train.h5\n"
-           "  limber train --data train.h5 --out model.safetensors\n"
-           "  limber improve --model model.safetensors --data train.h5 --rounds 2 --out improved";
-  }
+  ImproveVerb()
+      : Verb("improve", "Rounds of planning, executing and learning from what the arm then did",
+             "limber collect --schedule random --count 40 --episodes 20 --out train.h5\n"
+             "  limber train --data train.h5 --out model.safetensors\n"
+             "  limber improve --model model.safetensors --data train.h5 --rounds 2 --out "
+             "improved") {}
 
   void add_flags(CLI::App& app) override {
     add_arm_flag(app, arm_);

@@ -10,7 +10,7 @@
 #include "limber/arm/no_load_model.hpp"
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/arm/space_no_load.hpp"
-#include "limber/arm/valve_findings.hpp"
+#include "limber/arm/valve_parameters.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/yaml_reader.hpp"
@@ -295,9 +295,9 @@ Finding inspect_file(const std::string& file, const std::optional<ArmDescription
 
 class InspectVerb final : public Verb {
  public:
-  const char* name() const override { return "inspect"; }
-  const char* summary() const override { return "What a file holds, and what is wrong with it"; }
-  const char* example() const override { return "limber inspect arms/three_segment.yaml"; }
+  InspectVerb()
+      : Verb("inspect", "What a file holds, and what is wrong with it",
+             "limber inspect arms/three_segment.yaml") {}
 
   void add_flags(CLI::App& app) override {
     app.add_option("file", file_, "Recording, model, plan, arm, environment or valves")->required();

@@ -1,6 +1,4 @@
-#include "cost_threshold_flag.hpp"
 #include "driver_flags.hpp"
-#include "forest_flags.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/data_folder.hpp"
@@ -10,9 +8,8 @@
 #include "limber/planning/planner_factory.hpp"
 #include "limber/report/plan_picture.hpp"
 #include "limber/report/plan_report.hpp"
-#include "limit_flags.hpp"
 #include "model_flags.hpp"
-#include "room_flags.hpp"
+#include "plan_flags.hpp"
 #include "spread_report.hpp"
 #include "verbs.hpp"
 
@@ -70,14 +67,10 @@ class PlanProgress {
 
 class PlanVerb final : public Verb {
  public:
-  const char* name() const override { return "plan"; }
-  const char* summary() const override {
-    return "Plan a motion in pressure space that reaches a goal without collision";
-  }
-  const char* example() const override {
-    return "limber plan --arm three_segment --no-load --environment 01_pillar --time-limit-s 5 "
-           "--out plan.json --svg plan.svg";
-  }
+  PlanVerb()
+      : Verb("plan", "Plan a motion in pressure space that reaches a goal without collision",
+             "limber plan --arm three_segment --no-load --environment 01_pillar --time-limit-s 5 "
+             "--out plan.json --svg plan.svg") {}
 
   void add_flags(CLI::App& app) override {
     add_arm_flag(app, arm_);
@@ -88,9 +81,8 @@ class PlanVerb final : public Verb {
     app.add_option(
            "--planner", planner_,
            "default: keeps several backbones for similar pressures, then improves plans; paper: "
-           "RRT* in pressure space; paper-steer-all: the same, simulating from every near node; "
-           "ompl:NAME: one of OMPL's. Settings follow the name: ompl:SST,pruning_radius=0.1 or "
-           "default,goal_steering_share=0.2")
+           "RRT* in pressure space; ompl:NAME: one of OMPL's. Settings follow the name: "
+           "ompl:SST,pruning_radius=0.1 or default,goal_steering_share=0.2")
         ->capture_default_str();
     app.add_option(
            "--time-limit-s", limits_.time_s,

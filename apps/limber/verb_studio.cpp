@@ -2,10 +2,10 @@
 #include <cstdio>
 #include <thread>
 
+#include "driver_flags.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/studio/studio.hpp"
 #include "verbs.hpp"
-#include "wire_flags.hpp"
 
 namespace limber {
 
@@ -16,13 +16,10 @@ constexpr int kMaxPort = 65535;
 
 class StudioVerb final : public Verb {
  public:
-  const char* name() const override { return "studio"; }
-  const char* summary() const override {
-    return "Serve a page for browsers: see the arm, drag obstacles and goal, plan, play, drive";
-  }
-  const char* example() const override {
-    return "limber studio --project my_project --model my_project/model.safetensors";
-  }
+  StudioVerb()
+      : Verb("studio",
+             "Serve a page for browsers: see the arm, drag obstacles and goal, plan, play, drive",
+             "limber studio --project my_project --model my_project/model.safetensors") {}
 
   void add_flags(CLI::App& app) override {
     app.add_option("--project", settings_.project,

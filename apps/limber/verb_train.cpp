@@ -6,11 +6,10 @@
 
 #include <fmt/ranges.h>
 
-#include "bound_model.hpp"
 #include "data_flags.hpp"
-#include "fold_choice.hpp"
+#include "episode_choice.hpp"
 #include "limber/arm/names.hpp"
-#include "limber/arm/valve_findings.hpp"
+#include "limber/arm/valve_parameters.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
@@ -21,7 +20,6 @@
 #include "limber/training/learnt_region_fit.hpp"
 #include "limber/training/trainer.hpp"
 #include "limber/training/unseen_error.hpp"
-#include "recording_kinds.hpp"
 #include "train_report.hpp"
 #include "verbs.hpp"
 
@@ -33,12 +31,10 @@ namespace fs = std::filesystem;
 
 class TrainVerb final : public Verb {
  public:
-  const char* name() const override { return "train"; }
-  const char* summary() const override { return "Train a compensation network on recordings"; }
-  const char* example() const override {
-    return "limber collect --schedule transitions --out train.h5\n"
-           "  limber train --data train.h5 --out model.safetensors";
-  }
+  TrainVerb()
+      : Verb("train", "Train a compensation network on recordings",
+             "limber collect --schedule transitions --out train.h5\n"
+             "  limber train --data train.h5 --out model.safetensors") {}
 
   void add_flags(CLI::App& app) override {
     add_arm_flag(app, arm_);

@@ -1,16 +1,27 @@
 #include <algorithm>
+#include <cmath>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/arm/valve_parameters.hpp"
 #include "limber/certificate/certificate.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/units.hpp"
+#include "limber/lab/plan_spread.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/network/compensation_model.hpp"
 #include "limber/report/plan_report.hpp"
+#include "limber/world/environment.hpp"
+#include "limber/world/plan.hpp"
 #include "model_flags.hpp"
-#include "other_judges.hpp"
 #include "spread_report.hpp"
 #include "verbs.hpp"
 
@@ -18,17 +29,96 @@ namespace limber {
 
 namespace {
 
+/// What another model makes of a plan's set points: a rehearsal, for arms without a virtual twin.
+struct OtherJudgement {
+  std::string model;     ///< its file
+  bool is_shape = true;  ///< false: it predicts a shape that no arm has, and nothing else is known
+  bool reaches_goal = false;
+  bool collides = false;
+  double goal_distance_m = 0.0;
+  double clearance_m = 0.0;  ///< +∞ without obstacles
+  double departure_m = 0.0;  ///< largest distance of a plate from where the plan puts it
+
+  /// Where the file is an ensemble; everything above is its first network's.
+  std::optional<PlanSpread> spread;
+
+  bool agrees() const { return is_shape && reaches_goal && !collides; }
+};
+
+nlohmann::ordered_json centimetres(double metres) {
+  return std::isfinite(metres) ? nlohmann::ordered_json(kCmPerM * metres)
+                               : nlohmann::ordered_json();
+}
+
+bool has_failed(const Certificate& certificate, const char* check) {
+  return std::ranges::any_of(certificate.failures, [&](const CertificateFailure& failure) {
+    return failure.check == check;
+  });
+}
+
+/// Rolls out `plan` on the network of `model_file`, by the certificate's own simulation, from its
+/// start through its set points. Obstacles need only not be touched: margins are the plan's
+/// model's business. A network that learnt from set points is asked with them.
+/// @param valves  the plan's; null: its own model learnt from set points, so that the other one's
+///                own valves are used.
+/// @throws InputError where the network or the plan is of another arm.
+OtherJudgement judge_by(const std::string& model_file, const Plan& plan, const ArmDescription& arm,
+                        const ValveParameters* valves, const Environment& environment) {
+  const CompensationModel network = read_model_of_one_arm(model_file);
+  const ValveParameters own = network.valves.value_or(ValveParameters{});
+  const ValveParameters& used = valves == nullptr || network.learnt_from_setpoints ? own : *valves;
+  Plan same_commands = plan;
+  same_commands.model = "network";
+  same_commands.valves_hash = used.hash();
+  const Certificate found = certify(same_commands, arm, &network, used, environment);
+  OtherJudgement judgement;
+  judgement.model = model_file;
+  judgement.goal_distance_m = found.goal_distance_m;
+  judgement.clearance_m = found.clearance_m;
+  judgement.departure_m = found.max_deviation_m;
+  judgement.is_shape = std::isfinite(found.goal_distance_m) && !std::isnan(found.clearance_m);
+  judgement.reaches_goal = judgement.is_shape && !has_failed(found, "goal");
+  judgement.collides = judgement.is_shape && !(found.clearance_m >= Certificate::kMinClearanceM);
+  if (judgement.is_shape) {
+    judgement.spread = plan_spread(plan, arm, network, environment);
+  }
+  return judgement;
+}
+
+nlohmann::ordered_json to_json(const OtherJudgement& judgement) {
+  return {{"model", judgement.model},
+          {"agrees", judgement.agrees()},
+          {"goal_reached", judgement.reaches_goal},
+          {"collides", judgement.collides},
+          {"distance_to_goal_cm", centimetres(judgement.goal_distance_m)},
+          {"clearance_cm", centimetres(judgement.clearance_m)},
+          {"largest_departure_cm", centimetres(judgement.departure_m)}};
+}
+
+std::string to_text(const OtherJudgement& judgement) {
+  if (!judgement.is_shape) {
+    return fmt::format("by {}: it predicts a shape that no arm has, so it can't judge this plan",
+                       judgement.model);
+  }
+  const std::string clearance =
+      std::isfinite(judgement.clearance_m)
+          ? fmt::format(", clearance {:.2f} cm", kCmPerM * judgement.clearance_m)
+          : "";
+  return fmt::format(
+      "by {}: ends {:.2f} cm from the goal ({}){}{}; up to {:.2f} cm beside the plan",
+      judgement.model, kCmPerM * judgement.goal_distance_m,
+      judgement.reaches_goal ? "reached" : "missed", clearance,
+      judgement.collides ? " (collides)" : "", kCmPerM * judgement.departure_m);
+}
+
 class VerifyVerb final : public Verb {
  public:
-  const char* name() const override { return "verify"; }
-  const char* summary() const override {
-    return "Certify a plan: simulate and check it again with independent code";
-  }
-  const char* example() const override {
-    return "limber verify --plan plan.json --no-load --environment 01_pillar\n"
-           "  limber verify --plan plan.json --model a.safetensors --environment 01_pillar --also "
-           "b.safetensors --also c.safetensors";
-  }
+  VerifyVerb()
+      : Verb(
+            "verify", "Certify a plan: simulate and check it again with independent code",
+            "limber verify --plan plan.json --no-load --environment 01_pillar\n"
+            "  limber verify --plan plan.json --model a.safetensors --environment 01_pillar --also "
+            "b.safetensors --also c.safetensors") {}
 
   void add_flags(CLI::App& app) override {
     app.add_option("--plan", plan_, "Plan to certify, as `limber plan` wrote it")->required();

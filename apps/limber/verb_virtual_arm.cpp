@@ -10,15 +10,11 @@ namespace {
 
 class VirtualArmVerb final : public Verb {
  public:
-  const char* name() const override { return "virtual-arm"; }
-  const char* summary() const override {
-    return "Serve the virtual arm behind the driver protocol";
-  }
-  const char* example() const override {
-    return "limber collect --schedule random --count 2 --out served.h5 "
-           "--driver \"exec:limber virtual-arm --serve\"\n"
-           "  limber virtual-arm --serve < /dev/null";
-  }
+  VirtualArmVerb()
+      : Verb("virtual-arm", "Serve the virtual arm behind the driver protocol",
+             "limber collect --schedule random --count 2 --out served.h5 "
+             "--driver \"exec:limber virtual-arm --serve\"\n"
+             "  limber virtual-arm --serve < /dev/null") {}
 
   void add_flags(CLI::App& app) override {
     app.add_flag("--serve", serve_,

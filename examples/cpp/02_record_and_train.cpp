@@ -9,7 +9,7 @@
 
 #include "limber/common/data_folder.hpp"
 #include "limber/data/valve_identification.hpp"
-#include "limber/sim/virtual_arm_factory.hpp"
+#include "limber/sim/virtual_arm.hpp"
 #include "limber/training/trainer.hpp"
 #include "limber/training/unseen_error.hpp"
 

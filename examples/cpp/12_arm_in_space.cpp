@@ -11,7 +11,7 @@
 #include "limber/common/data_folder.hpp"
 #include "limber/data/valve_identification.hpp"
 #include "limber/forward/ensemble_forward.hpp"
-#include "limber/sim/virtual_arm_factory.hpp"
+#include "limber/sim/virtual_arm.hpp"
 #include "limber/training/trainer.hpp"
 
 int main(int argc, char** argv) try {

@@ -69,4 +69,11 @@ class CallerThread {
   std::exception_ptr python_failure_;
 };
 
+/// Runs `work` on a thread that Ctrl-C interrupts, and waits for it.
+template <class Work>
+auto interruptibly(const Work& work) {
+  CallerThread caller;
+  return caller.run_interruptible(work);
+}
+
 }  // namespace limber::python

@@ -12,7 +12,7 @@
 #include "limber/common/error.hpp"
 #include "limber/data/simple_model.hpp"
 #include "limber/data/space_fit.hpp"
-#include "limber/sim/bench_test.hpp"
+#include "limber/sim/virtual_arm.hpp"
 #include "others_may_run.hpp"
 #include "planar.hpp"
 #include "record.hpp"
@@ -58,8 +58,7 @@ void bind_simple_model(py::module_& module) {
       [](const ArmDescription& arm, const EpisodeList& episodes) {
         require_planar(arm, "limber.fit_simple_model (fit_space_model is its like)");
         const std::vector<Episode> runs = episodes_from(episodes);
-        CallerThread caller;
-        return caller.run_interruptible([&] { return fit_simple_model(arm, runs); });
+        return interruptibly([&] { return fit_simple_model(arm, runs); });
       },
       py::arg("arm"), py::arg("episodes"),
       "SimpleFit: how much a pressure bends each segment, and how long it is, from "
@@ -70,8 +69,7 @@ void bind_simple_model(py::module_& module) {
       [](const ArmDescription& arm, const SimpleFit& fit, const EpisodeList& episodes) {
         require_planar(arm, "limber.fitted_arm (with_space_fit is its like)");
         const std::vector<Episode> runs = episodes_from(episodes);
-        CallerThread caller;
-        return caller.run_interruptible([&] { return fitted_arm(arm, fit, runs); });
+        return interruptibly([&] { return fitted_arm(arm, fit, runs); });
       },
       py::arg("arm"), py::arg("fit"), py::arg("episodes"),
       "The arm with the fit's polynomials and lengths, an ArmDescription. episodes: "
@@ -127,8 +125,7 @@ void bind_space_fit(py::module_& module) {
       [](const ArmDescription& arm, const EpisodeList& episodes) {
         require_spatial(arm, "limber.fit_space_model");
         const std::vector<Episode> runs = episodes_from(episodes);
-        CallerThread caller;
-        return caller.run_interruptible([&] { return fit_space_model(arm, runs); });
+        return interruptibly([&] { return fit_space_model(arm, runs); });
       },
       py::arg("arm"), py::arg("episodes"),
       "SpaceFit: how chambers bend and extend every segment of an arm in space, from the "

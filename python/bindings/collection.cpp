@@ -8,7 +8,7 @@
 #include "bindings.hpp"
 #include "caller_thread.hpp"
 #include "limber/common/error.hpp"
-#include "limber/sim/virtual_arm_factory.hpp"
+#include "limber/sim/virtual_arm.hpp"
 #include "process_driver.hpp"
 #include "python_driver.hpp"
 #include "record.hpp"

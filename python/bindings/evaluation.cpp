@@ -105,9 +105,8 @@ void bind_evaluation(py::module_& module) {
       "predict",
       [](const ForwardModel& model, const Episode& episode, Restart restart, int jobs) {
         require_jobs(jobs);
-        CallerThread caller;
         const FrameMatrix predicted =
-            caller.run_interruptible([&] { return predict(model, episode, restart, jobs); });
+            interruptibly([&] { return predict(model, episode, restart, jobs); });
         return copy_of<float>(
             predicted, {predicted.rows(), model.point_count(), pose_size(model.dimension())});
       },
@@ -122,8 +121,7 @@ void bind_evaluation(py::module_& module) {
          int jobs) {
         require_jobs(jobs);
         const std::vector<Episode> copies = episodes_from(episodes);
-        CallerThread caller;
-        return caller.run_interruptible([&] { return evaluate(no_load, network, copies, jobs); });
+        return interruptibly([&] { return evaluate(no_load, network, copies, jobs); });
       },
       py::arg("no_load"), py::arg("network"), py::arg("episodes"), py::arg("jobs") = 0,
       "Evaluation: errors of the no-load model and of a network on episodes. no_load: "

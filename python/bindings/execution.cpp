@@ -9,7 +9,6 @@
 #include "limber/run/executor.hpp"
 #include "others_may_run.hpp"
 #include "process_driver.hpp"
-#include "python_controller.hpp"
 #include "python_driver.hpp"
 #include "record.hpp"
 #include "virtual_arm.hpp"

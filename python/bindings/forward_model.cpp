@@ -11,7 +11,7 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "limber/forward/checked_query.hpp"
-#include "limber/forward/parallel_forward.hpp"
+#include "limber/forward/rollout_batch.hpp"
 #include "others_may_run.hpp"
 #include "planar.hpp"
 

@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bindings.hpp"
-#include "limber/arm/valve_findings.hpp"
+#include "limber/arm/valve_parameters.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/network/prediction_error.hpp"

@@ -178,8 +178,7 @@ PlanResult along(const PlanningProblem& problem, const FloatArray& waypoints_kpa
   for (py::ssize_t w = 0; w < waypoints_kpa.shape(0); ++w) {
     waypoints.emplace_back(Eigen::Map<const Pressures>(waypoints_kpa.data(w, 0), n));
   }
-  CallerThread caller;
-  return caller.run_interruptible([&] { return plan_along(problem, waypoints, planner, seed); });
+  return interruptibly([&] { return plan_along(problem, waypoints, planner, seed); });
 }
 
 py::array_t<float> tree_of(const PlanResult& result) {

@@ -256,8 +256,7 @@ void bind_export(py::module_& module) {
       "episode_errors",
       [](const ArmDescription& arm, const EpisodeList& episodes) {
         const std::vector<Episode> copies = episodes_from(episodes);
-        CallerThread caller;
-        return caller.run_interruptible([&] { return episode_errors(arm, copies); });
+        return interruptibly([&] { return episode_errors(arm, copies); });
       },
       py::arg("arm"), py::arg("episodes"),
       "EpisodeErrors of the simple model, fitted to all episodes; an episode far "

@@ -211,8 +211,7 @@ void bind_runs(py::module_& module) {
       [](const ArmDescription& arm, CompensationModel& model, const EpisodeList& unseen, int jobs) {
         require_jobs(jobs);
         const std::vector<Episode> episodes = episodes_from(unseen);
-        CallerThread caller;
-        caller.run_interruptible([&] {
+        interruptibly([&] {
           note_unseen(arm, model, episodes, jobs);
           return true;
         });

@@ -11,7 +11,6 @@
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/yaml_reader.hpp"
-#include "read_length.hpp"
 #include "segment_reader.hpp"
 #include "space_segments.hpp"
 

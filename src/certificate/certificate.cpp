@@ -7,16 +7,12 @@
 #include <fmt/format.h>
 
 #include "exact_arm.hpp"
-#include "exact_start.hpp"
-#include "exact_valves.hpp"
 #include "frame_checks.hpp"
 #include "give_up.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/units.hpp"
-#include "shape_comparison.hpp"
 #include "swept_clearance.hpp"
-#include "tube_check.hpp"
 
 namespace limber {
 

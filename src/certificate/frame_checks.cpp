@@ -2,13 +2,83 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
+
 #include "limber/arm/names.hpp"
 
 namespace limber {
 
 namespace {
+
+constexpr double kMaxTurnRad = std::numbers::pi;  // of one gap; beyond there is no such arc
+
+constexpr double kRounding = 1e-12;  // of a radius that was multiplied once
+
+bool is_room(double value) {
+  return std::isfinite(value) && value >= 0.0;
+}
+
+/// Why these are no radii of the arm; empty: they are.
+std::string why_no_radii(const PlanTube& tube, const ArmDescription& arm) {
+  if (static_cast<int>(tube.plate_radius_m.size()) != arm.point_count()) {
+    return fmt::format("{} radii; the arm has {} plates", tube.plate_radius_m.size(),
+                       arm.point_count());
+  }
+  for (const double radius : tube.plate_radius_m) {
+    if (!is_room(radius)) {
+      return fmt::format("a radius of {} m; expected at least 0", radius);
+    }
+  }
+  const double share = tube.growth.start_share;
+  if (!(share > 0.0 && share <= 1.0) || !is_room(tube.growth.full_after_m)) {
+    return fmt::format(
+        "{} of its width at the start, all of it after {} m; expected a share of "
+        "more than 0 and at most 1, and at least 0 m",
+        share, tube.growth.full_after_m);
+  }
+  return is_room(tube.end_radius_m) && is_room(tube.end_heading_rad)
+             ? ""
+             : "a width of its end that is not at least 0";
+}
+
+/// Why the network does not promise that; empty: it does.
+std::string why_not_promised(const PlanTube& tube, const CompensationModel* network) {
+  const TubeLevel* promised =
+      network != nullptr && network->tube ? network->tube->find(tube.level) : nullptr;
+  if (promised == nullptr) {
+    return fmt::format("the model promises no tube of {:.6g} % of runs", 100.0 * tube.level);
+  }
+  const auto is_narrower = [&](double radius, double scale) {
+    return radius < promised->factor * scale - kRounding;
+  };
+  const std::vector<double>& scale_m = network->tube->plate_scale_m;
+  for (std::size_t i = 0; i < scale_m.size() && i < tube.plate_radius_m.size(); ++i) {
+    if (is_narrower(tube.plate_radius_m[i], scale_m[i])) {
+      return fmt::format("{} has {:.3f} mm; the model promises {:.3f} mm",
+                         plate_name(static_cast<int>(i)), tube.plate_radius_m[i] * 1e3,
+                         promised->factor * scale_m[i] * 1e3);
+    }
+  }
+  const RoomGrowth& growth = network->tube->growth;
+  if (!growth.is_constant() ? tube.growth.start_share < growth.start_share - kRounding ||
+                                  tube.growth.full_after_m > growth.full_after_m + kRounding
+                            : !tube.growth.is_constant()) {
+    return fmt::format(
+        "it grows from {:.3g} of its width over {:.3g} m; the model promises no "
+        "less than {:.3g}, and all of it after {:.3g} m",
+        tube.growth.start_share, tube.growth.full_after_m, growth.start_share, growth.full_after_m);
+  }
+  return is_narrower(tube.end_radius_m, network->tube->end_scale_m) ||
+                 is_narrower(tube.end_heading_rad, network->tube->end_heading_scale_rad)
+             ? "its end is narrower than the model promises"
+             : "";
+}
+
+std::vector<double> in_double(const Pressures& kpa) {
+  return {kpa.begin(), kpa.end()};
+}
 
 constexpr double kSetpointKpa = 1e-4;  // several roundings of a float32 of 100 kPa
 constexpr double kCost = 1e-6;         // relative
@@ -211,6 +281,84 @@ class FrameChecks {
 };
 
 }  // namespace
+
+ExactArm::Shape shape_of(const Backbone& backbone) {
+  ExactArm::Shape shape;
+  shape.reserve(static_cast<std::size_t>(backbone.rows()));
+  for (Eigen::Index i = 0; i < backbone.rows(); ++i) {
+    shape.push_back({double(backbone(i, 0)), double(backbone(i, 1)), double(backbone(i, 2))});
+  }
+  return shape;
+}
+
+bool is_drawable(const ExactArm::Shape& shape) {
+  for (std::size_t i = 0; i < shape.size(); ++i) {
+    const bool finite = std::isfinite(shape[i].x_m) && std::isfinite(shape[i].y_m) &&
+                        std::isfinite(shape[i].theta_rad);
+    if (!finite || (i > 0 && std::abs(shape[i].theta_rad - shape[i - 1].theta_rad) > kMaxTurnRad)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+Deviation deviation(const ExactArm::Shape& own, const ExactArm::Shape& stored) {
+  Deviation largest;
+  for (std::size_t i = 0; i < stored.size(); ++i) {
+    const double x = own[i].x_m - stored[i].x_m;
+    const double y = own[i].y_m - stored[i].y_m;
+    const double apart = std::sqrt(x * x + y * y);
+    const double turned = std::abs(own[i].theta_rad - stored[i].theta_rad);
+    if (!(apart <= largest.apart_m)) {
+      largest.apart_m = apart;
+      largest.plate = static_cast<int>(i);
+    }
+    if (!(turned <= largest.turned_rad)) {
+      largest.turned_rad = turned;
+    }
+  }
+  return largest;
+}
+
+void check_tube(const Plan& plan, const CompensationModel* network, const ArmDescription& arm,
+                Certificate& certificate) {
+  if (!plan.tube) {
+    return;
+  }
+  std::string why = why_no_radii(*plan.tube, arm);
+  if (why.empty()) {
+    why = why_not_promised(*plan.tube, network);
+  }
+  if (!why.empty()) {
+    certificate.failures.push_back({"tube", -1, std::move(why)});
+  }
+}
+
+ExactStart exact_start(const Environment& environment, const ArmDescription& arm,
+                       const ExactArm& model) {
+  ExactStart result;
+  if (!environment.start) {
+    result.pressure_kpa.assign(arm.segments.size(), 0.0);
+    result.setpoint_kpa = result.pressure_kpa;
+    result.shape = model.no_load(result.pressure_kpa);
+    result.before = result.shape;
+    return result;
+  }
+  const ArmStart& start = *environment.start;
+  result.pressure_kpa = in_double(start.pressures_kpa);
+  result.setpoint_kpa = result.pressure_kpa;
+  result.shape = shape_of(start.backbone);
+  result.before = start.before.rows() > 0 ? shape_of(start.before) : result.shape;
+  for (std::size_t back = 0; back < start.setpoints_kpa.size(); ++back) {
+    std::vector<double> setpoint_kpa = in_double(start.setpoints_kpa[back]);
+    if (back == 0) {
+      result.setpoint_kpa = std::move(setpoint_kpa);
+    } else {
+      result.before_kpa.push_back(std::move(setpoint_kpa));
+    }
+  }
+  return result;
+}
 
 void check_frames(const Plan& plan, const ArmDescription& arm, Certificate& certificate) {
   FrameChecks(plan, arm, certificate).run();

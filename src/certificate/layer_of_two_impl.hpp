@@ -1,9 +1,9 @@
 #pragma once
 
-// The kernel of layer_of_two.hpp for the instruction set that the including file is compiled for.
+// The kernel of exact_network.hpp for the instruction set that the including file is compiled for.
 // Nothing here may leave the unnamed namespace, or the linker could take one file's code for all.
 
-#include "layer_of_two.hpp"
+#include "exact_network.hpp"
 
 namespace limber {
 namespace {

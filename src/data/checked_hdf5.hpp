@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <filesystem>
 #include <string>
 #include <type_traits>
 
@@ -7,11 +9,29 @@
 
 #include "limber/common/error.hpp"
 #include "limber/common/utf8.hpp"
-#include "mapped_file.hpp"
 #include "recording_hdf5.hpp"
-#include "recording_header.hpp"
 
 namespace limber {
+
+/// A file's bytes, mapped: what is read of them comes from the disk then.
+class MappedFile {
+ public:
+  /// @throws InputError, SystemFault as read_file does
+  explicit MappedFile(const std::filesystem::path& path);
+  ~MappedFile();
+  MappedFile(const MappedFile&) = delete;
+  MappedFile& operator=(const MappedFile&) = delete;
+
+  const std::string& name() const { return name_; }
+  std::size_t size() const { return size_; }
+  /// nullptr where the file is empty. Not const, as HDF5 wants it; writing ends the process.
+  char* data() const { return data_; }
+
+ private:
+  std::string name_;
+  std::size_t size_ = 0;
+  char* data_ = nullptr;
+};
 
 /// A recording's file, of which nothing is believed: what is missing, of another type, size or
 /// unit, or not in the file itself is refused by an InputError that names the file and the place.

@@ -14,7 +14,7 @@
 #include "limber/common/utf8.hpp"
 #include "limber/data/episode_slice.hpp"
 #include "recorded_backbones.hpp"
-#include "recording_header.hpp"
+#include "recording_hdf5.hpp"
 
 namespace limber {
 

@@ -3,6 +3,7 @@
 // What the writer and the reader of recordings share. Only sources that include this, and
 // hdf5_version.cpp, include HDF5.
 
+#include <cstdint>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -13,6 +14,14 @@
 #include "limber/data/recording.hpp"
 
 namespace limber {
+
+/// Deflate makes data at most 1032 times smaller; what is smaller than this was never written.
+inline constexpr std::uintmax_t kMaxCompression = 1100;
+
+inline constexpr std::size_t kLongestText = std::size_t{1} << 26U;  // bytes of a recording's text
+
+/// What `validate` says of names, sizes and rate: known before any episode is read.
+void validate_header(const Recording& recording, const std::string& file);
 
 inline constexpr const char* kRecordingSchema = "limber/recording/1";
 

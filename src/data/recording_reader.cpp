@@ -9,7 +9,6 @@
 #include "limber/arm/space_pose.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/data/recording_part.hpp"
-#include "mapped_file.hpp"
 #include "recording_pipe.hpp"
 
 namespace limber {

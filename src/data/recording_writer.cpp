@@ -9,7 +9,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/large_file.hpp"
 #include "limber/common/version.hpp"
-#include "limber/data/join_recordings.hpp"
+#include "limber/data/recording_part.hpp"
 #include "recording_hdf5.hpp"
 
 namespace limber {

@@ -14,7 +14,6 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/statistics.hpp"
-#include "seven_digits.hpp"
 
 namespace limber {
 

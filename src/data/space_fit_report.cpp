@@ -1,20 +1,19 @@
 // What a fit to an arm in space says of its chambers.
 #include <cmath>
 #include <iterator>
-#include <numbers>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "limber/arm/names.hpp"
 #include "limber/arm/space_no_load.hpp"
+#include "limber/common/units.hpp"
 #include "limber/data/space_fit.hpp"
 
 namespace limber {
 
 namespace {
 
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 constexpr double kHardly_rad = 0.02;    // over the whole range: noise bends that much
 constexpr double kOtherWay_deg = 60.0;  // between neighbours of three
 

@@ -1,7 +1,7 @@
 #include "limber/data/valve_simulation.hpp"
 
 #include "limber/common/error.hpp"
-#include "valve_run.hpp"
+#include "valve_fit.hpp"
 
 namespace limber {
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <sys/types.h>
-
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +9,12 @@
 #include "limber/driver/line_reader.hpp"
 
 namespace limber {
+
+/// The words of a command line, by the shell's simplest rules and without a shell: words are
+/// separated by blanks; '…' keeps everything, "…" all but \" and \\, and outside of quotes a
+/// backslash keeps the next character. Nothing else is special: no variables, no pipes, no ~.
+/// @throws InputError where there is no word or a quote has no end.
+std::vector<std::string> command_words(const std::string& command);
 
 /// A program that is spoken to line by line over its standard input and output; its standard error
 /// is limber's. It runs in a process group of its own, so that Ctrl-C reaches limber alone.

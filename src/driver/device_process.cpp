@@ -14,8 +14,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "limber/common/broken_pipe.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/standard_streams.hpp"
 #include "limber/driver/line_reader.hpp"
 
 namespace limber {

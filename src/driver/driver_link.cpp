@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "command_words.hpp"
+#include "child_process.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/printable.hpp"
 

@@ -8,10 +8,10 @@
 #include <string>
 
 #include "child_process.hpp"
-#include "driver_log.hpp"
 #include "limber/common/arm_signals.hpp"
 #include "limber/common/error.hpp"
 #include "limber/driver/driver_protocol.hpp"
+#include "limber/driver/driver_run.hpp"
 #include "limber/driver/process_driver.hpp"
 #include "limber/driver/wire_calibration.hpp"
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,14 @@
 #include "limber/report/run_table.hpp"
 
 namespace limber {
+
+/// What has to be the same for trials of two runs to be in one table. The number of trials may
+/// differ: more can be added.
+nlohmann::ordered_json experiment_identity(const ExperimentSettings& settings,
+                                           const std::string& model_hash);
+
+/// @throws InputError naming the first key of `file` in which it differs from `wanted`.
+void require_same_experiment(const std::filesystem::path& file, const nlohmann::json& wanted);
 
 /// Names of what is written of one environment, relative to the experiment's folder. Of more than
 /// 400 they lie in numbered folders: shared file systems suffer from thousands of entries in one.

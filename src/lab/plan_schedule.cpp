@@ -10,7 +10,7 @@
 #include "kernels/job_arena.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
-#include "limber/lab/random_environment.hpp"
+#include "limber/lab/witnessed_environment.hpp"
 #include "limber/run/plan_trial.hpp"
 
 namespace limber {

@@ -1,18 +1,17 @@
 #include "limber/lab/planning_experiment.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <iterator>
 #include <optional>
 #include <set>
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 #include <nlohmann/json.hpp>
 
 #include "demo/demo_recipe.hpp"
-#include "experiment_identity.hpp"
 #include "experiment_results.hpp"
 #include "kernels/job_arena.hpp"
 #include "limber/common/atomic_file.hpp"
@@ -286,6 +285,30 @@ class Experiment {
 };
 
 }  // namespace
+
+std::vector<EnvironmentCase> environments_in(const fs::path& folder, const ArmDescription& arm) {
+  if (fs::is_regular_file(folder)) {
+    return {{folder.stem().string(), load_environment(folder, arm)}};
+  }
+  if (!fs::is_directory(folder)) {
+    throw InputError(fmt::format("{}: no folder", folder.string()));
+  }
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() == ".yaml") {
+      files.push_back(entry.path());
+    }
+  }
+  if (files.empty()) {
+    throw InputError(fmt::format("{}: no *.yaml in it", folder.string()));
+  }
+  std::sort(files.begin(), files.end());
+  std::vector<EnvironmentCase> cases;
+  for (const fs::path& file : files) {
+    cases.push_back({file.stem().string(), load_environment(file, arm)});
+  }
+  return cases;
+}
 
 void require_usable(const ExperimentSettings& settings) {
   if (settings.trials < 1 || settings.trials > 100'000) {

@@ -13,7 +13,7 @@
 #include "limber/common/units.hpp"
 #include "limber/common/utf8.hpp"
 #include "limber/report/execution_report.hpp"
-#include "limber/report/trial_report.hpp"
+#include "limber/report/track_report.hpp"
 
 namespace limber {
 

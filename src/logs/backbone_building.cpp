@@ -8,12 +8,12 @@
 #include <fmt/format.h>
 
 #include "base_alignment.hpp"
-#include "import_steps.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/data/log_units.hpp"
+#include "log_runs.hpp"
 
 namespace limber {
 

@@ -4,7 +4,7 @@
 
 #include "limber/logs/import_mapping.hpp"
 #include "limber/logs/import_report.hpp"
-#include "log_tracks.hpp"
+#include "log_rows.hpp"
 
 namespace limber {
 

@@ -7,8 +7,8 @@
 
 #include <unsupported/Eigen/FFT>
 
+#include "level_correlation.hpp"
 #include "limber/common/interrupt.hpp"
-#include "segment_turns.hpp"
 
 namespace limber {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "limber/arm/arm_description.hpp"
-#include "log_tracks.hpp"
+#include "log_rows.hpp"
 
 namespace limber {
 

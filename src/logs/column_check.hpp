@@ -3,13 +3,50 @@
 #include <string>
 #include <vector>
 
-#include "column_fit.hpp"
 #include "level_correlation.hpp"
 #include "limber/arm/arm_description.hpp"
 #include "limber/logs/import_mapping.hpp"
 #include "limber/logs/import_report.hpp"
 
 namespace limber {
+
+/// Why a log can't tell whether a segment's column is its own.
+enum class Undecidable {
+  no,             ///< it can
+  turned_little,  ///< the segment hardly turned
+  told_little,    ///< its column hardly changed
+  moved_seldom,   ///< too few motions to tell
+  told_alike      ///< as another segment
+};
+
+/// Which column drives a segment, and with which sign, as its motion has it.
+struct FittedColumn {
+  Eigen::Index column = 0;
+  bool turned = false;       ///< its sign is the opposite of what the arm file says
+  double as_given = 0.0;     ///< correlation of the column that the mapping gives, 1 being perfect
+  double correlation = 0.0;  ///< of `column` with its sign
+  bool follows_weakly = false;  ///< it moved often, and hardly as its column says
+  Undecidable undecidable = Undecidable::no;
+  Eigen::Index alike = 0;  ///< Undecidable::told_alike: the other segment
+};
+
+/// Whether a log's columns are those of the arm's segments (docs/importing.md).
+struct ColumnFit {
+  std::vector<FittedColumn> segments;  ///< n
+  double given_evidence = 0.0;         ///< [nats] for order and signs as given
+  double best_evidence = 0.0;          ///< for the best order and signs
+  bool belongs = true;  ///< those are not decisively better: columns are taken as given
+};
+
+/// Odds of 20 to 1, and of 20 000 to 1 against a log whose companions have proven the mapping.
+inline constexpr double kDecisive = 3.0;        // [nats]
+inline constexpr double kDecisiveAlone = 10.0;  // [nats]
+
+/// Of all orders of the columns and all their signs, those that the segments' turns speak for most;
+/// others than the given ones only where they are better by `decisive`. Where the no-load model is
+/// straight, no sign is wrong.
+ColumnFit fit_columns(const LevelCorrelations& levels, const ArmDescription& arm,
+                      double decisive = kDecisive);
 
 /// Refuses a log whose columns are another segment's or of the other sign, and says which order and
 /// signs would fit. @pre !fit.belongs. @throws InputError, its message beginning with `log`.

@@ -1,19 +1,69 @@
+// The columns of commands where no mapping names them.
 #include "command_check.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "limber/arm/arm_commands.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/data/log_units.hpp"
+#include "limber/logs/import_mapping.hpp"
 
 namespace limber {
 
 namespace {
+
+/// The names that limber gives the columns of segments' commands.
+CommandColumns default_columns(const ArmDescription& arm, int first) {
+  CommandColumns columns;
+  columns.unit = arm.command.unit;
+  for (int i = first; i < first + arm.channel_count(); ++i) {
+    columns.columns.push_back(quantity_column(arm.command, followed_name(arm.command), i));
+    columns.setpoint.push_back(quantity_column(arm.command, "setpoint", i));
+  }
+  columns.setpoint_optional = true;
+  return columns;
+}
+
+/// Those of the arm file's `commands`, by their names.
+CommandColumns summed_columns(const ArmDescription& arm) {
+  CommandColumns columns;
+  columns.unit = arm.command.unit;
+  columns.summed = true;
+  for (const ArmCommand& command : arm.commands) {
+    columns.columns.push_back(command.name);
+    columns.setpoint.push_back("setpoint_" + command.name);
+  }
+  columns.setpoint_optional = true;
+  return columns;
+}
+
+/// T×M to T×n. A command that is missing leaves the segments alone that it does not act on.
+Eigen::MatrixXd summed(const Eigen::MatrixXd& values, const Eigen::MatrixXd& shares) {
+  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(values.rows(), shares.rows());
+  for (Eigen::Index i = 0; i < shares.rows(); ++i) {
+    for (Eigen::Index k = 0; k < shares.cols(); ++k) {
+      if (shares(i, k) != 0.0) {
+        sums.col(i) += shares(i, k) * values.col(k);
+      }
+    }
+  }
+  return sums;
+}
+
+std::vector<std::string> sums_of(const ArmDescription& arm) {
+  std::vector<std::string> sums;
+  for (int i = 0; i < arm.channel_count(); ++i) {
+    sums.push_back(command_sum(arm, i));
+  }
+  return sums;
+}
 
 constexpr double kFarBeyond = 1.2;    // of the limit; a measured pressure overshoots by less
 constexpr double kMaxBeyond = 0.001;  // of the rows; spikes happen
@@ -96,6 +146,85 @@ std::int64_t hold_over_gaps(Eigen::Ref<Eigen::VectorXd> values) {
 }
 
 }  // namespace
+
+ImportMapping default_import_mapping(const ArmDescription& arm) {
+  ImportMapping mapping;
+  mapping.commands = arm.commands.empty() ? default_columns(arm, 0) : summed_columns(arm);
+  return mapping;
+}
+
+CommandColumns as_counted_in(const std::vector<std::string>& names, CommandColumns commands,
+                             const ArmDescription& arm) {
+  if (!commands.setpoint_optional) {
+    return commands;
+  }
+  const auto are_there = [&](const std::vector<std::string>& columns) {
+    return std::ranges::all_of(columns, [&](const std::string& name) {
+      return std::ranges::find(names, name) != names.end();
+    });
+  };
+  const auto begin_there = [&](const CommandColumns& columns) {
+    return are_there({columns.columns.front()}) || are_there({columns.setpoint.front()});
+  };
+  if (commands.summed && !begin_there(commands) && begin_there(default_columns(arm, 0))) {
+    commands = default_columns(arm, 0);
+  }
+  const CommandColumns from_1 = default_columns(arm, 1);
+  if (!begin_there(commands) && (are_there(from_1.columns) || are_there(from_1.setpoint))) {
+    commands = from_1;
+  }
+  const bool has_setpoints = are_there(commands.setpoint);
+  if (has_setpoints && !are_there({commands.columns.front()})) {
+    commands.columns = commands.setpoint;
+    commands.measured = false;
+  } else if (!has_setpoints && !arm.command.is_pressure_kpa()) {
+    commands.measured = false;  // commands alone are set points
+  }
+  if (!commands.measured) {
+    commands.setpoint.clear();
+    commands.setpoint_optional = false;
+  }
+  return commands;
+}
+
+void hold_setpoints(Eigen::MatrixXd& values) {
+  for (Eigen::Index t = 1; t < values.rows(); ++t) {
+    for (Eigen::Index k = 0; k < values.cols(); ++k) {
+      if (std::isnan(values(t, k))) {
+        values(t, k) = values(t - 1, k);
+      }
+    }
+  }
+}
+
+void sum_commands(const ImportMapping& mapping, const ArmDescription& arm, CommandTrack& commands,
+                  RunReport& report) {
+  if (!mapping.commands.summed) {
+    return;
+  }
+  const Eigen::MatrixXd shares = command_shares(arm);
+  if (!commands.measured) {
+    hold_setpoints(commands.values);
+  }
+  commands.values = summed(commands.values, shares);
+  if (commands.setpoint.size() > 0) {
+    hold_setpoints(commands.setpoint);
+    commands.setpoint = summed(commands.setpoint, shares);
+  }
+  std::vector<std::string> sums = sums_of(arm);
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    sums[i] = fmt::format("{} = {}", channel_name(arm, Eigen::Index(i)), sums[i]);
+  }
+  report.note("logs whose commands were summed to those of segments, as the arm file says",
+              fmt::format("{}", fmt::join(sums, ", ")));
+}
+
+ImportMapping with_sums_named(ImportMapping mapping, const ArmDescription& arm) {
+  if (mapping.commands.summed) {
+    mapping.commands.columns = sums_of(arm);
+  }
+  return mapping;
+}
 
 void check_commands(const std::string& log, const ImportMapping& mapping, const ArmDescription& arm,
                     CommandTrack& commands, RunReport& report) {

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "backbone_building.hpp"
-#include "command_sums.hpp"
+#include "command_check.hpp"
 #include "level_correlation.hpp"
 #include "limber/arm/arm_commands.hpp"
 #include "limber/arm/names.hpp"

@@ -7,7 +7,6 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/yaml_reader.hpp"
-#include "mapping_parts.hpp"
 #include "space_mapping.hpp"
 
 namespace limber {

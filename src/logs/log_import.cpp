@@ -7,10 +7,7 @@
 #include "backbone_building.hpp"
 #include "clock_match.hpp"
 #include "column_check.hpp"
-#include "column_fit.hpp"
 #include "command_check.hpp"
-#include "command_sums.hpp"
-#include "import_steps.hpp"
 #include "level_correlation.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
@@ -21,7 +18,7 @@
 #include "log_runs.hpp"
 #include "log_table.hpp"
 #include "motive_csv.hpp"
-#include "motive_points.hpp"
+#include "motive_plates.hpp"
 #include "space_import.hpp"
 
 namespace limber {

@@ -5,7 +5,7 @@
 
 #include "limber/data/recording.hpp"
 #include "limber/logs/import_report.hpp"
-#include "log_tracks.hpp"
+#include "log_rows.hpp"
 
 namespace limber {
 

@@ -3,13 +3,59 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "limber/arm/arm_description.hpp"
 #include "limber/logs/import_mapping.hpp"
 #include "limber/logs/import_report.hpp"
 #include "log_table.hpp"
-#include "log_tracks.hpp"
 
 namespace limber {
+
+/// Where a log saw points of an arm, in one plane and on the log's own clock. T rows, k points; NaN
+/// where a point was not tracked. Metres, radians, seconds; the frame is the log's own until
+/// `align_base`.
+struct PointTracks {
+  std::vector<std::string> names;  ///< k, base first; what messages call them
+  std::vector<int> plates;         ///< k, rising: which plate of the arm each is, 0 the base
+  std::vector<double> time_s;      ///< T
+  Eigen::MatrixXd x_m;             ///< T×k
+  Eigen::MatrixXd y_m;             ///< T×k
+  Eigen::MatrixXd theta_rad;       ///< T×k, wrapped or not; 0×0 if only positions were logged
+
+  int point_count() const { return static_cast<int>(plates.size()); }
+  Eigen::Index row_count() const { return static_cast<Eigen::Index>(time_s.size()); }
+  bool has_headings() const { return theta_rad.size() > 0; }
+};
+
+/// Commands (pressures, or what the arm file says) in the arm's unit on the log's own clock; NaN
+/// where a cell was empty. One column for each segment or, until `sum_commands`, for each of the
+/// arm file's `commands`.
+struct CommandTrack {
+  std::vector<double> time_s;  ///< T
+  Eigen::MatrixXd values;      ///< T×n, signed: measured, or the set points if nothing was
+  bool measured = true;
+  Eigen::MatrixXd setpoint;    ///< T×n, or 0×0 if none were logged beside what was measured
+  std::vector<double> motion;  ///< T numbers of motions, or empty
+
+  Eigen::Index row_count() const { return static_cast<Eigen::Index>(time_s.size()); }
+};
+
+/// The whole backbone on the motion log's clock, every plate of the arm, in frame B. T rows.
+struct BackboneTrack {
+  std::vector<double> time_s;  ///< T, increasing
+  Eigen::MatrixXd poses;       ///< T×3m: x_m, y_m, theta_rad of each plate; θ unwrapped; in space
+                               ///< T×7m, quaternions without jumps of sign
+  std::vector<bool> tracked;   ///< T; false if a point was missing for too long: poses are NaN
+  std::vector<bool> bridged;   ///< T; a point of this row was put between its neighbours in time
+  double usual_step_s = 0.0;   ///< between rows, of clocks that are uneven; 0: the median step
+
+  Eigen::Index row_count() const { return static_cast<Eigen::Index>(time_s.size()); }
+};
+
+/// Puts the rows of both kinds of track into the order of `order`.
+void keep_rows(PointTracks& tracks, const std::vector<std::size_t>& order);
+void keep_rows(CommandTrack& track, const std::vector<std::size_t>& order);
 
 /// Which rows of a table belong to one recording.
 struct RowGroup {

@@ -13,7 +13,7 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/csv_reader.hpp"
 #include "limber/common/error.hpp"
-#include "motive_rotations.hpp"
+#include "motive_plates.hpp"
 
 namespace limber {
 
@@ -118,10 +118,6 @@ class MotiveFile {
     };
     take_.name = value("Take Name");
     take_.rotation_type = value("Rotation Type");
-    double rate = 0.0;
-    if (parse_number(value("Export Frame Rate"), rate)) {
-      take_.export_rate_hz = rate;
-    }
     read_length_unit(value("Length Units"));
     const std::string space = value("Coordinate Space");
     if (!space.empty() && space != "Global" && space != "World") {

@@ -23,8 +23,7 @@ struct MotiveObject {
 struct MotiveTake {
   std::string name;
   std::string format_version;
-  std::string rotation_type;    ///< "Quaternion" or the order of the Euler angles, "XYZ" …
-  double export_rate_hz = 0.0;  ///< as the header says; 0 if it does not
+  std::string rotation_type;  ///< "Quaternion" or the order of the Euler angles, "XYZ" …
   std::vector<double> time_s;
   std::vector<MotiveObject> objects;
 };

@@ -2,15 +2,21 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <Eigen/Geometry>
 
+#include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/statistics.hpp"
 
 namespace limber {
 
 namespace {
+
+constexpr double kUnitMiss = 0.02;  // quaternions are written with six digits
 
 /// Measured or solved, by what is asked for.
 bool is_body(const MotiveObject& object) {
@@ -55,7 +61,140 @@ bool natural_less(const std::string& a, const std::string& b) {
   return a.size() - i < b.size() - j;
 }
 
+constexpr double kFlat_m = 0.02;         // plates tilt, tables are not quite level
+constexpr double kClearlyFlatter = 0.5;  // another axis has less than this part of the spread
+
+/// The plane's two axes and its normal, right-handed, as signed columns of a position.
+struct Plane {
+  int forward;
+  int left;
+  int up;
+  double forward_sign;
+  double left_sign;
+  double up_sign;
+};
+
+Plane plane_of(const std::string& up) {
+  if (up == "x") return {1, 2, 0, 1.0, 1.0, 1.0};
+  if (up == "z") return {0, 1, 2, 1.0, 1.0, 1.0};
+  if (up == "-x") return {2, 1, 0, 1.0, 1.0, -1.0};
+  if (up == "-y") return {0, 2, 1, 1.0, 1.0, -1.0};
+  if (up == "-z") return {1, 0, 2, 1.0, 1.0, -1.0};
+  return {0, 2, 1, 1.0, -1.0, 1.0};
+}
+
+/// Spread of a column: between its 2nd and 98th percentile.
+double spread(const Eigen::MatrixXd& positions, Eigen::Index axis) {
+  std::vector<double> values;
+  for (Eigen::Index t = 0; t < positions.rows(); ++t) {
+    if (std::isfinite(positions(t, axis))) {
+      values.push_back(positions(t, axis));
+    }
+  }
+  return values.empty() ? 0.0 : quantile(values, 0.98) - quantile(values, 0.02);
+}
+
+/// The arm lies in a plane; what a point does across it tells a wrong axis from a tilted table.
+void require_plane(const std::string& log, const std::vector<Eigen::MatrixXd>& positions,
+                   const ImportMapping& mapping, RunReport& report) {
+  Eigen::Vector3d largest = Eigen::Vector3d::Zero();
+  for (const Eigen::MatrixXd& position : positions) {
+    for (int axis = 0; axis < 3; ++axis) {
+      largest[axis] = std::max(largest[axis], spread(position, axis));
+    }
+  }
+  const double across_m = largest[plane_of(mapping.up).up];
+  if (across_m <= kFlat_m) {
+    return;
+  }
+  int flattest = 0;
+  const double min_m = largest.minCoeff(&flattest);
+  if (min_m < kClearlyFlatter * across_m) {
+    throw InputError(
+        fmt::format("{}: points move by {:.3f} m along {}, which should leave the "
+                    "arm's plane, and by only {:.3f} m along {}. Say in the mapping "
+                    "which axis is up: 'backbone: {{up: {}}}' (Motive's own is y)",
+                    log, across_m, mapping.up, min_m, "xyz"[flattest], "xyz"[flattest]));
+  }
+  report.note("points leave the plane: what they do across it is left out",
+              fmt::format("by {:.3f} m", across_m));
+}
+
+struct PointSeries {
+  std::string name;
+  Eigen::MatrixXd position_m;   // T×3
+  Eigen::VectorXd heading_rad;  // empty if none
+};
+
+PointSeries series_of(const PointSource& point, const PlateFinder& finder, const Plane& plane) {
+  if (!point.body.empty()) {
+    const MotiveObject& body = finder.body(point.body);
+    PointSeries series{body.name, body.position_m, {}};
+    if (body.rotation.size() > 0) {
+      // The turn about the plane's normal, whatever the body's own tilt.
+      series.heading_rad =
+          2.0 * (plane.up_sign * body.rotation.col(plane.up).array())
+                    .binaryExpr(body.rotation.col(3).array(),
+                                [](double y, double x) { return std::atan2(y, x); });
+    }
+    return series;
+  }
+  if (!point.marker.empty()) {
+    const MotiveObject& marker = finder.marker(point.marker);
+    return {marker.name, marker.position_m, {}};
+  }
+  const MotiveObject& right = finder.marker(point.right);
+  const MotiveObject& left = finder.marker(point.left);
+  const Eigen::MatrixXd across = left.position_m - right.position_m;
+  PointSeries series{
+      right.name + " and " + left.name, 0.5 * (left.position_m + right.position_m), {}};
+  series.heading_rad = (plane.left_sign * across.col(plane.left).array())
+                           .binaryExpr(plane.forward_sign * across.col(plane.forward).array(),
+                                       [](double y, double x) { return std::atan2(y, x); }) -
+                       0.5 * M_PI;
+  return series;
+}
+
 }  // namespace
+
+Eigen::MatrixXd unit_quaternions(const CsvReader& csv, const std::string& object,
+                                 const std::vector<double>& time_s, Eigen::MatrixXd rotation) {
+  for (Eigen::Index t = 0; t < rotation.rows(); ++t) {
+    const double length = rotation.row(t).norm();
+    if (std::isfinite(length) && std::abs(length - 1.0) > kUnitMiss) {
+      csv.refuse(1,
+                 fmt::format("the rotation of '{}' at {} s is ({}, {}, {}, {}), of length {:.4g}; "
+                             "expected a unit quaternion X, Y, Z, W",
+                             object, time_s[std::size_t(t)], rotation(t, 0), rotation(t, 1),
+                             rotation(t, 2), rotation(t, 3), length));
+    }
+    rotation.row(t) /= length;
+  }
+  return rotation;
+}
+
+bool is_euler_order(const std::string& order) {
+  std::string axes = order;
+  std::sort(axes.begin(), axes.end());
+  return axes == "XYZ";
+}
+
+Eigen::Vector4d quaternion_of_euler(const Eigen::Vector3d& angles_rad, const std::string& order) {
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+  for (const char axis : order) {
+    const int i = axis - 'X';
+    rotation = rotation * Eigen::AngleAxisd(angles_rad[i], Eigen::Vector3d::Unit(i));
+  }
+  return rotation.coeffs();  // x, y, z, w
+}
+
+Eigen::MatrixXd quaternions_of_euler(const Eigen::MatrixXd& angles_deg, const std::string& order) {
+  Eigen::MatrixXd rotation(angles_deg.rows(), 4);
+  for (Eigen::Index t = 0; t < angles_deg.rows(); ++t) {
+    rotation.row(t) = quaternion_of_euler(angles_deg.row(t).transpose() * (M_PI / 180.0), order);
+  }
+  return rotation;
+}
 
 template <class Kind>
 const MotiveObject* PlateFinder::find(const std::string& name, Kind is_kind) const {
@@ -146,6 +285,51 @@ const MotiveObject& PlateFinder::marker(const std::string& name) const {
       "on while a marker is hidden",
       fmt::format("'{}'", name));
   return *solved;
+}
+
+PointTracks motive_points(const std::string& log, const MotiveTake& take,
+                          const ImportMapping& mapping, const ArmDescription& arm,
+                          RunReport& report) {
+  const PlateFinder finder(log, take, report);
+  const std::vector<PointSource> points =
+      mapping.points.empty() ? finder.default_points(arm) : mapping.points;
+  const Plane plane = plane_of(mapping.up);
+  const auto rows = static_cast<Eigen::Index>(take.time_s.size());
+  const auto k = static_cast<Eigen::Index>(points.size());
+  PointTracks tracks;
+  tracks.time_s = take.time_s;
+  tracks.x_m.resize(rows, k);
+  tracks.y_m.resize(rows, k);
+  tracks.theta_rad.resize(rows, k);
+  std::vector<Eigen::MatrixXd> positions;
+  Eigen::Index with_heading = 0;
+  for (Eigen::Index i = 0; i < k; ++i) {
+    const PointSource& point = points[std::size_t(i)];
+    if (!point.x.empty()) {
+      throw InputError(
+          fmt::format("{}: the mapping names column '{}' for {}; of a Motive file "
+                      "expected body, marker, or right and left",
+                      log, point.x, plate_name(point.plate)));
+    }
+    PointSeries series = series_of(point, finder, plane);
+    tracks.names.push_back(series.name);
+    tracks.plates.push_back(point.plate);
+    tracks.x_m.col(i) = plane.forward_sign * series.position_m.col(plane.forward);
+    tracks.y_m.col(i) = plane.left_sign * series.position_m.col(plane.left);
+    if (series.heading_rad.size() > 0) {
+      tracks.theta_rad.col(i) = series.heading_rad;
+      ++with_heading;
+    }
+    positions.push_back(std::move(series.position_m));
+  }
+  if (with_heading < k) {
+    tracks.theta_rad.resize(0, 0);
+    if (with_heading > 0) {
+      report.note("some points have a heading and some have none: all headings are the tangent's");
+    }
+  }
+  require_plane(log, positions, mapping, report);
+  return tracks;
 }
 
 }  // namespace limber

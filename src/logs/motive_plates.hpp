@@ -3,12 +3,33 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "limber/arm/arm_description.hpp"
+#include "limber/common/csv_reader.hpp"
 #include "limber/logs/import_mapping.hpp"
 #include "limber/logs/import_report.hpp"
+#include "log_rows.hpp"
 #include "motive_csv.hpp"
 
 namespace limber {
+
+/// `rotation`, T×4 quaternions x, y, z, w as `csv` has them, with their length made 1. Rows with
+/// NaN stay.
+/// @param time_s  T times, for the message.
+/// @throws InputError naming file, object and time if a length is not 1 up to rounding.
+Eigen::MatrixXd unit_quaternions(const CsvReader& csv, const std::string& object,
+                                 const std::vector<double>& time_s, Eigen::MatrixXd rotation);
+
+/// Whether `order` is one of XYZ … ZYX.
+bool is_euler_order(const std::string& order);
+
+/// Unit quaternion x, y, z, w of relative rotations by `angles_rad` (about x, y, z) in `order`,
+/// such as "XYZ": first about x, then about the new y, then about the new z.
+Eigen::Vector4d quaternion_of_euler(const Eigen::Vector3d& angles_rad, const std::string& order);
+
+/// The same of T×3 angles in degrees, T×4.
+Eigen::MatrixXd quaternions_of_euler(const Eigen::MatrixXd& angles_deg, const std::string& order);
 
 /// Finds the bodies and markers of a take by name. What it borrows has to outlive it.
 class PlateFinder {
@@ -36,5 +57,14 @@ class PlateFinder {
   const MotiveTake& take_;
   RunReport& report_;
 };
+
+/// The plates of an arm among what Motive tracked, in the plane that `mapping.up` leaves: by the
+/// mapping's points, or, without any, all rigid bodies (markers, if there are none) in the order
+/// of their names, if there are as many as plates.
+/// @throws InputError, its message beginning with `log`, where an object is missing (with what is
+/// there), or where the motion leaves that plane.
+PointTracks motive_points(const std::string& log, const MotiveTake& take,
+                          const ImportMapping& mapping, const ArmDescription& arm,
+                          RunReport& report);
 
 }  // namespace limber

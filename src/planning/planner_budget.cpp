@@ -1,6 +1,7 @@
 #include "planner_budget.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -113,6 +114,14 @@ std::string PlannerBudget::reason() const {
       return fmt::format("{} MB spent", *limits_.memory_mb);
   }
   return "";
+}
+
+double Restarts::length(std::uint64_t i) {
+  // i = 2^k − 1 has length 2^(k−1); the terms between two of those repeat the sequence.
+  while (!std::has_single_bit(i + 1)) {
+    i -= std::bit_floor(i) - 1;
+  }
+  return static_cast<double>((i + 1) / 2);
 }
 
 }  // namespace limber

@@ -1,10 +1,17 @@
 #include "limber/planning/planner_factory.hpp"
 
+#include <optional>
+#include <utility>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "certified/certified_planner.hpp"
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/network/arm_family.hpp"
+#include "limber/network/gap_bounds.hpp"
 #include "limber/planning/forest.hpp"
 #include "limber/planning/ompl_planner.hpp"
 #include "paper/pressure_rrt_star.hpp"
@@ -23,14 +30,64 @@ std::unique_ptr<Planner> make_paper_planner(PlannerName parsed, const std::strin
         fmt::format("planner setting {}: unknown; '{}' has the setting valves (0 or 1)",
                     parsed.settings.begin()->first, parsed.name));
   }
-  const ParentRule rule = parsed.name == "paper" ? ParentRule::lazy : ParentRule::steer_all;
-  return make_certified_planner(make_pressure_rrt_star(rule, {}, name), valves);
+  return make_certified_planner(make_pressure_rrt_star({}, name), valves);
+}
+
+const LearntRegion* recorded_of(const MotionModel& model) {
+  return model.has_network() && model.compensation().learnt ? &*model.compensation().learnt
+                                                            : nullptr;
+}
+
+std::optional<RecordedRegion> region_to_stay_in(const ArmDescription& arm,
+                                                const MotionModel& model) {
+  if (recorded_of(model) == nullptr) {
+    throw InputError(
+        "--stay-recorded: the model does not store what "
+        "its recordings held; limber train stores it");
+  }
+  return std::optional<RecordedRegion>(std::in_place, *recorded_of(model), arm.frame_rate_hz);
+}
+
+/// Where the plan asks for something that the model has never seen.
+void warn_beyond_recordings(const ArmDescription& arm, const MotionModel& model,
+                            PlanResult& result) {
+  if (!result.plan || recorded_of(model) == nullptr) {
+    return;
+  }
+  for (const std::string& excursion :
+       excursions_beyond(*recorded_of(model), *result.plan, arm.command)) {
+    result.warnings.push_back(excursion + "; --stay-recorded avoids this");
+  }
+}
+
+/// The arm, asked to move no faster than the settings say.
+ArmDescription slowed(ArmDescription arm, const PlanSettings& settings) {
+  if (settings.rate_limit_kpa_per_s) {
+    const double rate = *settings.rate_limit_kpa_per_s;
+    if (!(rate > 0.0 && rate <= arm.pressure_rate_limit_kpa_per_s)) {
+      throw InputError(fmt::format(
+          "a rate limit of {0} {1}/s; expected more than 0, and at most the arm's {2} {1}/s", rate,
+          arm.command.unit, arm.pressure_rate_limit_kpa_per_s));
+    }
+    if (settings.forest != nullptr) {
+      throw InputError("a rate limit of its own and a forest, which was grown with the arm's");
+    }
+    arm.pressure_rate_limit_kpa_per_s = rate;
+  }
+  return arm;
+}
+
+/// Before the planner's own.
+void warn_first(const std::string& warning, PlanResult& result) {
+  if (!warning.empty()) {
+    result.warnings.insert(result.warnings.begin(), warning);
+  }
 }
 
 }  // namespace
 
 std::vector<std::string> planner_names() {
-  return {"default", "paper", "paper-steer-all"};
+  return {"default", "paper"};
 }
 
 std::unique_ptr<Planner> make_planner(const std::string& name, int jobs, const Forest* forest) {
@@ -43,8 +100,7 @@ std::unique_ptr<Planner> make_planner(const std::string& name, int jobs, const F
   if (forest != nullptr) {
     throw InputError(fmt::format("planner '{}' uses no forest; only 'default' does", name));
   }
-  if (PlannerName parsed = PlannerName::parse(name);
-      parsed.name == "paper" || parsed.name == "paper-steer-all") {
+  if (PlannerName parsed = PlannerName::parse(name); parsed.name == "paper") {
     return make_paper_planner(std::move(parsed), name);
   }
   if (name.rfind("ompl:", 0) == 0) {
@@ -57,6 +113,49 @@ std::unique_ptr<Planner> make_planner(const std::string& name, int jobs, const F
 
 bool is_default_planner(const std::string& name) {
   return PlannerName::parse(name).name == "default";
+}
+
+PlanResult plan(const ArmDescription& asked_arm, const MotionModel& model,
+                const Environment& environment, const PlannerLimits& limits, std::uint64_t seed,
+                const PlanSettings& settings) {
+  const ArmDescription arm = slowed(asked_arm, settings);
+  if (model.has_network()) {
+    require_bounded(model.compensation(), "the model");
+  }
+  const std::optional<RecordedRegion> region =
+      settings.stay_recorded ? region_to_stay_in(arm, model) : std::nullopt;
+  const ErrorRoom room = error_room(model.forward(), settings.room);
+  PlanningProblem problem = problem_with_room(arm, model, environment, room);
+  problem.stay_within = region ? &*region : nullptr;
+  problem.limits = settings.within;
+  problem.on_plan = settings.on_plan;
+  PlanResult result = make_planner(settings.planner, settings.jobs, settings.forest)
+                          ->plan(problem, limits.or_default(), seed, settings.callback);
+  warn_first(room.note, result);
+  warn_beyond_recordings(arm, model, result);
+  return result;
+}
+
+PlanResult plan(const ArmDescription& arm, const CompensationModel& network,
+                const Environment& environment, const PlannerLimits& limits, std::uint64_t seed,
+                const PlanSettings& settings) {
+  const ForwardModel forward(arm, network);
+  const MotionModel model(forward, ValveModel(arm, network.valves.value_or(ValveParameters{})));
+  PlanResult result = plan(arm, model, environment, limits, seed, settings);
+  warn_first(why_valves_are_missing(model), result);
+  return result;
+}
+
+PlanResult plan(const ArmDescription& arm, const std::filesystem::path& model_file,
+                const Environment& environment, const PlannerLimits& limits, std::uint64_t seed,
+                const PlanSettings& settings) {
+  const CompensationModel network = read_model_of_one_arm(model_file);
+  require_bounded(network, model_file.string());
+  PlanResult result = plan(arm, network, environment, limits, seed, settings);
+  if (result.plan) {
+    result.plan->model_hash = content_hash(read_file(model_file));
+  }
+  return result;
 }
 
 }  // namespace limber

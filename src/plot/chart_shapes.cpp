@@ -1,18 +1,26 @@
 #include "chart_shapes.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "limber/common/statistics.hpp"
 #include "limber/plot/svg_text.hpp"
-#include "pixel_path.hpp"
-#include "spread.hpp"
 #include "svg_elements.hpp"
 
 namespace limber {
 
 namespace {
+
+double silverman_bandwidth(const std::vector<double>& values, const Spread& spread) {
+  const double deviation = standard_deviation(values);
+  const double quartiles = (spread.p75 - spread.p25) / 1.34;
+  const double width = quartiles > 0.0 ? std::min(deviation, quartiles) : deviation;
+  return 0.9 * width * std::pow(double(values.size()), -0.2);
+}
 
 constexpr double kBandOpacity = 0.22;
 constexpr double kHistogramOpacity = 0.45;
@@ -57,6 +65,79 @@ std::string filled_path(const std::string& data, const ShapeStyle& style) {
 }
 
 }  // namespace
+
+Spread spread_of(const std::vector<double>& values) {
+  return {mean(values),   quantile(values, 0.05), quantile(values, 0.25),
+          median(values), quantile(values, 0.75), quantile(values, 0.95)};
+}
+
+DensityOutline density_outline(const std::vector<double>& values, int steps) {
+  assert(!values.empty() && steps >= 2);
+  const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
+  const double low = *lowest;
+  const double width = *highest - low;
+  const double bandwidth = silverman_bandwidth(values, spread_of(values));
+  if (width <= 0.0 || bandwidth <= 0.0) {
+    return {{low}, {1.0}};
+  }
+  // Values are counted in fine bins first, so that a million of them cost no more than a thousand.
+  constexpr int kFineBins = 512;
+  std::vector<double> counts(kFineBins, 0.0);
+  for (const double value : values) {
+    const long bin = std::lround((value - low) / width * (kFineBins - 1));
+    counts[static_cast<std::size_t>(bin)] += 1.0;
+  }
+  DensityOutline outline;
+  for (int step = 0; step < steps; ++step) {
+    const double at = low + width * step / (steps - 1);
+    double density = 0.0;
+    for (int bin = 0; bin < kFineBins; ++bin) {
+      const double distance = (low + width * bin / (kFineBins - 1) - at) / bandwidth;
+      density += counts[static_cast<std::size_t>(bin)] * std::exp(-0.5 * distance * distance);
+    }
+    outline.at.push_back(at);
+    outline.density.push_back(density);
+  }
+  const double largest = *std::max_element(outline.density.begin(), outline.density.end());
+  for (double& density : outline.density) {
+    density = largest > 0.0 ? density / largest : 1.0;
+  }
+  return outline;
+}
+
+std::vector<Pixel> decimate(const std::vector<Pixel>& points) {
+  std::vector<Pixel> kept;
+  for (std::size_t first = 0; first < points.size();) {
+    const double column = std::floor(points[first].x);
+    std::size_t end = first + 1;
+    std::size_t lowest = first;
+    std::size_t highest = first;
+    while (end < points.size() && std::floor(points[end].x) == column) {
+      lowest = points[end].y < points[lowest].y ? end : lowest;
+      highest = points[end].y > points[highest].y ? end : highest;
+      ++end;
+    }
+    std::array indices{first, lowest, highest, end - 1};
+    std::sort(indices.begin(), indices.end());
+    const auto unique_end = std::unique(indices.begin(), indices.end());
+    for (auto index = indices.begin(); index != unique_end; ++index) {
+      kept.push_back(points[*index]);
+    }
+    first = end;
+  }
+  return kept;
+}
+
+std::string pixel_path(const std::vector<Pixel>& points) {
+  std::string data;
+  for (const Pixel& point : points) {
+    data += (data.empty() ? "M" : "L") + svg::point(point.x, point.y);
+  }
+  if (points.size() == 1) {
+    data += "h0.01";
+  }
+  return data;
+}
 
 SeriesDrawer::SeriesDrawer(const ChartArea& area, const ChartMeasure& measure,
                            const std::vector<Series>& series)

@@ -1,12 +1,14 @@
 #include "limber/plot/svg_drawing.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
 #include <fmt/format.h>
 
-#include "axis_ticks.hpp"
+#include "chart_measure.hpp"
 #include "limber/common/error.hpp"
 #include "limber/plot/svg_text.hpp"
 #include "svg_elements.hpp"
@@ -38,6 +40,13 @@ void check_box(const WorldBox& box, double width_px) {
 }
 
 }  // namespace
+
+std::string palette_color(int index) {
+  assert(index >= 0);
+  static constexpr std::array kColors{"#d55e00", "#0072b2", "#111111", "#009e73",
+                                      "#cc79a7", "#e69f00", "#56b4e9", "#b8a900"};
+  return kColors[static_cast<std::size_t>(index) % kColors.size()];
+}
 
 SvgDrawing::SvgDrawing(const WorldBox& box, double width_px, std::string title)
     : box_(box), scale_(0.0), title_(std::move(title)) {

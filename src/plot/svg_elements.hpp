@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "limber/plot/shape_style.hpp"
+#include "limber/plot/svg_drawing.hpp"
 
 namespace limber::svg {
 

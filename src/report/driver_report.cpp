@@ -8,7 +8,7 @@
 
 #include "frame_column.hpp"
 #include "limber/arm/names.hpp"
-#include "limber/arm/valve_findings.hpp"
+#include "limber/arm/valve_parameters.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/plot/chart.hpp"
 #include "limber/report/report_page.hpp"

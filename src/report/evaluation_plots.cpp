@@ -1,13 +1,21 @@
 #include "limber/report/evaluation_plots.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
+#include "limber/arm/names.hpp"
+#include "limber/arm/pose_columns.hpp"
 #include "limber/common/atomic_file.hpp"
+#include "limber/common/json_number.hpp"
 #include "limber/plot/chart.hpp"
-#include "limber/plot/shape_style.hpp"
+#include "limber/plot/svg_drawing.hpp"
 #include "limber/report/shapes_page.hpp"
+#include "limber/report/training_report.hpp"
 #include "limber/training/evaluation.hpp"
 
 namespace limber {
@@ -118,6 +126,84 @@ const Episode& longest(const std::vector<Episode>& episodes) {
   return *std::ranges::max_element(episodes, {}, &Episode::frame_count);
 }
 
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kShownEpisodes = 3;
+
+constexpr std::array<std::pair<const char*, Restart>, 4> kHorizons = {
+    {{"one_step", Restart::every_frame},
+     {"window_32", Restart::every_32_frames},
+     {"per_motion", Restart::every_motion},
+     {"open_loop", Restart::at_the_start_only}}};
+
+std::string cell(double value) {
+  return std::isfinite(value) ? fmt::format("{:>11.2f}", value) : fmt::format("{:>11}", "-");
+}
+
+std::string yardstick_row(const std::string& label, const RolloutErrors& errors) {
+  std::string text = fmt::format("{:<26}", label);
+  for (const TipErrors& one :
+       {errors.one_step, errors.window_32, errors.per_motion, errors.open_loop}) {
+    text += cell(one.position_cm.mean);
+  }
+  return text + cell(errors.open_loop.plates_cm.mean) + "\n";
+}
+
+/// Of the curve that has the best right to be trusted: the network's, or the no-load model's.
+std::string worst_episodes(const YardstickReport& report) {
+  const auto network = std::ranges::find(report.predictors, "network", &PredictorErrors::key);
+  const PredictorErrors& shown =
+      network != report.predictors.end() ? *network : report.predictors.front();
+  std::vector<std::size_t> order(shown.episode_cm.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::erase_if(order, [&](std::size_t i) { return std::isnan(shown.episode_cm[i]); });
+  std::ranges::stable_sort(order, std::greater{},
+                           [&](std::size_t i) { return shown.episode_cm[i]; });
+  std::string text = fmt::format("worst episodes, {} open loop [cm]:", shown.label);
+  for (std::size_t k = 0; k < std::min(kShownEpisodes, order.size()); ++k) {
+    text += fmt::format("{} {} {:.2f}", k == 0 ? "" : ",", report.episode_names[order[k]],
+                        shown.episode_cm[order[k]]);
+  }
+  return text + fmt::format(" (of {})\n", order.size());
+}
+
+std::string poses_header(const std::string& name, const Episode& episode) {
+  std::string text;
+  for (int p = 0; p < episode.point_count(); ++p) {
+    for (const auto& [key, unit] : pose_columns(episode.dimension)) {
+      text += fmt::format(",{}_{}{}{}", name, key, p, unit);
+    }
+  }
+  return text;
+}
+
+std::string pose_cells(const FrameMatrix& poses, Eigen::Index t) {
+  std::string text;
+  for (const float value : poses.row(t)) {
+    text += std::isfinite(value) ? fmt::format(",{:.6f}", value) : std::string(",");
+  }
+  return text;
+}
+
+std::string predictions_csv(const std::vector<Episode>& episodes,
+                            const std::vector<FrameMatrix>& no_load,
+                            const std::vector<FrameMatrix>* network) {
+  const Episode& first = episodes.front();
+  std::string text = "episode,frame,time_s,tracked" + poses_header("recorded", first) +
+                     poses_header("no_load", first) +
+                     (network != nullptr ? poses_header("network", first) : "") + "\n";
+  for (std::size_t e = 0; e < episodes.size(); ++e) {
+    for (int t = 0; t < episodes[e].frame_count(); ++t) {
+      text += fmt::format("{},{},{:.6f},{}", e, t, episodes[e].time_s[t],
+                          episodes[e].was_tracked(t) ? 1 : 0);
+      text += pose_cells(episodes[e].backbone, t) + pose_cells(no_load[e], t);
+      text += network != nullptr ? pose_cells((*network)[e], t) : "";
+      text += "\n";
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 EvaluationPlots plot_evaluation(const ArmDescription& arm, const ForwardModel& no_load,
@@ -193,6 +279,101 @@ std::string plot_inflate_deflate(const ForwardModel& no_load, const ForwardModel
                                episode.backbone.rows() - 1);
   chart.note("Friction keeps the arm from coming back to straight; the no-load model has none.");
   return chart.svg();
+}
+
+std::string frames_counted_in_words() {
+  return "every frame after the first of its episode in which the arm was "
+         "tracked; a frame that a rollout was given as its start is no "
+         "prediction, and one that rests on no tracked frame counts for nothing";
+}
+
+Json to_json(const YardstickReport& report, const std::vector<Episode>& episodes) {
+  Json json;
+  json["yardsticks_fitted_to"] = report.fitted_to;
+  json["frames_counted"] = frames_counted_in_words();
+  json["horizons"]["frames"] = report.horizon_frames;
+  json["episodes"] = Json::array();
+  for (std::size_t e = 0; e < episodes.size(); ++e) {
+    json["episodes"].push_back(
+        {{"name", report.episode_names[e]},
+         {"frames", episodes[e].frame_count()},
+         {"tracked", episodes[e].frame_count() - episodes[e].untracked_count()}});
+  }
+  for (const PredictorErrors& curve : report.predictors) {
+    if (curve.errors) {
+      json["baselines"][curve.key] = to_json(*curve.errors);
+    }
+    Json& horizon = json["horizons"]["tip_error_cm"][curve.key];
+    for (const double value : curve.tip_cm) {
+      horizon.push_back(json_number(value));
+    }
+    for (std::size_t e = 0; e < curve.episode_cm.size(); ++e) {
+      json["episodes"][e]["tip_error_cm"][curve.key] = json_number(curve.episode_cm[e]);
+    }
+  }
+  return json;
+}
+
+std::string to_text(const YardstickReport& report) {
+  std::string text =
+      fmt::format("{:<26}{:>11}{:>11}{:>11}{:>11}{:>11}\n", "yardsticks, mean tip [cm]", "one step",
+                  "32 frames", "per motion", "open loop", "all plates");
+  for (const PredictorErrors& predictor : report.predictors) {
+    text += predictor.errors ? yardstick_row(predictor.label, *predictor.errors) : "";
+  }
+  text += "all plates: open loop, mean over all plates but the base. Fitted to " +
+          report.fitted_to + "\n";
+  return text + worst_episodes(report) + "counted: " + frames_counted_in_words() + "\n";
+}
+
+std::string error_over_horizon_svg(const YardstickReport& report) {
+  Chart chart("Tip error over the horizon");
+  chart.x_axis("frames between restarts, log2 (0: one frame; right end: whole episode)")
+      .y_axis("mean position error [cm]")
+      .size_px(900, 420)
+      .logarithmic_y();
+  std::vector<double> x;
+  for (const int frames : report.horizon_frames) {
+    x.push_back(std::log2(double(frames)));
+  }
+  int color = kTrueArmColor + 1;
+  for (const PredictorErrors& curve : report.predictors) {
+    SeriesStyle style;
+    style.dashed = curve.errors.has_value();  // of yardsticks
+    style.color = palette_color(curve.key == "no_load"   ? kNoLoadColor
+                                : curve.key == "network" ? kNetworkColor
+                                                         : color++);
+    chart.line(curve.label, x, curve.tip_cm, style);
+  }
+  chart.note("Restarted from the recorded backbone every so many frames, and left alone between.");
+  return chart.svg();
+}
+
+std::vector<std::filesystem::path> prediction_paths(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> paths;
+  for (const auto& [name, restart] : kHorizons) {
+    paths.push_back(folder / (std::string(name) + ".csv"));
+  }
+  return paths;
+}
+
+std::vector<std::filesystem::path> write_predictions(const std::filesystem::path& folder,
+                                                     const ForwardModel& no_load,
+                                                     const ForwardModel* network,
+                                                     const std::vector<Episode>& episodes,
+                                                     int jobs) {
+  const std::vector<std::filesystem::path> paths = prediction_paths(folder);
+  const std::vector<FrameMatrix> unloaded = predict(no_load, episodes, Restart::every_frame, jobs);
+  for (std::size_t i = 0; i < kHorizons.size(); ++i) {
+    if (network == nullptr) {
+      write_file_atomically(paths[i], predictions_csv(episodes, unloaded, nullptr));
+      continue;
+    }
+    const std::vector<FrameMatrix> predicted =
+        predict(*network, episodes, kHorizons[i].second, jobs);
+    write_file_atomically(paths[i], predictions_csv(episodes, unloaded, &predicted));
+  }
+  return paths;
 }
 
 }  // namespace limber

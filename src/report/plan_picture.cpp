@@ -9,7 +9,7 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/units.hpp"
 #include "limber/plot/chart.hpp"
-#include "limber/plot/shape_style.hpp"
+#include "limber/plot/svg_drawing.hpp"
 #include "limber/world/obstacle_shape.hpp"
 
 namespace limber {

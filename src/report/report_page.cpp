@@ -109,16 +109,8 @@ ReportPage::ReportPage(std::string title, std::string subtitle)
 
 ReportPage& ReportPage::heading(std::string_view text) {
   const int number = static_cast<int>(sections_.size()) + 1;
-  while (open_details_ > 0) {
-    end_details();
-  }
   sections_.push_back({std::string(text), number});
   body_ += element("h2", text, fmt::format(" id=\"section-{}\"", number));
-  return *this;
-}
-
-ReportPage& ReportPage::subheading(std::string_view text) {
-  body_ += element("h3", text);
   return *this;
 }
 
@@ -189,29 +181,11 @@ ReportPage& ReportPage::figures(const std::vector<ReportFigure>& figures) {
   return *this;
 }
 
-ReportPage& ReportPage::begin_details(std::string_view summary) {
-  body_ += "<details>\n" + element("summary", summary);
-  ++open_details_;
-  return *this;
-}
-
-ReportPage& ReportPage::end_details() {
-  if (open_details_ > 0) {
-    body_ += "</details>\n";
-    --open_details_;
-  }
-  return *this;
-}
-
 std::string ReportPage::html() const {
   std::string links;
   for (const Section& section : sections_) {
     links += fmt::format("<li><a href=\"#section-{}\">{}</a></li>\n", section.number,
                          escape_xml(section.title));
-  }
-  std::string body = body_;
-  for (int i = 0; i < open_details_; ++i) {
-    body += "</details>\n";
   }
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
@@ -221,7 +195,7 @@ std::string ReportPage::html() const {
       "</html>\n",
       escape_xml(title_), kStyleSheet,
       subtitle_.empty() ? "" : element("p", subtitle_, " class=\"subtitle\""),
-      links.empty() ? "" : "<nav><ul>\n" + links + "</ul></nav>\n", body,
+      links.empty() ? "" : "<nav><ul>\n" + links + "</ul></nav>\n", body_,
       page_bytes().at("/assets/report.js"));
 }
 

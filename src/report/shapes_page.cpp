@@ -5,10 +5,32 @@
 #include <fmt/format.h>
 
 #include "animation.hpp"
+#include "limber/plot/svg_drawing.hpp"
+#include "limber/report/plan_picture.hpp"
 
 namespace limber {
 
 namespace {
+
+ShapeStyle body_style(const std::string& model) {
+  ShapeStyle style;
+  style.fill = palette_color(model == "network" ? kNetworkColor : kNoLoadColor);
+  style.stroke = "none";
+  style.opacity = 0.35;
+  return style;
+}
+
+void draw_center_line(SvgDrawing& drawing, const Backbone& backbone, const PlanTrial& trial) {
+  std::vector<WorldPoint> points;
+  for (Eigen::Index i = 0; i < backbone.rows(); ++i) {
+    points.push_back({backbone(i, 0), backbone(i, 1)});
+  }
+  ShapeStyle style;
+  style.fill = "none";
+  style.stroke = palette_color(trial.model == "network" ? kNetworkColor : kNoLoadColor);
+  style.dashed = trial.execution->collided;
+  drawing.polyline(points, style);
+}
 
 using Json = nlohmann::ordered_json;
 
@@ -42,6 +64,22 @@ Json unknown_frames(const FrameMatrix& backbones, const Episode& recorded, Eigen
 }
 
 }  // namespace
+
+std::string final_shapes_picture(const ArmDescription& arm, const EnvironmentCase& item,
+                                 const std::vector<PlanTrial>& trials) {
+  SvgDrawing drawing(picture_box(arm, item.environment), 560.0, item.environment.name);
+  drawing.axes();
+  for (const PlanTrial& trial : trials) {
+    if (trial.environment == item.id && trial.execution && trial.execution->final_backbone) {
+      draw_arm(drawing, arm, *trial.execution->final_backbone, body_style(trial.model));
+      draw_center_line(drawing, *trial.execution->final_backbone, trial);
+    }
+  }
+  draw_environment(drawing, item.environment);
+  drawing.legend("no-load plans", body_style("no_load"));
+  drawing.legend("network plans", body_style("network"));
+  return drawing.svg();
+}
 
 std::string shapes_page(const std::string& title, const ArmDescription& arm, const Episode& episode,
                         const std::vector<ShownShapes>& predicted, const std::string& still) {

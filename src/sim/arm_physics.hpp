@@ -9,11 +9,9 @@
 #include "limber/sim/virtual_arm.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
 #include "mujoco_chain.hpp"
-#include "plane_kinematics.hpp"
 #include "pneumatics.hpp"
 #include "side_law.hpp"
 #include "spring_slider.hpp"
-#include "table_friction.hpp"
 
 namespace limber {
 

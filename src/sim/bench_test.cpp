@@ -1,13 +1,18 @@
-#include "limber/sim/bench_test.hpp"
+#include "limber/sim/virtual_arm.hpp"
 
 #include <cmath>
+#include <functional>
+#include <iterator>
+#include <numbers>
 
 #include <fmt/format.h>
+#include <Eigen/QR>
 
-#include "bench_rest.hpp"
+#include "limber/arm/characterisation.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/sim/virtual_arm_parameters.hpp"
 
 namespace limber {
 
@@ -19,22 +24,7 @@ constexpr double kStillStrain = 1e-13;
 constexpr double kLongestRestS = 60.0;
 constexpr int kMinSteps = 4;
 
-/// The arm that stands on the bench: one segment, nothing that depends on history.
-ArmDescription bench_arm(const ArmDescription& arm, int segment) {
-  ArmDescription bench = arm;
-  bench.segments = {arm.segments[static_cast<std::size_t>(segment)]};
-  // Either side is like the other, so that the right one stands for the side that takes more.
-  PressureLimits& limits = bench.segments.front().pressure_limit_kpa;
-  limits = limits.largest_kpa();
-  bench.name = fmt::format("{}, {} on the bench", arm.name, segment_name(segment));
-  VirtualArmParameters parameters = virtual_arm_parameters(arm);
-  make_ideal(parameters);
-  set_virtual_arm_parameters(bench, parameters);
-  return bench;
-}
-
-}  // namespace
-
+/// Of an arm on the bench: nothing depends on history, or differs from one actuator to another.
 void make_ideal(VirtualArmParameters& parameters) {
   parameters.strength_spread = 0.0;
   parameters.hysteresis_fraction = 0.0;
@@ -49,6 +39,7 @@ void make_ideal(VirtualArmParameters& parameters) {
   parameters.pressure_dead_band_kpa = 0.0;
 }
 
+/// Holds set points until nothing moves: the pressure that `channel` then has, and `strain()`.
 BenchPoint settled_point(VirtualArm& arm, const Pressures& setpoint_kpa, Eigen::Index channel,
                          const std::function<double()>& strain) {
   const double wanted_kpa = double(setpoint_kpa[channel]);
@@ -69,6 +60,62 @@ BenchPoint settled_point(VirtualArm& arm, const Pressures& setpoint_kpa, Eigen::
            std::abs(arm.true_pressure_kpa()[channel] - wanted_kpa) > 1e-3);
   return {arm.true_pressure_kpa()[channel], now};
 }
+
+/// The arm that stands on the bench: one segment, nothing that depends on history.
+ArmDescription bench_arm(const ArmDescription& arm, int segment) {
+  ArmDescription bench = arm;
+  bench.segments = {arm.segments[static_cast<std::size_t>(segment)]};
+  // Either side is like the other, so that the right one stands for the side that takes more.
+  PressureLimits& limits = bench.segments.front().pressure_limit_kpa;
+  limits = limits.largest_kpa();
+  bench.name = fmt::format("{}, {} on the bench", arm.name, segment_name(segment));
+  VirtualArmParameters parameters = virtual_arm_parameters(arm);
+  make_ideal(parameters);
+  set_virtual_arm_parameters(bench, parameters);
+  return bench;
+}
+
+/// Which segment has the chamber, and its number there.
+struct ChamberPlace {
+  int segment = 0;
+  int chamber = 0;
+};
+
+ChamberPlace place_of(const ArmDescription& arm, int channel) {
+  ChamberPlace place{0, channel};
+  for (; place.chamber >= std::ssize(arm.segments[std::size_t(place.segment)].chambers);
+       ++place.segment) {
+    place.chamber -= static_cast<int>(arm.segments[std::size_t(place.segment)].chambers.size());
+  }
+  return place;
+}
+
+/// What a chamber's place is strained by where its own strain is 1 and that of the others is 0:
+/// docs/model.md, (26) at that place. 1 for three chambers, 3/4 for two pairs.
+double own_share(const Segment& segment, int chamber) {
+  Eigen::MatrixX3d places(std::ssize(segment.chambers), 3);
+  for (Eigen::Index i = 0; i < places.rows(); ++i) {
+    const Chamber& one = segment.chambers[static_cast<std::size_t>(i)];
+    const double angle_rad = one.angle_deg * std::numbers::pi / 180.0;
+    places.row(i) << 1.0, one.radius_m * std::cos(angle_rad), one.radius_m * std::sin(angle_rad);
+  }
+  const Eigen::MatrixXd back = places.completeOrthogonalDecomposition().pseudoInverse();
+  return places.row(chamber).dot(back.col(chamber));
+}
+
+/// One segment, free of load and of all that depends on history.
+ArmDescription chamber_on_bench(const ArmDescription& arm, int channel) {
+  ArmDescription bench = arm;
+  bench.segments = {arm.segments[static_cast<std::size_t>(place_of(arm, channel).segment)]};
+  bench.no_load = NoLoadKind::straight;
+  bench.segments.front().shape_of_strains = {};
+  bench.gravity.setZero();
+  bench.name = fmt::format("{}, {} on the bench", arm.name, channel_name(arm, channel));
+  change_virtual_arm(bench, make_ideal);
+  return bench;
+}
+
+}  // namespace
 
 std::vector<BenchPoint> bench_test(const ArmDescription& arm, int segment, int steps) {
   require_planar(arm, "the bench test of a side");
@@ -96,6 +143,31 @@ BenchData bench_test_all(const ArmDescription& arm, int steps) {
     all.push_back(bench_test(arm, segment, steps));
   }
   return all;
+}
+
+std::vector<BenchPoint> bench_test_of_chamber(const ArmDescription& arm, int channel, int steps) {
+  constexpr int kMinSteps = 4;
+  if (!arm.is_spatial() || channel < 0 || channel >= arm.channel_count() || steps < kMinSteps) {
+    throw InputError(fmt::format(
+        "bench test: chamber {} in {} steps; arm '{}' has {} chambers in all, and {} steps at "
+        "least are expected",
+        channel, steps, arm.name, arm.is_spatial() ? arm.channel_count() : 0, kMinSteps));
+  }
+  const ChamberPlace place = place_of(arm, channel);
+  const Segment& segment = arm.segments[static_cast<std::size_t>(place.segment)];
+  const Chamber& chamber = arm.chamber(channel);
+  const double share = own_share(segment, place.chamber);
+  VirtualArm bench(chamber_on_bench(arm, channel));
+  std::vector<BenchPoint> points = {{0.0, 0.0}};
+  for (int step = 1; step <= steps; ++step) {
+    Pressures setpoint = Pressures::Zero(std::ssize(segment.chambers));
+    setpoint[place.chamber] = static_cast<float>(chamber.limit_kpa.upper_kpa * step / steps);
+    BenchPoint point = settled_point(bench, setpoint, place.chamber,
+                                     [&] { return bench.chamber_strain(place.chamber); });
+    point.strain *= -chamber.sense / share;
+    points.push_back(point);
+  }
+  return points;
 }
 
 }  // namespace limber

@@ -7,7 +7,7 @@
 #include "limber/common/printable.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
-#include "space_chain.hpp"
+#include "mujoco_chain.hpp"
 
 namespace limber {
 

@@ -8,8 +8,11 @@
 
 #include <fmt/format.h>
 
+#include "limber/arm/space_pose.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/random_stream.hpp"
 #include "limber/sim/mjcf.hpp"
+#include "limber/sim/virtual_arm_parameters.hpp"
 
 namespace limber {
 
@@ -54,6 +57,16 @@ mjModel* load_model(const std::string& xml) {
     throw SystemFault(fmt::format("MuJoCo refuses the arm's model: {}", message.data()));
   }
   return model;
+}
+
+Eigen::Vector2d perpendicular(const Eigen::Vector2d& v) {
+  return {-v.y(), v.x()};
+}
+
+constexpr std::uint64_t kOffsetAboutYStream = 3'000'000;  // of strength_seed, beside mjcf.cpp's
+
+Eigen::Quaterniond turn(double angle_rad, const Eigen::Vector3d& axis) {
+  return Eigen::Quaterniond(Eigen::AngleAxisd(angle_rad, axis));
 }
 
 }  // namespace
@@ -114,6 +127,106 @@ std::string MujocoChain::step() {
   const bool finite = std::all_of(data_->qpos, data_->qpos + model_->nq,
                                   [](double value) { return std::isfinite(value); });
   return finite ? "" : "a joint position is not finite";
+}
+
+PlaneKinematics::PlaneKinematics(const std::vector<ChainLink>& links, double base_angle_rad)
+    : plates_(links.size() + 1), hinge_(links.size(), Eigen::Vector2d::Zero()) {
+  for (const ChainLink& link : links) {
+    half_length_m_.push_back(0.5 * link.length_m);
+  }
+  plates_[0].theta_rad = base_angle_rad;
+  plates_[0].axis = {std::cos(base_angle_rad), std::sin(base_angle_rad)};
+}
+
+void PlaneKinematics::update(const double* position, const double* velocity) {
+  for (std::size_t gap = 0; gap < half_length_m_.size(); ++gap) {
+    const Plate& before = plates_[gap];
+    Plate& after = plates_[gap + 1];
+    const double reach = half_length_m_[gap] + position[2 * gap];
+    hinge_[gap] = before.position + reach * before.axis;
+    after.theta_rad = before.theta_rad + position[2 * gap + 1];
+    after.rate_rad_per_s = before.rate_rad_per_s + velocity[2 * gap + 1];
+    after.axis = {std::cos(after.theta_rad), std::sin(after.theta_rad)};
+    after.position = hinge_[gap] + half_length_m_[gap] * after.axis;
+    after.velocity = before.velocity + velocity[2 * gap] * before.axis +
+                     before.rate_rad_per_s * reach * perpendicular(before.axis) +
+                     after.rate_rad_per_s * half_length_m_[gap] * perpendicular(after.axis);
+  }
+}
+
+void PlaneKinematics::add_joint_forces(const std::vector<Load>& loads, double* joint_force) const {
+  Eigen::Vector2d force = Eigen::Vector2d::Zero();
+  double moment = 0.0;  // about the origin
+  for (std::size_t gap = half_length_m_.size(); gap-- > 0;) {
+    const Load& load = loads[gap];
+    const Eigen::Vector2d& at = plates_[gap + 1].position;
+    force += load.force_n;
+    moment += load.torque_n_m + at.x() * load.force_n.y() - at.y() * load.force_n.x();
+    const Eigen::Vector2d& hinge = hinge_[gap];
+    joint_force[2 * gap] += force.dot(plates_[gap].axis);
+    joint_force[2 * gap + 1] += moment - (hinge.x() * force.y() - hinge.y() * force.x());
+  }
+}
+
+std::vector<SpaceLink> space_chain_links(const ArmDescription& arm, const VirtualArmParameters& p) {
+  RandomStream offsets(p.strength_seed, kOffsetAboutYStream);
+  std::vector<SpaceLink> links;
+  for (const ChainLink& gap : chain_links(arm, p)) {
+    // A disc as thick as the gap: what lies between the plates is part of it.
+    const double ring = gap.width_m * gap.width_m / 16.0;
+    const double thickness = gap.length_m * gap.length_m / 12.0;
+    SpaceLink link;
+    link.gap = gap;
+    link.inertia_along_kg_m2 = 2.0 * gap.mass_kg * ring;
+    link.inertia_across_kg_m2 = gap.mass_kg * (ring + thickness);
+    link.rest_rad = {p.plate_offset_rad * offsets.uniform(-1.0, 1.0), gap.rest_angle_rad};
+    links.push_back(link);
+  }
+  return links;
+}
+
+std::string space_link_mjcf(const SpaceLink& link, const VirtualArmParameters& p,
+                            std::size_t number, const std::string& margin) {
+  const auto hinge = [&](const char* name, const char* axis, double stiffness, double rest_rad,
+                         double damping) {
+    return fmt::format(
+        "{}  <joint name=\"{}_{}\" type=\"hinge\" axis=\"{}\" pos=\"{} 0 0\" stiffness=\"{}\" "
+        "springref=\"{}\" damping=\"{}\" armature=\"{}\"/>\n",
+        margin, name, number, axis, -0.5 * link.gap.length_m, stiffness, rest_rad, damping,
+        p.hinge_armature_kg_m2);
+  };
+  const double bend = p.hinge_stiffness_n_m_per_rad;
+  const double damping = link.gap.hinge_damping_n_m_s_per_rad;
+  return fmt::format(
+             "{0}<body name=\"plate_{1}\" pos=\"{2} 0 0\">\n"
+             "{0}  <inertial pos=\"0 0 0\" mass=\"{3}\" diaginertia=\"{4} {5} {5}\"/>\n"
+             "{0}  <joint name=\"slide_{1}\" type=\"slide\" "
+             "axis=\"1 0 0\" damping=\"{6}\" armature=\"{7}\"/>\n",
+             margin, number, link.gap.length_m, link.gap.mass_kg, link.inertia_along_kg_m2,
+             link.inertia_across_kg_m2, p.slide_damping_n_s_per_m, p.slide_armature_kg) +
+         hinge("bend_y", "0 1 0", bend, link.rest_rad[0], damping) +
+         hinge("bend_z", "0 0 1", bend, link.rest_rad[1], damping) +
+         hinge("twist", "1 0 0", p.twist_stiffness_n_m_per_rad, 0.0, p.twist_damping_n_m_s_per_rad);
+}
+
+void write_space_plates(const std::vector<SpaceLink>& links, double base_angle_rad,
+                        const double* position, SpaceBackboneD& plates) {
+  plates.resize(static_cast<Eigen::Index>(links.size()) + 1, kSpacePoseSize);
+  SpacePose pose{Eigen::Vector3d::Zero(), turn(base_angle_rad, Eigen::Vector3d::UnitZ())};
+  plates.row(0) = numbers_of(pose).transpose();
+  for (std::size_t gap = 0; gap < links.size(); ++gap) {
+    const double* joints = position + kSpaceJoints * gap;
+    const double half_m = 0.5 * links[gap].gap.length_m;
+    SpacePose step;
+    step.rotation = turn(joints[1], Eigen::Vector3d::UnitY()) *
+                    turn(joints[2], Eigen::Vector3d::UnitZ()) *
+                    turn(joints[3], Eigen::Vector3d::UnitX());
+    step.position_m = (half_m + joints[0]) * Eigen::Vector3d::UnitX() +
+                      half_m * (step.rotation * Eigen::Vector3d::UnitX());
+    pose = compose(pose, step);
+    pose.rotation.normalize();
+    plates.row(static_cast<Eigen::Index>(gap) + 1) = numbers_of(pose).transpose();
+  }
 }
 
 }  // namespace limber

@@ -14,7 +14,8 @@
 #include "limber/common/number_text.hpp"
 #include "limber/common/printable.hpp"
 #include "limber/common/random_stream.hpp"
-#include "limber/sim/virtual_arm_factory.hpp"
+#include "limber/common/units.hpp"
+#include "limber/sim/virtual_arm.hpp"
 
 namespace limber {
 
@@ -41,14 +42,12 @@ struct Range {
   bool by_logarithm = false;
 };
 
-constexpr double kRadPerDegree = std::numbers::pi / 180.0;
-
 constexpr std::array kWideRanges = {
     Range{&Parameters::friction_coefficient, 0.1, 0.45},
     Range{&Parameters::friction_static_excess, 0.0, 0.4},
     Range{&Parameters::friction_stribeck_m_per_s, 0.01, 0.1, true},
     Range{&Parameters::friction_viscous_s_per_m, 0.0, 0.2},
-    Range{&Parameters::table_tilt_rad, 0.0, 10.0 * kRadPerDegree},
+    Range{&Parameters::table_tilt_rad, 0.0, 10.0 * kRadPerDeg},
     Range{&Parameters::table_downhill_rad, -std::numbers::pi, std::numbers::pi},
     Range{&Parameters::tip_load_kg, 0.0, 0.08},
     Range{&Parameters::plate_payload_kg, 0.006, 0.024, true},

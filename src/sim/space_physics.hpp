@@ -9,7 +9,6 @@
 #include "mujoco_chain.hpp"
 #include "pneumatics.hpp"
 #include "side_law.hpp"
-#include "space_chain.hpp"
 #include "spring_slider.hpp"
 
 namespace limber {

@@ -1,4 +1,4 @@
-#include "limber/sim/virtual_arm_factory.hpp"
+#include "limber/sim/virtual_arm.hpp"
 
 #include <fmt/format.h>
 

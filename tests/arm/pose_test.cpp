@@ -1,4 +1,4 @@
-#include "limber/arm/pose.hpp"
+#include "limber/arm/backbone.hpp"
 
 #include <numbers>
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
-#include "limber/arm/pose.hpp"
+#include "limber/arm/backbone.hpp"
 #include "limber/common/random_stream.hpp"
 
 namespace limber {

@@ -1,4 +1,4 @@
-#include "limber/arm/valve_findings.hpp"
+#include "limber/arm/valve_parameters.hpp"
 
 #include <limits>
 

@@ -1,4 +1,4 @@
-#include "limber/arm/valve_motion.hpp"
+#include "limber/arm/valve_model.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "limber/arm/valve_model.hpp"
 #include "random_valves.hpp"
 #include "test_arms.hpp"
 

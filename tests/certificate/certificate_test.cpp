@@ -303,8 +303,7 @@ class BrokenPlanner final : public Planner {
   const char* name() const override { return "broken"; }
   PlanResult plan(const PlanningProblem& problem, const PlannerLimits& limits, std::uint64_t seed,
                   const PlannerCallback& callback) override {
-    PlanResult result =
-        make_pressure_rrt_star(ParentRule::lazy)->plan(problem, limits, seed, callback);
+    PlanResult result = make_pressure_rrt_star()->plan(problem, limits, seed, callback);
     if (result.plan) {
       result.plan->frames.back().backbone(15, 0) += 0.001F;
     }

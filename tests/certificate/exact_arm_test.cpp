@@ -7,7 +7,7 @@
 #include "limber/network/untrained_model.hpp"
 #include "planning/play_model.hpp"
 #include "src/certificate/exact_network.hpp"
-#include "src/certificate/shape_comparison.hpp"
+#include "src/certificate/frame_checks.hpp"
 #include "support/narrow_bounds.hpp"
 
 namespace limber {

@@ -1,4 +1,4 @@
-#include "src/certificate/exact_valves.hpp"
+#include "src/certificate/exact_arm.hpp"
 
 #include <gtest/gtest.h>
 

@@ -18,7 +18,7 @@
 #include "planning/dense_oracle.hpp"
 #include "planning/play_model.hpp"
 #include "src/certificate/covered_obstacle.hpp"
-#include "src/certificate/shape_comparison.hpp"
+#include "src/certificate/frame_checks.hpp"
 
 namespace limber {
 namespace {

@@ -1,4 +1,4 @@
-#include "src/driver/command_words.hpp"
+#include "src/driver/child_process.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "limber/forward/parallel_forward.hpp"
+#include "limber/forward/rollout_batch.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "src/logs/column_fit.hpp"
+#include "src/logs/column_check.hpp"
 
 #include <cmath>
 

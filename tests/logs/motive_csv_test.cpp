@@ -39,7 +39,6 @@ TEST_P(MotiveVariant, ShowsTheTwoPlates) {
   const MotiveTake take = take_of(GetParam());
   ASSERT_THAT(take.time_s, SizeIs(3));
   EXPECT_NEAR(take.time_s[2], 2.0 / 120.0, kSixDigits);
-  EXPECT_EQ(take.export_rate_hz, 120.0);
   ASSERT_THAT(take.objects, SizeIs(2));
   const MotiveObject& first = take.objects[0];
   const MotiveObject& second = take.objects[1];

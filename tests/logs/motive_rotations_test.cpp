@@ -1,4 +1,4 @@
-#include "src/logs/motive_rotations.hpp"
+#include "src/logs/motive_plates.hpp"
 
 #include <cmath>
 

@@ -4,7 +4,6 @@
 
 #include "planning/planner_setting.hpp"
 #include "src/planning/plan_ladder.hpp"
-#include "src/planning/plan_result.hpp"
 
 namespace limber {
 namespace {

@@ -1,13 +1,12 @@
-#include "src/planning/certified/certified_search.hpp"
+#include "src/planning/certified/certifying_judge.hpp"
 
 #include <gmock/gmock.h>
 
 #include "limber/planning/plan_builder.hpp"
 #include "planning/planner_setting.hpp"
-#include "src/planning/certified/goal_room.hpp"
+#include "src/planning/certified/asked_problem.hpp"
 #include "src/planning/plan_judge.hpp"
 #include "src/planning/plan_ladder.hpp"
-#include "src/planning/plan_result.hpp"
 
 namespace limber {
 namespace {

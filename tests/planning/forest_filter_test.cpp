@@ -1,4 +1,4 @@
-#include "src/planning/forest/forest_filter.hpp"
+#include "src/planning/forest/forest_search.hpp"
 
 #include <gtest/gtest.h>
 

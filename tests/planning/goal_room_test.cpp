@@ -1,4 +1,4 @@
-#include "src/planning/certified/goal_room.hpp"
+#include "src/planning/certified/asked_problem.hpp"
 
 #include <gmock/gmock.h>
 

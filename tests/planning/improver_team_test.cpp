@@ -1,4 +1,4 @@
-#include "src/planning/search/improver_team.hpp"
+#include "src/planning/search/plan_improver.hpp"
 
 #include <gtest/gtest.h>
 

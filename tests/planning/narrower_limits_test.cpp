@@ -47,7 +47,7 @@ void expect_within(const Plan& plan, const std::vector<PressureLimits>& limits) 
 }
 
 TEST(NarrowerLimits, NoSetPointOfAnyPlannerIsBeyondThem) {
-  for (const char* planner : {"default", "paper", "paper-steer-all"}) {
+  for (const char* planner : {"default", "paper"}) {
     SCOPED_TRACE(planner);
     Narrowed n;
     const PlanResult result = n.plan(planner);

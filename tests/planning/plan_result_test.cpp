@@ -1,4 +1,4 @@
-#include "src/planning/plan_result.hpp"
+#include "src/planning/plan_ladder.hpp"
 
 #include <gmock/gmock.h>
 

@@ -285,7 +285,7 @@ TEST(Planner, RefusesMissingAndSenselessLimitsAndSettings) {
               ThrowsMessage<InputError>(HasSubstr("'fast'; expected one of default, paper")));
   PressureRrtStarSettings settings;
   settings.goal_bias = 1.5;
-  EXPECT_THAT([&] { make_pressure_rrt_star(ParentRule::lazy, settings); },
+  EXPECT_THAT([&] { make_pressure_rrt_star(settings); },
               ThrowsMessage<InputError>(HasSubstr("goal_bias = 1.5; expected 0 to 1")));
 }
 
@@ -371,7 +371,7 @@ TEST(Planner, NamesOfStatusesAndLimitsAreThoseOfTheFiles) {
   EXPECT_STREQ(to_string(PlanStatus::goal_in_collision), "goal_in_collision");
   EXPECT_STREQ(to_string(PlanStatus::not_certified), "not_certified");
   EXPECT_STREQ(to_string(PlanLimit::queries), "queries");
-  EXPECT_THAT(planner_names(), ElementsAre("default", "paper", "paper-steer-all"));
+  EXPECT_THAT(planner_names(), ElementsAre("default", "paper"));
 }
 
 }  // namespace

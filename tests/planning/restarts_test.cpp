@@ -1,4 +1,4 @@
-#include "src/planning/search/restarts.hpp"
+#include "src/planning/planner_budget.hpp"
 
 #include <cmath>
 #include <vector>

@@ -17,7 +17,7 @@ void expect_sound_tree(const Setting& s, int iterations, std::uint64_t* accepted
   const PlanningProblem problem{s.arm, s.model, s.environment};
   const CollisionChecker checker(s.arm, s.environment.obstacles);
   MotionSimulator simulator(s.arm, s.model, checker);
-  RrtStarSearch search(problem, simulator, ParentRule::lazy, PressureRrtStarSettings(), 5);
+  RrtStarSearch search(problem, simulator, PressureRrtStarSettings(), 5);
   PlannerLimits limits;
   limits.iterations = static_cast<std::uint64_t>(iterations);
   const PlannerBudget budget(limits, {});
@@ -67,7 +67,7 @@ TEST(RrtStarSearch, ARewiredNodeStaysWhereItWasWithinTheSettings) {
   PressureRrtStarSettings settings;
   settings.match_position_m = 0.003;
   settings.match_orientation_rad = 0.02;
-  RrtStarSearch search(problem, simulator, ParentRule::lazy, settings, 5);
+  RrtStarSearch search(problem, simulator, settings, 5);
   PlannerLimits limits;
   limits.iterations = 1500;
   const PlannerBudget budget(limits, {});
@@ -94,11 +94,11 @@ TEST(RrtStarSearch, ARewiredNodeStaysWhereItWasWithinTheSettings) {
 
 /// A search, and a budget that is never spent.
 struct Grown {
-  Grown(const Setting& s, ParentRule rule, int iterations)
+  Grown(const Setting& s, int iterations)
       : problem{s.arm, s.model, s.environment},
         checker(s.arm, s.environment.obstacles),
         simulator(s.arm, s.model, checker),
-        search(problem, simulator, rule, PressureRrtStarSettings(), 5) {
+        search(problem, simulator, PressureRrtStarSettings(), 5) {
     PlannerLimits limits;
     limits.iterations = 1;
     const PlannerBudget budget(limits, {});
@@ -117,7 +117,7 @@ struct Grown {
 
 TEST(RrtStarSearch, ItsBestIsTheCheapestOfItsNodesThatEndInTheGoal) {
   const Setting s(true);
-  const Grown grown(s, ParentRule::lazy, 1500);
+  const Grown grown(s, 1500);
   const PressureTree& tree = grown.search.tree();
   double best_kpa = std::numeric_limits<double>::infinity();
   double nearest = std::numeric_limits<double>::infinity();

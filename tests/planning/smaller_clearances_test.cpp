@@ -1,4 +1,4 @@
-#include "src/planning/certified/smaller_clearances.hpp"
+#include "src/planning/certified/given_waypoints.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "limber/planning/tip_grid.hpp"
+#include "limber/planning/forest.hpp"
 
 #include <algorithm>
 #include <limits>

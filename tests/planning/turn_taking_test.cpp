@@ -1,4 +1,4 @@
-#include "src/planning/search/turn_taking.hpp"
+#include "src/planning/planner_budget.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -51,7 +51,7 @@ void expect_predicted(const LaggingSetting& s, const Plan& plan) {
 
 TEST(ValvePlanning, PlansOfEveryPlannerAreSetPointsRunThroughTheValves) {
   const LaggingSetting s;
-  for (const char* planner : {"default", "paper,valves=1", "paper-steer-all,valves=1"}) {
+  for (const char* planner : {"default", "paper,valves=1"}) {
     const PlanResult result = s.plan(planner, 2500);
     ASSERT_EQ(result.status, PlanStatus::solved) << planner << ": " << result.reason;
     EXPECT_EQ(result.plan->valves_hash, s.parameters.hash());

@@ -1,4 +1,4 @@
-#include "src/plot/axis_ticks.hpp"
+#include "src/plot/chart_measure.hpp"
 
 #include <algorithm>
 #include <cmath>

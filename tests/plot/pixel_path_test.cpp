@@ -1,4 +1,4 @@
-#include "src/plot/pixel_path.hpp"
+#include "src/plot/chart_shapes.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "src/plot/spread.hpp"
+#include "src/plot/chart_shapes.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "limber/report/bench_chart.hpp"
+#include "limber/report/valve_plot.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 #include <gmock/gmock.h>
 
-#include "limber/sim/bench_test.hpp"
+#include "limber/sim/virtual_arm.hpp"
 
 namespace limber {
 namespace {

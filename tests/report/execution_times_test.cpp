@@ -1,8 +1,7 @@
-#include "limber/report/execution_times.hpp"
+#include "limber/report/track_report.hpp"
 
 #include <gmock/gmock.h>
 
-#include "limber/report/track_report.hpp"
 #include "limber/run/appearing_obstacle.hpp"
 #include "support/bending_plan.hpp"
 #include "support/fake_arm.hpp"

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/common/units.hpp"
-#include "limber/report/planner_arena.hpp"
+#include "limber/report/run_table.hpp"
 
 namespace limber {
 namespace {

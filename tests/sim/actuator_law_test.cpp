@@ -1,4 +1,4 @@
-#include "src/sim/actuator_law.hpp"
+#include "src/sim/side_law.hpp"
 
 #include <gtest/gtest.h>
 

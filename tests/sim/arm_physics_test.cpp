@@ -10,7 +10,6 @@
 
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/random_stream.hpp"
-#include "limber/sim/bench_test.hpp"
 #include "limber/sim/virtual_arm.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
 #include "support/sample_arm.hpp"

@@ -1,4 +1,4 @@
-#include "limber/sim/bench_test.hpp"
+#include "limber/sim/virtual_arm.hpp"
 
 #include <gtest/gtest.h>
 

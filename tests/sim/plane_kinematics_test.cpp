@@ -1,4 +1,4 @@
-#include "src/sim/plane_kinematics.hpp"
+#include "src/sim/mujoco_chain.hpp"
 
 #include <array>
 #include <cstring>

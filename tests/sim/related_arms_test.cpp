@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "limber/common/error.hpp"
-#include "limber/sim/virtual_arm_factory.hpp"
+#include "limber/sim/virtual_arm.hpp"
 #include "support/sample_arm.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -1,4 +1,4 @@
-#include "src/sim/space_chain.hpp"
+#include "src/sim/mujoco_chain.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/sim/related_arms.hpp"
-#include "limber/sim/virtual_arm_factory.hpp"
+#include "limber/sim/virtual_arm.hpp"
 #include "space_arms.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -9,7 +9,6 @@
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
-#include "limber/sim/bench_test.hpp"
 #include "limber/sim/virtual_arm.hpp"
 #include "space_arms.hpp"
 

@@ -1,4 +1,4 @@
-#include "src/sim/table_friction.hpp"
+#include "src/sim/spring_slider.hpp"
 
 #include <cmath>
 

@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "limber/arm/valve_findings.hpp"
+#include "limber/arm/valve_parameters.hpp"
 #include "limber/data/valve_identification.hpp"
 #include "limber/run/collection.hpp"
 #include "limber/sim/virtual_arm.hpp"

@@ -1,7 +1,7 @@
 // Collection on the real virtual arm.
 #include <gmock/gmock.h>
 
-#include "limber/sim/virtual_arm_factory.hpp"
+#include "limber/sim/virtual_arm.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
 #include "support/fake_arm.hpp"
 #include "support/temporary_folder.hpp"

@@ -2,21 +2,122 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
+#include <Eigen/Core>
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 
-#include "mean_bodies.hpp"
+#include "limber/common/units.hpp"
+#include "limber/driver/calibration_log.hpp"
+#include "seen_poses.hpp"
 
 namespace limber {
 
 namespace {
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
+/// Mean positions and rotations of bodies in 3D, in the tracker's frame and unit, and how many
+/// frames they are of.
+struct MeanBodies {
+  Eigen::MatrixX3d position;
+  std::vector<Eigen::Quaterniond> rotation;
+  int count = 0;
+
+  Eigen::Index bodies() const { return position.rows(); }
+};
+
+/// As PulsePoses, over the same frames.
+struct PulseBodies {
+  MeanBodies before, held, after;
+};
+
+/// Standard deviations of one frame along and about each axis, from what changes between
+/// neighbouring frames at rest.
+struct BodyNoise {
+  double position = 0.0;
+  double rotation_rad = 0.0;
+};
+
+Eigen::Vector3d turn_between(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) {
+  const Eigen::AngleAxisd turn(to * from.conjugate());
+  return turn.angle() * turn.axis();
+}
+
+/// Over frames `first` to `end` − 1. A mean rotation is the one nearest to all, in least squares of
+/// quaternions, whose signs do not count.
+/// @throws CalibrationRefused where fewer than three are seen.
+MeanBodies mean_bodies(const CalibrationLog& log, std::size_t first, std::size_t end,
+                       const char* when) {
+  MeanBodies mean;
+  std::vector<Eigen::Matrix4d> squares;
+  for (std::size_t frame = first; frame < end; ++frame) {
+    const std::optional<BodyPoses>& bodies = log.frames[frame].bodies;
+    if (!bodies) {
+      continue;
+    }
+    if (mean.count == 0) {
+      mean.position.setZero(bodies->rows(), 3);
+      squares.assign(static_cast<std::size_t>(bodies->rows()), Eigen::Matrix4d::Zero());
+    }
+    mean.position += bodies->leftCols<3>();
+    for (Eigen::Index i = 0; i < bodies->rows(); ++i) {
+      const Eigen::Vector4d q = bodies->row(i).tail<4>();
+      squares[static_cast<std::size_t>(i)] += q * q.transpose();
+    }
+    ++mean.count;
+  }
+  require_seen(mean.count, end - first, when);
+  mean.position /= mean.count;
+  for (const Eigen::Matrix4d& square : squares) {
+    const Eigen::Vector4d q =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(square).eigenvectors().col(3);
+    mean.rotation.emplace_back(q);
+  }
+  return mean;
+}
+
+std::vector<PulseBodies> pulse_bodies(const CalibrationLog& log, double frame_period_s) {
+  std::vector<PulseBodies> result;
+  for (const CalibrationPulse& pulse : log.pulses) {
+    const PulseWindows windows = pulse_windows(pulse, frame_period_s);
+    const auto mean = [&](const FrameWindow& window) {
+      return mean_bodies(log, window.first, window.end, window.when);
+    };
+    result.push_back({mean(windows.before), mean(windows.held), mean(windows.after)});
+  }
+  return result;
+}
+
+/// Axis times angle, [rad], of the rotation that turns `body` from one to the other.
+Eigen::Vector3d turn_between(const MeanBodies& from, const MeanBodies& to, Eigen::Index body) {
+  const auto i = static_cast<std::size_t>(body);
+  return turn_between(from.rotation[i], to.rotation[i]);
+}
+
+BodyNoise body_noise(const CalibrationLog& log, std::size_t first, std::size_t end) {
+  double positions = 0.0;
+  double rotations = 0.0;
+  int count = 0;
+  for (std::size_t frame = first + 1; frame < end; ++frame) {
+    const std::optional<BodyPoses>& before = log.frames[frame - 1].bodies;
+    const std::optional<BodyPoses>& now = log.frames[frame].bodies;
+    if (!before || !now) {
+      continue;
+    }
+    positions += (*now - *before).leftCols<3>().squaredNorm();
+    for (Eigen::Index i = 0; i < now->rows(); ++i) {
+      rotations += turn_between(rotation_of(*before, i), rotation_of(*now, i)).squaredNorm();
+      ++count;
+    }
+  }
+  // Two neighbours differ by √2 of what one is off by, along and about three axes.
+  const double axes = 2.0 * 3.0 * std::max(count, 1);
+  return {std::sqrt(positions / axes), std::sqrt(rotations / axes)};
+}
+
 constexpr double kMinAxisTurnRad = 0.005;        // of the largest turn, to see an axis at all
 constexpr double kNotAtAllDegrees = 90.0;        // what an axis that is not known is known to
 constexpr double kMaxAxisIntervalDegrees = 1.0;  // to which the axis has to be known
@@ -27,7 +128,7 @@ constexpr const char* kIsItAQuaternion =
     "axes to the tracker's?";
 
 /// What one body did in one pulse.
-struct Motion {
+struct SeenMotion {
   Eigen::Vector3d turn;   // axis times angle, [rad]
   Eigen::Vector3d moved;  // in the tracker's unit
 };
@@ -59,7 +160,7 @@ class MotionPlaneFit {
     turn_noise_rad_ = of_means * noise.rotation_rad;
     moved_noise_ = of_means * noise.position;
     for (const PulseBodies& pulse : pulses_) {
-      std::vector<Motion> motions;
+      std::vector<SeenMotion> motions;
       for (Eigen::Index i = 0; i < rest_.bodies(); ++i) {
         motions.push_back({turn_between(pulse.before, pulse.held, i),
                            (pulse.held.position - pulse.before.position).row(i).transpose()});
@@ -92,7 +193,7 @@ class MotionPlaneFit {
 
  private:
   static double degrees_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    return kDegrees * std::atan2(a.cross(b).norm(), std::abs(a.dot(b)));
+    return kDegPerRad * std::atan2(a.cross(b).norm(), std::abs(a.dot(b)));
   }
 
   std::string pulse_name(std::size_t pulse) const {
@@ -103,14 +204,14 @@ class MotionPlaneFit {
   Eigen::Vector3d common_axis() const {
     CommonDirection axis;
     double largest_rad = 0.0;
-    for (const std::vector<Motion>& motions : motions_) {
-      for (const Motion& motion : motions) {
+    for (const std::vector<SeenMotion>& motions : motions_) {
+      for (const SeenMotion& motion : motions) {
         axis.add(motion.turn);
         largest_rad = std::max(largest_rad, motion.turn.norm());
       }
     }
     const double interval =
-        axis.length() > 0.0 ? 2.0 * kDegrees * turn_noise_rad_ / axis.length() : kNotAtAllDegrees;
+        axis.length() > 0.0 ? 2.0 * kDegPerRad * turn_noise_rad_ / axis.length() : kNotAtAllDegrees;
     if (largest_rad < kMinAxisTurnRad || interval > kMaxAxisIntervalDegrees) {
       throw CalibrationRefused(fmt::format(
           "marker bodies turned by at most {:.4f} rad, with noise of {:.4f} rad: the axis about "
@@ -127,7 +228,7 @@ class MotionPlaneFit {
 
   /// By how many degrees `own` is off `normal`, less what noise may do; 0 where noise hides it.
   double degrees_off(const CommonDirection& own, const Eigen::Vector3d& normal) const {
-    const double noise = kAxisNoiseFactor * kDegrees * turn_noise_rad_ / own.length();
+    const double noise = kAxisNoiseFactor * kDegPerRad * turn_noise_rad_ / own.length();
     if (own.length() < kMinAxisTurnRad || noise > kMaxAxisOffDegrees) {
       return 0.0;
     }
@@ -167,12 +268,12 @@ class MotionPlaneFit {
   /// The way that bodies move is across the axis about which they turn.
   void require_motion_across(const Eigen::Vector3d& normal) const {
     CommonDirection way;
-    for (const std::vector<Motion>& motions : motions_) {
-      for (const Motion& motion : motions) {
+    for (const std::vector<SeenMotion>& motions : motions_) {
+      for (const SeenMotion& motion : motions) {
         way.add(motion.moved);
       }
     }
-    const double noise = kAxisNoiseFactor * kDegrees * moved_noise_ / way.length();
+    const double noise = kAxisNoiseFactor * kDegPerRad * moved_noise_ / way.length();
     if (!(noise <= kMaxAxisOffDegrees)) {
       return;  // what moves too little is refused by name later
     }
@@ -208,8 +309,8 @@ class MotionPlaneFit {
 
   double largest_tilt_rad(const Eigen::Vector3d& normal) const {
     double largest_rad = 0.0;
-    for (const std::vector<Motion>& motions : motions_) {
-      for (const Motion& motion : motions) {
+    for (const std::vector<SeenMotion>& motions : motions_) {
+      for (const SeenMotion& motion : motions) {
         largest_rad = std::max(largest_rad, motion.turn.cross(normal).norm());
       }
     }
@@ -232,9 +333,9 @@ class MotionPlaneFit {
   const CalibrationLog& log_;
   MeanBodies rest_;
   std::vector<PulseBodies> pulses_;
-  std::vector<std::vector<Motion>> motions_;  // of each pulse and body
-  double turn_noise_rad_ = 0.0;               // standard deviation of a turn, about each axis
-  double moved_noise_ = 0.0;                  // of a motion, along each axis
+  std::vector<std::vector<SeenMotion>> motions_;  // of each pulse and body
+  double turn_noise_rad_ = 0.0;                   // standard deviation of a turn, about each axis
+  double moved_noise_ = 0.0;                      // of a motion, along each axis
   double metres_per_unit_ = 1.0;
 };
 

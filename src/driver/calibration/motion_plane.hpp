@@ -2,7 +2,7 @@
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/driver/calibration_log.hpp"
-#include "limber/driver/tracker_plane.hpp"
+#include "limber/driver/wire_calibration.hpp"
 #include "seen_poses.hpp"
 
 namespace limber {

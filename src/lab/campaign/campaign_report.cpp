@@ -15,7 +15,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/large_file.hpp"
 #include "limber/common/number_text.hpp"
-#include "limber/data/join_recordings.hpp"
+#include "limber/data/recording_part.hpp"
 #include "limber/plot/chart.hpp"
 #include "limber/report/report_page.hpp"
 

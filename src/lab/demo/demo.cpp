@@ -49,6 +49,27 @@ constexpr const char* kFiles[] = {"arm.yaml",
 
 }  // namespace
 
+void StageClock::start(const std::string& name) {
+  stop();
+  running_ = name;
+  started_ = Clock::now();
+}
+
+void StageClock::stop() {
+  if (!running_.empty()) {
+    stages_.emplace_back(running_, std::chrono::duration<double>(Clock::now() - started_).count());
+    running_.clear();
+  }
+}
+
+double StageClock::total_s() const {
+  double sum = 0.0;
+  for (const auto& [name, seconds] : stages_) {
+    sum += seconds;
+  }
+  return sum;
+}
+
 nlohmann::ordered_json run_demo(const DemoSettings& settings) {
   OutputFolder output(settings.folder, "demo",
                       settings.force ? OutputFolder::Start::forced : OutputFolder::Start::fresh);

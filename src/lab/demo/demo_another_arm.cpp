@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "demo_environments.hpp"
+#include "demo_recipe.hpp"
 #include "demo_stages.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/units.hpp"

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "demo_environments.hpp"
+#include "demo_recipe.hpp"
 #include "kernels/job_arena.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/json_number.hpp"

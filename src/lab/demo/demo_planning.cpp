@@ -6,12 +6,12 @@
 
 #include <fmt/format.h>
 
-#include "demo_environments.hpp"
+#include "demo_recipe.hpp"
 #include "demo_stages.hpp"
 #include "kernels/job_arena.hpp"
 #include "limber/common/interrupt.hpp"
-#include "limber/report/final_shapes_picture.hpp"
 #include "limber/report/plan_picture.hpp"
+#include "limber/report/shapes_page.hpp"
 
 namespace limber {
 

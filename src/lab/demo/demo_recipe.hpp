@@ -5,10 +5,25 @@
 #include <vector>
 
 #include "limber/arm/arm_description.hpp"
+#include "limber/lab/planning_experiment.hpp"
 #include "limber/run/schedule.hpp"
 #include "limber/training/training_settings.hpp"
 
 namespace limber {
+
+struct DemoResults;
+
+/// All of limber's own environments, by name; they are drawn up for the paper's arm, so none for
+/// another one.
+std::vector<EnvironmentCase> own_environments(const ArmDescription& arm);
+
+/// Environments 1 to `count` of that seed about motions of that virtual arm, "random_1" and so on.
+/// @throws InputError for an arm that hardly moves.
+std::vector<EnvironmentCase> random_environments(const ArmDescription& arm, std::uint64_t seed,
+                                                 int count);
+
+/// Those of the run's own arm and seed.
+std::vector<EnvironmentCase> random_environments(const DemoResults& results, int count);
 
 /// A planning time that ends with the first certified plan.
 inline constexpr double kFirstPlan = 0.0;

@@ -3,17 +3,17 @@
 
 #include "demo_arrivals.hpp"
 #include "demo_stages.hpp"
-#include "limber/arm/valve_findings.hpp"
+#include "limber/arm/valve_parameters.hpp"
 #include "limber/common/json_number.hpp"
 #include "limber/common/progress.hpp"
 #include "limber/common/units.hpp"
 #include "limber/common/version.hpp"
-#include "limber/report/bench_chart.hpp"
 #include "limber/report/planning_table.hpp"
 #include "limber/report/report_page.hpp"
 #include "limber/report/speed_report.hpp"
+#include "limber/report/track_report.hpp"
 #include "limber/report/training_report.hpp"
-#include "limber/report/trial_report.hpp"
+#include "limber/report/valve_plot.hpp"
 
 namespace limber {
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "demo_recipe.hpp"
@@ -18,9 +20,27 @@
 #include "limber/report/report_page.hpp"
 #include "limber/training/evaluation.hpp"
 #include "limber/training/trainer.hpp"
-#include "stage_clock.hpp"
 
 namespace limber {
+
+/// Wall time of each stage of a long run, in order.
+class StageClock {
+ public:
+  /// Ends the stage that runs, if any, and starts `name`.
+  void start(const std::string& name);
+  /// Ends the last stage.
+  void stop();
+
+  /// (stage, seconds), finished stages only.
+  const std::vector<std::pair<std::string, double>>& stages() const { return stages_; }
+  double total_s() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::vector<std::pair<std::string, double>> stages_;
+  std::string running_;
+  Clock::time_point started_;
+};
 
 /// What became of the network's plans of one planning time, in one group of environments.
 struct Arrivals {

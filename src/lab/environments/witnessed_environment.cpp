@@ -3,18 +3,183 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "environment_parts.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/random_stream.hpp"
+#include "limber/forward/motion_simulator.hpp"
+#include "limber/lab/environment_measures.hpp"
+#include "limber/sim/virtual_arm.hpp"
+#include "limber/sim/virtual_arm_parameters.hpp"
 #include "limber/world/collision.hpp"
+#include "limber/world/environment.hpp"
+#include "limber/world/hold.hpp"
 #include "limber/world/pressure_box.hpp"
+#include "limber/world/straight_motion.hpp"
 
 namespace limber {
 
 namespace {
+
+constexpr std::uint64_t kEnvironmentStream = 0x656e76ULL << 32;
+constexpr int kMaxWaypoints = 3;
+constexpr double kMinTravelM = 0.15;  // of the tip, from start to goal
+constexpr int kTriesPerObstacle = 30;
+constexpr int kStraightLineStarts = 20;
+
+/// Builds one environment about one random motion.
+class EnvironmentSampler {
+ public:
+  EnvironmentSampler(const ArmDescription& arm, const MotionModel& model,
+                     const RandomEnvironmentSettings& settings, RandomStream& random)
+      : arm_(arm),
+        model_(model),
+        settings_(settings),
+        random_(random),
+        nothing_(arm, {}),
+        simulator_(arm, model, nothing_) {
+    result_.environment.start = settings.start;
+  }
+
+  std::optional<RandomEnvironment> sample() {
+    draw_motion();
+    const Pose tip = tip_pose(motion_.back().backbone);
+    const Pose start = tip_pose(motion_.front().backbone);
+    if (std::hypot(tip.x_m - start.x_m, tip.y_m - start.y_m) < kMinTravelM) {
+      return std::nullopt;
+    }
+    result_.environment.goal =
+        random_goal(tip, settings_.position_tolerance_m, settings_.orientation_tolerance_rad,
+                    settings_.orientation_share, random_);
+    const int wanted =
+        settings_.min_obstacles + static_cast<int>(random_.index(static_cast<std::uint32_t>(
+                                      settings_.max_obstacles - settings_.min_obstacles + 1)));
+    for (int k = 0; k < wanted * kTriesPerObstacle &&
+                    static_cast<int>(result_.environment.obstacles.size()) < wanted;
+         ++k) {
+      add_obstacle(result_.environment.obstacles.empty());
+    }
+    const PlanningProblem problem{arm_, model_, result_.environment};
+    const Pressures& end = result_.witness_kpa.back();
+    if (static_cast<int>(result_.environment.obstacles.size()) < wanted ||
+        !straight_line_collides(problem, end) ||
+        straight_line_solves(problem, {end}, kStraightLineStarts, random_.next_u32())) {
+      return std::nullopt;
+    }
+    return std::move(result_);
+  }
+
+ private:
+  Pressures random_pressures() {
+    Pressures q(arm_.channel_count());
+    for (int i = 0; i < q.size(); ++i) {
+      const PressureLimits& limits = arm_.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+      q[i] = static_cast<float>(random_.uniform(limits.lower_kpa, limits.upper_kpa));
+    }
+    return q;
+  }
+
+  void draw_motion() {
+    const ArmStart rest = start_state(result_.environment, arm_);
+    motion_.assign(1, {rest.pressures_kpa, rest.pressures_kpa, rest.backbone});
+    straight_ = motion_;
+    result_.witness_kpa.assign(1, rest.pressures_kpa);
+    const int waypoints = 2 + static_cast<int>(random_.index(kMaxWaypoints - 1));
+    for (int k = 0; k < waypoints; ++k) {
+      result_.witness_kpa.push_back(random_pressures());
+      simulator_.append_motion(result_.witness_kpa.back(), motion_);
+    }
+    simulator_.append_hold(motion_);
+    simulator_.append_motion(result_.witness_kpa.back(), straight_);
+  }
+
+  /// A point near the arm on the straight motion, which is to be blocked, or near the witness.
+  Eigen::Vector2d random_point(bool on_straight_line) {
+    const std::vector<PlanFrame>& frames = on_straight_line ? straight_ : motion_;
+    const Backbone& b = frames[random_.index(static_cast<std::uint32_t>(frames.size()))].backbone;
+    const auto plate =
+        static_cast<Eigen::Index>(random_.index(static_cast<std::uint32_t>(arm_.point_count())));
+    const double spread = on_straight_line ? 0.02 : 0.15 * arm_.length_m();
+    return {b(plate, 0) + spread * random_.normal(), b(plate, 1) + spread * random_.normal()};
+  }
+
+  /// Adds one obstacle where the witness stays clear of it.
+  void add_obstacle(bool on_straight_line) {
+    const Obstacle obstacle =
+        random_obstacle(size_unit(arm_), random_point(on_straight_line), random_);
+    const CollisionChecker checker(arm_, {obstacle}, settings_.clearance_m);
+    for (std::size_t k = 1; k < motion_.size(); ++k) {
+      if (!checker.is_motion_free(motion_[k - 1].backbone, motion_[k].backbone)) {
+        return;
+      }
+    }
+    result_.environment.obstacles.push_back(obstacle);
+  }
+
+  const ArmDescription& arm_;
+  const MotionModel& model_;
+  const RandomEnvironmentSettings& settings_;
+  RandomStream& random_;
+  CollisionChecker nothing_;
+  MotionSimulator simulator_;
+  std::vector<PlanFrame> motion_;
+  std::vector<PlanFrame> straight_;
+  RandomEnvironment result_;
+};
+
+constexpr double kShapePeriodS = 0.01;  // an arm that speeds up by 5 m/s² leaves a chord by 0.06 mm
+constexpr float kSettledShare = 0.01F;  // of the limit: pressures this near have arrived
+
+/// A virtual arm whose shapes are kept.
+class RecordedArm {
+ public:
+  explicit RecordedArm(const ArmDescription& arm) : arm_(arm), driver_(arm) {
+    const auto every = std::max(1L, std::lround(kShapePeriodS / driver_.time_step_s()));
+    shapes_.push_back(driver_.true_backbone().cast<float>());
+    driver_.set_observer([this, every, step = 0L](double, const BackboneD& shape) mutable {
+      if (++step % every == 0) {
+        shapes_.push_back(shape.cast<float>());
+      }
+    });
+  }
+
+  std::vector<Backbone> run(const std::vector<Pressures>& waypoints_kpa) {
+    Pressures at_kpa = start_state(Environment{}, arm_).pressures_kpa;
+    Pressures sent_kpa = at_kpa;
+    for (const Pressures& to_kpa : waypoints_kpa) {
+      const int count = motion_frame_count(at_kpa, to_kpa, arm_.pressure_step_limit_kpa());
+      for (int k = 1; k <= count; ++k) {
+        motion_setpoint(at_kpa, to_kpa, k, count, sent_kpa);
+        (void)driver_.command(sent_kpa);
+      }
+      at_kpa = to_kpa;
+    }
+    hold(at_kpa);
+    shapes_.push_back(driver_.true_backbone().cast<float>());
+    return std::move(shapes_);
+  }
+
+ private:
+  void hold(const Pressures& kpa) {
+    const int least = arm_.frames_in(kHoldS);
+    for (int k = 0; k < least || (k < arm_.frames_in(kLongestHoldS) && !is_settled(kpa)); ++k) {
+      (void)driver_.command(kpa);
+    }
+  }
+
+  bool is_settled(const Pressures& kpa) const {
+    const Pressures off_kpa = (driver_.true_pressure_kpa().cast<float>() - kpa).cwiseAbs();
+    const auto band_kpa = static_cast<float>(virtual_arm_parameters(arm_).pressure_dead_band_kpa);
+    const Pressures near_kpa = kSettledShare * pressure_limits_kpa(arm_);
+    return (off_kpa.array() <= near_kpa.array().max(band_kpa)).all();
+  }
+
+  const ArmDescription& arm_;
+  VirtualArm driver_;
+  std::vector<Backbone> shapes_;
+};
 
 constexpr std::uint64_t kWitnessedStream = 0x776974ULL << 32;
 constexpr int kAttempts = 100;
@@ -102,6 +267,47 @@ class Sampler {
 };
 
 }  // namespace
+
+std::optional<RandomEnvironment> random_environment(const ArmDescription& arm,
+                                                    const MotionModel& model, std::uint64_t seed,
+                                                    std::uint64_t number,
+                                                    const RandomEnvironmentSettings& settings) {
+  RandomStream random(seed, kEnvironmentStream + number);
+  for (int attempt = 0; attempt < settings.attempts; ++attempt) {
+    std::optional<RandomEnvironment> sampled =
+        EnvironmentSampler(arm, model, settings, random).sample();
+    if (sampled) {
+      sampled->environment.name = fmt::format("random {} of seed {}", number, seed);
+      return sampled;
+    }
+  }
+  return std::nullopt;
+}
+
+Witness virtual_witness(const ArmDescription& arm) {
+  return [&arm](const std::vector<Pressures>& waypoints_kpa) {
+    return RecordedArm(arm).run(waypoints_kpa);
+  };
+}
+
+Witness model_witness(const ArmDescription& arm, const MotionModel& model) {
+  return [&arm, model](const std::vector<Pressures>& waypoints_kpa) {
+    const CollisionChecker nothing(arm, {});
+    MotionSimulator simulator(arm, model, nothing);
+    const ArmStart rest = start_state(Environment{}, arm);
+    std::vector<PlanFrame> frames{{rest.pressures_kpa, rest.pressures_kpa, rest.backbone}};
+    for (const Pressures& to_kpa : waypoints_kpa) {
+      simulator.append_motion(to_kpa, frames);
+    }
+    simulator.append_hold(frames);
+    std::vector<Backbone> shapes;
+    shapes.reserve(frames.size());
+    for (PlanFrame& frame : frames) {
+      shapes.push_back(std::move(frame.backbone));
+    }
+    return shapes;
+  };
+}
 
 std::optional<WitnessedEnvironment> witnessed_environment(const ArmDescription& arm,
                                                           const Witness& witness,

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 namespace limber {
 
 /// One layer as peers read it: weight out × in, column-major.
@@ -22,5 +25,13 @@ class NetworkPeer {
 /// Makes a peer that answers `queries` at a time; the caller owns it. `layers` (`count` of them)
 /// and their weights outlive it.
 using MakeNetworkPeer = NetworkPeer* (*)(const PeerLayer* layers, int count, int queries);
+
+struct PeerMaker {
+  std::string name;
+  MakeNetworkPeer make;
+};
+
+/// Eigen, compiled for the CPU level in use, and with `optional` the optional peers that are here.
+std::vector<PeerMaker> peer_makers(bool optional);
 
 }  // namespace limber

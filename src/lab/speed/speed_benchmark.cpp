@@ -16,11 +16,11 @@
 #include "limber/common/random_stream.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/forward/forward_model.hpp"
-#include "limber/forward/parallel_forward.hpp"
+#include "limber/forward/rollout_batch.hpp"
 #include "limber/network/packed_network.hpp"
 #include "limber/network/past_commands.hpp"
 #include "limber/network/untrained_model.hpp"
-#include "peer_makers.hpp"
+#include "network_peer.hpp"
 
 namespace limber {
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "eigen_peer.hpp"
-#include "peer_makers.hpp"
+#include "network_peer.hpp"
 
 namespace limber {
 

@@ -4,13 +4,12 @@
 
 #include <fmt/format.h>
 
-#include "certified_search.hpp"
-#include "goal_room.hpp"
+#include "asked_problem.hpp"
+#include "certifying_judge.hpp"
+#include "given_waypoints.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/units.hpp"
 #include "limber/planning/problem_check.hpp"
-#include "margin_yield.hpp"
-#include "smaller_clearances.hpp"
 
 namespace limber {
 

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "goal_room.hpp"
+#include "asked_problem.hpp"
 #include "limber/arm/names.hpp"
 
 namespace limber {
@@ -18,6 +18,10 @@ bool is_same_motion(const Plan& a, const Plan& b) {
                       return x.setpoint_kpa == y.setpoint_kpa && x.pressure_kpa == y.pressure_kpa &&
                              x.backbone == y.backbone;
                     });
+}
+
+double clearance_with_reserve_m(double margin_m) {
+  return std::max(margin_m, Certificate::kMinClearanceM) + kReserveM;
 }
 
 }  // namespace
@@ -86,6 +90,29 @@ void CertifyingJudge::report(PlanResult& result) {
         result.best_partial->planner, first.check, frame_name(first.frame), first.message,
         result.best_partial->seed);
   }
+}
+
+PlanResult certified_search(Planner& planner, const PlanningProblem& problem, AskedProblem& asked,
+                            const PlannerLimits& limits, std::uint64_t seed,
+                            const PlannerCallback& callback) {
+  const Environment environment = with_room(problem.environment, problem.goal_margin);
+  CertifyingJudge judge(problem, asked);
+  const PlanningProblem searched{.arm = problem.arm,
+                                 .model = problem.model,
+                                 .environment = environment,
+                                 .margin_m = clearance_with_reserve_m(problem.margin_m),
+                                 .aim = aim_of(problem),
+                                 .stay_within = problem.stay_within,
+                                 .limits = problem.limits,
+                                 .judge = &judge,
+                                 .goal_has_room = has_room(problem),
+                                 .tube = problem.tube};
+  PlanResult result = planner.plan(searched, limits, seed, callback);
+  if (result.best_partial) {
+    judge.name_problem(*result.best_partial);
+  }
+  judge.report(result);
+  return result;
 }
 
 }  // namespace limber

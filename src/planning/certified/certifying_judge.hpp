@@ -38,4 +38,10 @@ class CertifyingJudge final : public PlanJudge {
   double refused_kpa_ = 0.0;
 };
 
+/// Plans `problem` with `planner` and a little less room, and certifies it as it was asked for.
+/// @param asked  the same arm, model and environment, whatever their margins
+PlanResult certified_search(Planner& planner, const PlanningProblem& problem, AskedProblem& asked,
+                            const PlannerLimits& limits, std::uint64_t seed,
+                            const PlannerCallback& callback);
+
 }  // namespace limber

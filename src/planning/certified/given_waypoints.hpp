@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -14,5 +15,15 @@ namespace limber {
 PlanResult certified_along(const PlanningProblem& problem, AskedProblem& asked,
                            const std::vector<Pressures>& waypoints_kpa, const std::string& planner,
                            std::uint64_t seed);
+
+using SteadyTime = std::chrono::steady_clock::time_point;
+
+double seconds_since(SteadyTime start);
+
+/// If nothing was found that keeps the clearance asked for: names in `result` the largest clearance
+/// with which there is a plan, searching for the time that `limits` leave since `start`.
+void try_smaller_clearances(const PlanningProblem& asked, AskedProblem& shared,
+                            const PlannerLimits& limits, SteadyTime start, std::uint64_t seed,
+                            const PlannerCallback& callback, PlanResult& result);
 
 }  // namespace limber

@@ -1,34 +1,75 @@
 #include "limber/planning/ompl_planner.hpp"
 
-#include <ompl/control/PathControl.h>
-#include <ompl/control/planners/est/EST.h>
-#include <ompl/control/planners/kpiece/KPIECE1.h>
-#include <ompl/control/planners/pdst/PDST.h>
-#include <ompl/control/planners/rrt/RRT.h>
-#include <ompl/control/spaces/RealVectorControlSpace.h>
-#include <ompl/util/Console.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <mutex>
+#include <optional>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <ompl/control/PathControl.h>
+#include <ompl/control/planners/est/EST.h>
+#include <ompl/control/planners/kpiece/KPIECE1.h>
+#include <ompl/control/planners/pdst/PDST.h>
+#include <ompl/control/planners/rrt/RRT.h>
+#include <ompl/control/planners/sst/SST.h>
+#include <ompl/control/spaces/RealVectorControlSpace.h>
+#include <ompl/util/Console.h>
 
 #include "arm_space.hpp"
-#include "counted_sst.hpp"
 #include "limber/common/error.hpp"
 #include "limber/planning/problem_check.hpp"
 #include "limber/world/inverse_kinematics.hpp"
 #include "plan_ladder.hpp"
-#include "plan_result.hpp"
 #include "planner_name.hpp"
 
 namespace limber {
 
 namespace {
+
+struct SstCounts {
+  std::size_t active = 0;     ///< nodes that may still be extended
+  std::size_t inactive = 0;   ///< dominated, kept because they have children
+  std::size_t witnesses = 0;  ///< in a sparse tree at least as many as active nodes
+};
+
+/// OMPL's SST with its nodes counted, and with its best motion for whoever looks while it searches.
+class CountedSst final : public ompl::control::SST {
+ public:
+  using SST::SST;
+  SstCounts counts() const {
+    SstCounts counts;
+    std::vector<Motion*> motions;
+    if (nn_) {
+      nn_->list(motions);
+    }
+    for (const Motion* motion : motions) {
+      ++(motion->inactive_ ? counts.inactive : counts.active);
+    }
+    counts.witnesses = witnesses_ ? witnesses_->size() : 0;
+    return counts;
+  }
+
+  /// Cost of the best motion to the goal so far, if there is one.
+  std::optional<double> solution_cost() const {
+    const double cost = prevSolutionCost_.value();
+    return prevSolution_.empty() || std::isinf(cost) ? std::nullopt : std::optional(cost);
+  }
+
+  /// That motion; before there is one, the motion that ended nearest. @pre a motion was kept
+  ompl::control::PathControl kept_path() const {
+    ompl::control::PathControl path(si_);
+    for (std::size_t i = prevSolution_.size(); i-- > 1;) {
+      path.append(prevSolution_[i], prevSolutionControls_[i - 1],
+                  prevSolutionSteps_[i - 1] * siC_->getPropagationStepSize());
+    }
+    path.append(prevSolution_.front());
+    return path;
+  }
+};
 
 namespace ob = ompl::base;
 namespace oc = ompl::control;

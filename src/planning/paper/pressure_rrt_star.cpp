@@ -1,8 +1,8 @@
 #include "pressure_rrt_star.hpp"
 
-#include "plan_result.hpp"
+#include "plan_ladder.hpp"
+#include "planner_name.hpp"
 #include "rrt_star_search.hpp"
-#include "setting_check.hpp"
 
 namespace limber {
 
@@ -24,13 +24,13 @@ void require_valid(const PressureRrtStarSettings& s) {
 /// One run.
 class RrtStarRun {
  public:
-  RrtStarRun(const PlanningProblem& problem, const CollisionChecker& checker, ParentRule rule,
+  RrtStarRun(const PlanningProblem& problem, const CollisionChecker& checker,
              const PressureRrtStarSettings& settings, const char* planner, std::uint64_t seed,
              PlannerBudget& budget)
       : problem_(problem),
         budget_(budget),
         simulator_(problem.arm, problem.model, checker),
-        search_(problem, simulator_, rule, settings, seed),
+        search_(problem, simulator_, settings, seed),
         ladder_(problem, simulator_, budget, planner, seed) {}
 
   PlanResult run(const char* planner, std::uint64_t seed) {
@@ -85,8 +85,8 @@ class RrtStarRun {
 
 class PressureRrtStar final : public Planner {
  public:
-  PressureRrtStar(std::string name, ParentRule rule, const PressureRrtStarSettings& settings)
-      : name_(std::move(name)), rule_(rule), settings_(settings) {
+  PressureRrtStar(std::string name, const PressureRrtStarSettings& settings)
+      : name_(std::move(name)), settings_(settings) {
     require_valid(settings);
   }
 
@@ -100,24 +100,19 @@ class PressureRrtStar final : public Planner {
     if (is_refused(problem, checker, refused)) {
       return refused;
     }
-    return RrtStarRun(problem, checker, rule_, settings_, name(), seed, budget).run(name(), seed);
+    return RrtStarRun(problem, checker, settings_, name(), seed, budget).run(name(), seed);
   }
 
  private:
   std::string name_;
-  ParentRule rule_;
   PressureRrtStarSettings settings_;
 };
 
 }  // namespace
 
-std::unique_ptr<Planner> make_pressure_rrt_star(ParentRule rule,
-                                                const PressureRrtStarSettings& settings,
+std::unique_ptr<Planner> make_pressure_rrt_star(const PressureRrtStarSettings& settings,
                                                 std::string name) {
-  if (name.empty()) {
-    name = rule == ParentRule::lazy ? "paper" : "paper-steer-all";
-  }
-  return std::make_unique<PressureRrtStar>(std::move(name), rule, settings);
+  return std::make_unique<PressureRrtStar>(std::move(name), settings);
 }
 
 }  // namespace limber

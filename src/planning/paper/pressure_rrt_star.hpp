@@ -23,16 +23,14 @@ struct PressureRrtStarSettings {
 /// The paper's planner (IV-D and IV-E): RRT* over states (q, B); with valves, q is set points and
 /// pressures. A new configuration is reached from the cheapest of the near nodes whose motion is
 /// free. A node is rewired only if the new path ends at the same pressures and the same backbone,
-/// and everything downstream, simulated again, stays free.
-enum class ParentRule {
-  lazy,      ///< sorts near nodes by the cost, known beforehand, and simulates from the cheapest
-  steer_all  ///< as written: simulates from all near nodes, then sorts; the same tree, slower
-};
-
-/// @param name  the planner's name in plans; empty: "paper" or "paper-steer-all"
+/// and everything downstream, simulated again, stays free. Near nodes are sorted by the cost, known
+/// beforehand, and simulated from the cheapest on; as written, all are simulated and then sorted:
+/// the same tree from nine times the queries.
+///
+/// @param name  the planner's name in plans
 /// @throws InputError if a setting is out of range.
 std::unique_ptr<Planner> make_pressure_rrt_star(
-    ParentRule rule, const PressureRrtStarSettings& settings = PressureRrtStarSettings(),
-    std::string name = "");
+    const PressureRrtStarSettings& settings = PressureRrtStarSettings(),
+    std::string name = "paper");
 
 }  // namespace limber

@@ -25,11 +25,9 @@ double min_near_gain(int n) {
 }  // namespace
 
 RrtStarSearch::RrtStarSearch(const PlanningProblem& problem, MotionSimulator& simulator,
-                             ParentRule rule, const PressureRrtStarSettings& settings,
-                             std::uint64_t seed)
+                             const PressureRrtStarSettings& settings, std::uint64_t seed)
     : problem_(problem),
       simulator_(simulator),
-      rule_(rule),
       settings_(settings),
       random_(seed, kTreeStream),
       goal_sampler_(problem.model.no_load(), problem.environment.goal, settings.goal_configurations,
@@ -95,33 +93,12 @@ RrtStarSearch::Nodes RrtStarSearch::near(const Pressures& kpa, int nearest) cons
   return nodes;
 }
 
-void RrtStarSearch::simulate_from(const Nodes& nodes, const Pressures& kpa) {
-  std::vector<MotionState> from;
-  for (const int node : nodes) {
-    from.push_back(tree_.state(node));
-  }
-  batch_.run(from, kpa.replicate(1, std::ssize(nodes)));
-}
-
-std::optional<MotionState> RrtStarSearch::free_end(const Candidate& candidate,
-                                                   const Pressures& kpa) {
-  if (rule_ == ParentRule::lazy) {
-    MotionState end;
-    return simulator_.move(tree_.state(candidate.node), kpa, end) ? std::optional(std::move(end))
-                                                                  : std::nullopt;
-  }
-  return batch_.is_free(candidate.column, simulator_.checker())
-             ? std::optional(batch_.end(candidate.column))
-             : std::nullopt;
-}
-
 std::vector<RrtStarSearch::Candidate> RrtStarSearch::by_cost(const Pressures& kpa,
                                                              const Nodes& near) const {
   std::vector<Candidate> candidates;
-  for (std::size_t c = 0; c < near.size(); ++c) {
-    const int node = near[c];
-    candidates.push_back({tree_.cost_kpa(node) + motion_cost_kpa(tree_.setpoint_kpa(node), kpa),
-                          node, static_cast<int>(c)});
+  for (const int node : near) {
+    candidates.push_back(
+        {tree_.cost_kpa(node) + motion_cost_kpa(tree_.setpoint_kpa(node), kpa), node});
   }
   std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
     return a.cost_kpa < b.cost_kpa || (a.cost_kpa == b.cost_kpa && a.node < b.node);
@@ -130,12 +107,10 @@ std::vector<RrtStarSearch::Candidate> RrtStarSearch::by_cost(const Pressures& kp
 }
 
 std::optional<int> RrtStarSearch::connect(const Pressures& kpa, const Nodes& near) {
-  if (rule_ == ParentRule::steer_all) {
-    simulate_from(near, kpa);
-  }
+  MotionState end;
   for (const Candidate& candidate : by_cost(kpa, near)) {
-    if (const std::optional<MotionState> end = free_end(candidate, kpa)) {
-      const int node = tree_.add(*end, candidate.node, candidate.cost_kpa);
+    if (simulator_.move(tree_.state(candidate.node), kpa, end)) {
+      const int node = tree_.add(end, candidate.node, candidate.cost_kpa);
       index_.add(scaled(kpa));
       in_goal_.push_back(0);
       return node;

@@ -16,7 +16,7 @@ namespace limber {
 /// The tree of pressure-space RRT*, grown iteration by iteration. All arguments are borrowed.
 class RrtStarSearch {
  public:
-  RrtStarSearch(const PlanningProblem& problem, MotionSimulator& simulator, ParentRule rule,
+  RrtStarSearch(const PlanningProblem& problem, MotionSimulator& simulator,
                 const PressureRrtStarSettings& settings, std::uint64_t seed);
 
   /// One sample: at most one new node, and the rewiring about it.
@@ -37,7 +37,6 @@ class RrtStarSearch {
   struct Candidate {
     double cost_kpa;
     int node;
-    int column;  // in the batch of all near nodes
   };
   using Nodes = std::vector<int>;
   /// A node below a rewired one, simulated again.
@@ -56,10 +55,6 @@ class RrtStarSearch {
   /// The new node at `kpa`; none where no motion from a near node is free.
   std::optional<int> connect(const Pressures& kpa, const Nodes& near);
   std::vector<Candidate> by_cost(const Pressures& kpa, const Nodes& near) const;
-  /// Where the motion to `kpa` ends; none where it collides.
-  std::optional<MotionState> free_end(const Candidate& candidate, const Pressures& kpa);
-  /// Simulates from all of these nodes to `kpa` at once.
-  void simulate_from(const Nodes& nodes, const Pressures& kpa);
   /// Simulates from one node to all of these at once.
   void simulate_to(const Nodes& nodes, int from);
   void rewire(int from, const Nodes& near, const PlannerBudget& budget);
@@ -75,7 +70,6 @@ class RrtStarSearch {
 
   const PlanningProblem& problem_;
   MotionSimulator& simulator_;
-  ParentRule rule_;
   PressureRrtStarSettings settings_;
   RandomStream random_;
   GoalSampler goal_sampler_;

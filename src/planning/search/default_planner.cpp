@@ -6,14 +6,11 @@
 #include "batch_search.hpp"
 #include "default_settings.hpp"
 #include "forest/forest_search.hpp"
-#include "improver_team.hpp"
 #include "path_simulator.hpp"
+#include "plan_improver.hpp"
 #include "plan_ladder.hpp"
-#include "plan_result.hpp"
 #include "planner_budget.hpp"
-#include "restarts.hpp"
 #include "second_opinions.hpp"
-#include "turn_taking.hpp"
 
 namespace limber {
 

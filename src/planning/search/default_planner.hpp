@@ -29,7 +29,7 @@ struct DefaultPlannerSettings {
   /// cheaper by the model's errors, and executions worse (docs/planning.md).
   double improvement_queries = 200'000;
   double improvement_queries_without_room = 10'000;  ///< if the goal leaves none for the error
-  /// Queries of the shortest search; without a plan it then begins again (search/restarts.hpp).
+  /// Queries of the shortest search; without a plan it then begins again (planner_budget.hpp).
   double restart_queries = 20'000;
   double hold_position_m = 0.05;  ///< paths that end this near the goal are held and judged
   double hold_orientation_rad = 0.5;

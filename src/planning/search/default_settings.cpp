@@ -9,7 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "limber/common/error.hpp"
-#include "setting_check.hpp"
+#include "planner_name.hpp"
 
 namespace limber {
 

@@ -13,14 +13,14 @@
 
 #include <fmt/format.h>
 
-#include "limber/common/broken_pipe.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/standard_streams.hpp"
 #include "limber/common/version.hpp"
 #include "limber/driver/device_process.hpp"
 #include "limber/driver/driver_protocol.hpp"
 #include "limber/driver/line_reader.hpp"
-#include "misassembled_wire.hpp"
+#include "limber/sim/misassembly.hpp"
 
 namespace limber {
 

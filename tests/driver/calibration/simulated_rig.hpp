@@ -6,7 +6,7 @@
 
 #include "limber/common/random_stream.hpp"
 #include "limber/driver/calibration_log.hpp"
-#include "limber/driver/tracker_plane.hpp"
+#include "limber/driver/wire_calibration.hpp"
 #include "limber/sim/misassembly.hpp"
 
 namespace limber {

@@ -1,4 +1,4 @@
-#include "limber/driver/tracker_plane.hpp"
+#include "limber/driver/wire_calibration.hpp"
 
 #include <gmock/gmock.h>
 

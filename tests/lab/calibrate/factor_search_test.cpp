@@ -1,4 +1,4 @@
-#include "src/lab/calibrate/factor_search.hpp"
+#include "src/lab/calibrate/binomial_bound.hpp"
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "limber/lab/random_environment.hpp"
+#include "limber/lab/witnessed_environment.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include "limber/common/random_stream.hpp"
 #include "limber/network/packed_network.hpp"
 #include "limber/network/untrained_model.hpp"
-#include "src/lab/speed/peer_makers.hpp"
+#include "src/lab/speed/network_peer.hpp"
 #include "support/sample_arm.hpp"
 
 namespace limber {

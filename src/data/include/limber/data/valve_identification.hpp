@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "limber/arm/valve_findings.hpp"
+#include "limber/arm/valve_parameters.hpp"
 #include "limber/data/recording.hpp"
 
 namespace limber {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "limber/arm/arm_description.hpp"
-#include "limber/driver/tracker_plane.hpp"
+#include "limber/driver/wire_calibration.hpp"
 #include "limber/run/arm_driver.hpp"
 
 namespace limber {

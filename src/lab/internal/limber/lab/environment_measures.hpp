@@ -3,9 +3,25 @@
 #include <cstdint>
 #include <vector>
 
+#include "limber/arm/arm_description.hpp"
+#include "limber/common/random_stream.hpp"
 #include "limber/planning/planner.hpp"
+#include "limber/world/environment.hpp"
 
 namespace limber {
+
+// What random environments consist of, drawn one after another from a stream.
+
+/// An arm's length over that of the paper's arm, which sizes of obstacles are given for.
+double size_unit(const ArmDescription& arm);
+
+/// A circle, rectangle or simple polygon about a point, 1.5 to 25 cm large for the paper's arm.
+Obstacle random_obstacle(double unit, const Eigen::Vector2d& at, RandomStream& random);
+
+/// Where that tip is.
+/// @param orientation_share  how probable it is that the goal asks for its heading, in [0, 1]
+PoseGoal random_goal(const Pose& tip, double position_tolerance_m, double orientation_tolerance_rad,
+                     double orientation_share, RandomStream& random);
 
 /// Whether the straight motion in pressure from the start to `to_kpa`, the hold included, collides
 /// as the problem's model predicts it.

@@ -12,7 +12,7 @@
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/arm_identity.hpp"
-#include "limber/arm/valve_findings.hpp"
+#include "limber/arm/valve_parameters.hpp"
 #include "limber/network/learnt_region.hpp"
 #include "limber/network/prediction_error.hpp"
 

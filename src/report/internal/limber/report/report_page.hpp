@@ -41,7 +41,6 @@ class ReportPage {
 
   /// A section's title; the page starts with a list of links to them.
   ReportPage& heading(std::string_view text);
-  ReportPage& subheading(std::string_view text);
   ReportPage& paragraph(std::string_view text);
   /// A highlighted paragraph, for what a reader must know before trusting a figure.
   ReportPage& remark(std::string_view text);
@@ -55,11 +54,7 @@ class ReportPage {
   ReportPage& figure(const ReportFigure& figure);
   /// Side by side where the screen is wide enough, else below one another.
   ReportPage& figures(const std::vector<ReportFigure>& figures);
-  /// What follows, until end_details(), is folded under `summary`.
-  ReportPage& begin_details(std::string_view summary);
-  ReportPage& end_details();
 
-  /// The page; open details are closed in it.
   std::string html() const;
 
  private:
@@ -72,7 +67,6 @@ class ReportPage {
   std::string subtitle_;
   std::string body_;
   std::vector<Section> sections_;
-  int open_details_ = 0;
 };
 
 }  // namespace limber

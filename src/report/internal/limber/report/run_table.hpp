@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
 #include "limber/report/planning_table.hpp"
+#include "limber/run/plan_trial.hpp"
 
 namespace limber {
 
@@ -51,5 +53,12 @@ class RunCount {
 nlohmann::ordered_json to_json(const std::vector<RunRow>& rows);
 
 ReportTable run_table(const std::vector<RunRow>& rows);
+
+/// The trials in one environment as a log of OMPL's benchmarks, which Planner Arena and OMPL's own
+/// script (ompl_benchmark_statistics.py) read: one planner for each of limber's planners and
+/// models.
+/// @param environment  EnvironmentCase::id
+std::string planner_arena_log(const std::string& environment, const std::vector<PlanTrial>& trials,
+                              const PlannerLimits& limits, std::uint64_t seed);
 
 }  // namespace limber

@@ -4,9 +4,22 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "limber/run/executor.hpp"
+#include "limber/run/plan_trial.hpp"
 #include "limber/run/track_run.hpp"
 
 namespace limber {
+
+/// One run over time, as the text of an SVG file with three charts: set points, predicted and
+/// measured pressures of each segment; x and y of the tip, predicted and as recorded; clearance
+/// from the obstacles (of one that appeared, from then on). Predictions end where the plan does.
+std::string execution_times_picture(const ArmDescription& arm, const Environment& environment,
+                                    const Plan& plan, const ExecutionResult& result);
+
+/// The keys of `plan --json` and `execute --json`, with environment, model and seed before them.
+nlohmann::ordered_json planning_to_json(const PlanTrial& trial, const Environment& environment);
+/// @pre the trial has been executed.
+nlohmann::ordered_json execution_to_json(const PlanTrial& trial, const Environment& environment);
 
 /// Keys of `execute --track --json` (docs/tracking.md).
 nlohmann::ordered_json to_json(const TrackRun& run);
