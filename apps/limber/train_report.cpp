@@ -1,7 +1,9 @@
 #include "train_report.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 #include <fmt/ranges.h>
 
@@ -19,6 +21,25 @@
 namespace limber {
 
 namespace {
+
+constexpr std::size_t kFewLevels = 5;  // transitions have 3
+
+/// Values that the set points of the most varied channel take, kFewLevels + 1 at most; 0 without
+/// set points.
+std::size_t most_levels(const std::vector<Episode>& episodes) {
+  std::size_t most = 0;
+  for (Eigen::Index channel = 0; channel < episodes.front().setpoint_kpa.cols(); ++channel) {
+    std::set<float> levels;
+    for (const Episode& episode : episodes) {
+      for (Eigen::Index t = 0; t < episode.setpoint_kpa.rows() && levels.size() <= kFewLevels;
+           ++t) {
+        levels.insert(episode.setpoint_kpa(t, channel));
+      }
+    }
+    most = std::max(most, levels.size());
+  }
+  return most;
+}
 
 /// The episodes of all recordings; `sources` names the files and their hashes.
 std::vector<Episode> episodes_of(const BoundModelRequest& request, const ArmDescription& arm,
@@ -182,6 +203,14 @@ void say_little(const CommonFlags& flags, const ArmDescription& arm,
       "Networks that each lack one of {} parts of these say in which way to learn and how large "
       "the error is; then one learns from everything (--validation or --epochs: as with more data)",
       all_s / 60.0, moving_s / 60.0, kFolds);
+  const std::size_t levels = most_levels(episodes);
+  if (levels > 0 && levels <= kFewLevels) {
+    say(flags,
+        "warning: no segment's set points take more than {} values. Between them nothing was "
+        "recorded, and the error there is many times that of the parts: record random motions too "
+        "(limber collect --schedule random)",
+        levels);
+  }
 }
 
 void say_episodes(const CommonFlags& flags, const EpisodeChoice& choice) {

@@ -92,15 +92,17 @@ class Bounds(InFolder):
         self.assertEqual(int(record["training_frames"]), frames)
         self.assertEqual([], list(self.folder.glob("*.checkpoint*")))
         first = (self.folder / "m.safetensors").read_bytes()
-        self.train("--jobs", 2, "--force")
+        said = self.run_limber("train", *ARM, "--data", "train.h5", "--hidden", 8, "--out", "m.safetensors",
+                               "--jobs", 2, "--force").stderr
         self.assertEqual((self.folder / "m.safetensors").read_bytes(), first)
+        self.assertIn("no segment's set points take more than 3 values", said)
 
     def test_validation_by_what_is_learnt_from_is_named(self):
         said = self.run_limber("train", *ARM, "--data", "train.h5", "--validation", "train.h5", "--hidden", 8,
                                "--epochs", 3, "--out", "m.safetensors").stderr
         self.assertIn("--validation train.h5 is learnt from too", said)
 
-    def test_windows_are_of_32_where_something_validates_for_any_number_of_jobs(self):
+    def test_where_something_validates_any_number_of_jobs_gives_the_same(self):
         self.run_limber("collect", *ARM, "--schedule", "random", "--count", 5, "--seed", 9, "--out",
                         "other.h5")
         validation = ("--validation", "other.h5")
