@@ -145,8 +145,8 @@ void bind_training_presets(py::module_& module) {
              "them.");
   module.def("best_preset", &best_preset,
              "The default TrainingSettings: a network that predicts how each plate moves "
-             "about the one before it, trained by Adam in windows of 2, 8 and 32 frames. "
-             "epoch_count says how many epochs; set_epoch_count changes that.");
+             "about the one before it, trained by SOAP in windows of 32 frames. epoch_count says "
+             "how many epochs; set_epoch_count changes that.");
   module.def("paper_preset", &paper_preset,
              "The TrainingSettings of the paper: windows of 32 frames, SGD, 6000 epochs. For "
              "comparison.");
