@@ -164,11 +164,9 @@ def timed(peer):
 
 
 def compare(limber, recording, preset, epochs, tables_path):
-    command = [limber, "bench", "--quiet", "--json", "--training", recording, "--preset", preset]
-    subprocess.run(
-        [*command, "--epochs", "1", "--tables", tables_path, "--force"],
-        check=True, stdout=subprocess.DEVNULL,
-    )
+    command = [limber, "bench", "--quiet", "--json", "--training", recording, "--preset", preset,
+               "--tables", tables_path, "--force"]
+    subprocess.run([*command, "--epochs", "1"], check=True, stdout=subprocess.DEVNULL)
     tables, metadata = read_safetensors(tables_path)
 
     def measure_limber():

@@ -28,7 +28,8 @@ constexpr std::size_t kFewLevels = 5;  // transitions have 3
 /// set points.
 std::size_t most_levels(const std::vector<Episode>& episodes) {
   std::size_t most = 0;
-  for (Eigen::Index channel = 0; channel < episodes.front().setpoint_kpa.cols(); ++channel) {
+  const Eigen::Index channels = episodes.empty() ? 0 : episodes.front().setpoint_kpa.cols();
+  for (Eigen::Index channel = 0; channel < channels; ++channel) {
     std::set<float> levels;
     for (const Episode& episode : episodes) {
       for (Eigen::Index t = 0; t < episode.setpoint_kpa.rows() && levels.size() <= kFewLevels;
@@ -39,6 +40,18 @@ std::size_t most_levels(const std::vector<Episode>& episodes) {
     most = std::max(most, levels.size());
   }
   return most;
+}
+
+/// Of recordings between whose set points nothing was recorded.
+void warn_of_few_levels(const CommonFlags& flags, const std::vector<Episode>& episodes) {
+  const std::size_t levels = most_levels(episodes);
+  if (levels > 1 && levels <= kFewLevels) {
+    say(flags,
+        "warning: no segment's set points take more than {} values. Between them nothing was "
+        "recorded, and the error there is many times that of these: record random motions too "
+        "(limber collect --schedule random)",
+        levels);
+  }
 }
 
 /// The episodes of all recordings; `sources` names the files and their hashes.
@@ -203,18 +216,12 @@ void say_little(const CommonFlags& flags, const ArmDescription& arm,
       "Networks that each lack one of {} parts of these say in which way to learn and how large "
       "the error is; then one learns from everything (--validation or --epochs: as with more data)",
       all_s / 60.0, moving_s / 60.0, kFolds);
-  const std::size_t levels = most_levels(episodes);
-  if (levels > 0 && levels <= kFewLevels) {
-    say(flags,
-        "warning: no segment's set points take more than {} values. Between them nothing was "
-        "recorded, and the error there is many times that of the parts: record random motions too "
-        "(limber collect --schedule random)",
-        levels);
-  }
+  warn_of_few_levels(flags, episodes);
 }
 
 void say_episodes(const CommonFlags& flags, const EpisodeChoice& choice) {
   say_broken(flags, choice);
+  warn_of_few_levels(flags, choice.data.training);
   say(flags, "validating on {}", fmt::join(choice.validation, "; "));
 }
 

@@ -33,7 +33,7 @@ class TrainVerb final : public Verb {
  public:
   TrainVerb()
       : Verb("train", "Train a compensation network on recordings",
-             "limber collect --schedule transitions --out train.h5\n"
+             "limber collect --schedule random --count 60 --episodes 10 --out train.h5\n"
              "  limber train --data train.h5 --out model.safetensors") {}
 
   void add_flags(CLI::App& app) override {

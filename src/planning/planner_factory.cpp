@@ -77,6 +77,9 @@ ArmDescription slowed(ArmDescription arm, const PlanSettings& settings) {
   return arm;
 }
 
+// Once expanded all near nodes, for the same tree: plans and scripts still name it.
+constexpr const char* kAlsoPaper = "paper-steer-all";
+
 /// Before the planner's own.
 void warn_first(const std::string& warning, PlanResult& result) {
   if (!warning.empty()) {
@@ -100,7 +103,8 @@ std::unique_ptr<Planner> make_planner(const std::string& name, int jobs, const F
   if (forest != nullptr) {
     throw InputError(fmt::format("planner '{}' uses no forest; only 'default' does", name));
   }
-  if (PlannerName parsed = PlannerName::parse(name); parsed.name == "paper") {
+  if (PlannerName parsed = PlannerName::parse(name);
+      parsed.name == "paper" || parsed.name == kAlsoPaper) {
     return make_paper_planner(std::move(parsed), name);
   }
   if (name.rfind("ompl:", 0) == 0) {

@@ -28,10 +28,8 @@ namespace {
 constexpr double kMaxHours = 1.0;  // with more, a tenth held back costs less than it tells
 constexpr int kLittleWindowFrames = 32;
 constexpr double kFirstFramesPower = 1.5;
-constexpr int kRunEpochs = 300;  // 100 were never better; 600 no better
-// Both measured on stand-ins for real logs (docs/log/2026-11-27-training.md).
-constexpr double kSoapRate = 2.0;  // over Adam's
-constexpr double kWeightDecay = 0.1;
+constexpr int kRunEpochs = 300;    // 100 were never better; 600 no better
+constexpr double kSoapRate = 2.0;  // over Adam's, on stand-ins (docs/log/2026-11-27-training.md)
 // A way whose first network is worse than the best's by more is not tried any further: two seeds of
 // one way differ by 3 to 10 %.
 constexpr double kWorthTrying = 1.05;
@@ -39,8 +37,8 @@ constexpr std::uint64_t kFoldStream = 0x666f6c6473;
 constexpr double kNever = std::numeric_limits<double>::infinity();  // an error
 constexpr int kMinPartFrames = 100;  // a rollout over less says little
 
-/// What is tried: a wide layer, which learns little of the noise, and the preset's three, better
-/// where recordings are clean; or the user's layers.
+/// What is tried: a wide layer, which learns little of the noise, and three of 100, better where
+/// recordings are clean; or the user's layers.
 std::vector<WayTried> ways_to_try(const std::vector<int>& hidden_units) {
   const std::vector<int> wide{200};
   const std::vector<int>& one = hidden_units.empty() ? wide : hidden_units;
@@ -254,9 +252,7 @@ bool is_little(const ArmDescription& arm, const std::vector<Episode>& episodes) 
 
 TrainingSettings preset_for_little() {
   TrainingSettings settings = best_preset();
-  set_window_frames(settings, {kLittleWindowFrames});
   settings.first_frames_power = kFirstFramesPower;
-  settings.weight_decay = kWeightDecay;
   settings.hidden_units.clear();
   return settings;
 }

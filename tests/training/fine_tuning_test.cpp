@@ -31,6 +31,9 @@ TEST(FineTuning, KeepsTheLastStageAlone) {
   EXPECT_EQ(tuning.stages[0].window_frames, preset.stages.back().window_frames);
   EXPECT_LT(tuning.stages[0].epochs, preset.stages.back().epochs);
   EXPECT_LT(tuning.learning_rate, preset.learning_rate);
+  EXPECT_EQ(preset.optimiser, Optimiser::soap);
+  EXPECT_EQ(tuning.optimiser, Optimiser::adam);
+  EXPECT_EQ(tuning.first_frames_power, 0.0);
 }
 
 /// An arm whose play has grown, and what tuning on it does to the model, without and with replay.

@@ -18,6 +18,7 @@ namespace limber {
 namespace {
 
 constexpr std::uint64_t kOtherArmSeed = 320;
+constexpr std::uint64_t kEnvironmentsSeed = 330;  // of the first arm's; then of the next one
 constexpr double kMinuteS = 60.0;
 constexpr double kShortS = 20.0;
 constexpr int kEnvironments = 8;
@@ -63,9 +64,9 @@ void plan_and_execute(const DemoResults& results, const OtherArm& other, int num
   settings.limits.time_s = results.recipe.planning_time_limit_s;
   settings.controller = "replan";
   settings.motion_queries = kMotionQueries;
-  for (const EnvironmentCase& item :
-       random_environments(other.arm, derived_seed(results.settings->seed, kOtherArmSeed + number),
-                           kEnvironments)) {
+  for (const EnvironmentCase& item : random_environments(
+           other.arm, derived_seed(results.settings->seed, kEnvironmentsSeed + number),
+           kEnvironments)) {
     throw_if_interrupted();
     PlanTrial trial = plan_trial(arm, motion, item, settings,
                                  derived_seed(results.settings->seed, kOtherArmSeed));

@@ -17,6 +17,7 @@ constexpr std::uint64_t kEnvironmentSeed = 64;
 constexpr const char* kPaperArm = "three_segment";
 
 constexpr int kMotionsPerEpisode = 50;
+constexpr int kQuickEpochs = 60;  // of an arm without a family
 constexpr std::uint64_t kSeedStream =
     0x64656d6f;  // apart from the streams that use a seed as it is
 
@@ -111,6 +112,7 @@ DemoRecipe quick_recipe(const ArmDescription& arm) {
   recipe.training_schedules = {transitions(arm, 729), random(300, Approach::step), plan_like(300)};
   recipe.validation_schedule = one_episode(30);
   recipe.unseen_schedule = unseen_motions(50);
+  set_epoch_count(recipe.training, kQuickEpochs);
   recipe.starts_from_family = true;
   recipe.bench_queries = 100'000;
   recipe.plans_per_environment = 1;

@@ -50,8 +50,8 @@ struct CrossValidation {
 /// enough moves for kFolds folds.
 bool is_little(const ArmDescription& arm, const std::vector<Episode>& episodes);
 
-/// The default preset as it learns from little: windows of 32 frames, in which early frames count
-/// more. It says no hidden units, which cross-validation then chooses.
+/// The default preset as it learns from little: early frames of a window count more still. It says
+/// no hidden units, which cross-validation then chooses.
 TrainingSettings preset_for_little();
 
 /// Hash of what decides `cross_validate`.
