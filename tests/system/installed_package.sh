@@ -49,11 +49,11 @@ fi
 c++ -std=c++20 -fsyntax-only -I"$prefix/include" -I/usr/include/eigen3 all.cpp
 [ "$(wc -l <all.cpp)" -le 90 ] || { echo "$(wc -l <all.cpp) public headers; at most 90"; exit 1; }
 
-# From a recording to an executed plan, by the examples alone: a network of a few epochs will do, and
+# From a recording to an executed plan, by the examples alone: a network of some epochs will do, and
 # need not find plans that arrive.
 run=$folder/build
-"$run/02_record_and_train" train.h5 model.safetensors 9 | tee train.txt
-grep -q 'epoch 9: loss' train.txt && grep -q 'unseen runs' train.txt
+"$run/02_record_and_train" train.h5 model.safetensors 90 | tee train.txt
+grep -q 'epoch 90: loss' train.txt && grep -q 'unseen runs' train.txt
 "$run/01_query_the_model" model.safetensors 60 | grep -q 'segment 0 at \(60\|59\)'
 environment=$prefix/share/limber/environments/01_pillar.yaml
 at_most_1() { "$@" || [ $? -eq 1 ]; }
