@@ -22,7 +22,7 @@ class CpuLevels(InFolder):
         for command in (
             ("collect", *ARM, "--schedule", "random", "--count", 3, "--hold-s", 0.5, "--seed", 3,
              "--out", outputs[0]),
-            ("train", *ARM, "--data", "first.h5", "--hidden", 16, "--epochs", 4, "--windows", 2, 8,
+            ("train", *ARM, "--data", "first.h5", "--hidden", 16, "--epochs", 60, "--windows", 2, 8,
              "--out", outputs[1]),
             ("plan", *ARM, "--model", outputs[1], "--environment", "e.yaml", "--max-queries", 8000,
              "--margin-m", 0, "--goal-margin-m", 0, "--out", outputs[2]),
