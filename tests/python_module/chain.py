@@ -56,7 +56,7 @@ class InFolder(unittest.TestCase):
 
 
 class Chain:
-    """A recording of the two-segment arm and a network of few epochs, made by the program."""
+    """A recording of the two-segment arm and a network, made by the program."""
 
     def __init__(self):
         self.temporary = tempfile.TemporaryDirectory(prefix="limber_chain_")
@@ -67,7 +67,7 @@ class Chain:
                     "--episodes", 3, "--hold-s", 1, "--seed", 4, "--out", self.recording,
                     folder=self.folder)
         run_program("train", "--arm", TWO_SEGMENT, "--data", self.recording, "--hidden", 16, 16,
-                    "--epochs", 30, "--seed", 4, "--out", self.model, folder=self.folder)
+                    "--epochs", 180, "--seed", 4, "--out", self.model, folder=self.folder)
         self.arm = limber.load_arm(TWO_SEGMENT)
         self.environment = limber.Environment(
             "a wall", [limber.Circle(x_m=0.30, y_m=-0.30, radius_m=0.03)],

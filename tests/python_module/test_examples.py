@@ -29,15 +29,15 @@ class Examples(InFolder):
         return result.stdout
 
     def test_the_chain(self):
-        trained = self.run_to_end("02_record_and_train.py", "train.h5", "model.safetensors", 9)
-        self.assertIn("epoch 9: loss", trained)
+        trained = self.run_to_end("02_record_and_train.py", "train.h5", "model.safetensors", 90)
+        self.assertIn("epoch 90: loss", trained)
         self.assertIn("unseen runs", trained)
         queried = self.run_to_end("01_query_the_model.py", "model.safetensors", 60)
         self.assertIn("2 s: tip at", queried)
         self.assertRegex(queried, "segment 0 at (60|59)")
         self.run_readme()
         environment = limber.data_folder() / "environments" / "01_pillar.yaml"
-        # A network of nine epochs: its plans may be none, and need not arrive.
+        # A network of ninety epochs: its plans may be none, and need not arrive.
         planned = self.run_to_end("03_plan_and_verify.py", "model.safetensors", environment,
                                   "plan.json", codes=(0, 1))
         self.assertRegex(planned, "(?m)^certified: |^no plan: ")

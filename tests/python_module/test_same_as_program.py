@@ -44,7 +44,7 @@ class SameAsProgram(InFolder):
     def test_trained_models_are_the_programs_to_the_byte(self):
         recording = limber.read_recording(self.chain.recording)
         settings = limber.best_preset()
-        limber.set_epoch_count(settings, 30)
+        limber.set_epoch_count(settings, 180)
         settings.hidden_units = [16, 16]
         settings.seed = 4
         data = limber.hold_back_validation(recording.episodes, HELD_BACK, settings.seed)
@@ -52,7 +52,7 @@ class SameAsProgram(InFolder):
         epochs = []
         result = limber.train(self.chain.arm, data, settings,
                               lambda point: epochs.append(point.epoch))
-        self.assertEqual(epochs, list(range(1, 31)))
+        self.assertEqual(epochs, list(range(1, settings.epoch_count + 1)))
         model = result.model
         model.training = {**model.training,
                           "data": f"train.h5 {limber.content_hash(self.chain.recording)}",
