@@ -96,10 +96,7 @@ class BenchVerb final : public Verb {
       settings.seed = flags.seed;
       settings.ensemble = ensemble_;
       if (!tables_.empty()) {
-        if (settings.optimiser == Optimiser::soap) {  // which peers don't have
-          settings.optimiser = Optimiser::adam;
-          settings.weight_decay = settings.first_frames_power = 0.0;
-        }
+        take_adam_for_soap(settings);  // which peers have
         write_training_tables(tables_, arm, data, settings);
       }
       const TrainingSpeed speed = measure_training_speed(arm, data, settings, epochs_);

@@ -37,11 +37,10 @@ constexpr std::uint64_t kFoldStream = 0x666f6c6473;
 constexpr double kNever = std::numeric_limits<double>::infinity();  // an error
 constexpr int kMinPartFrames = 100;  // a rollout over less says little
 
-/// What is tried: a wide layer, which learns little of the noise, and three of 100, better where
-/// recordings are clean; or the user's layers.
+/// What is tried: the preset's wide layer, which learns little of the noise, and three of 100,
+/// better where recordings are clean; or the user's layers.
 std::vector<WayTried> ways_to_try(const std::vector<int>& hidden_units) {
-  const std::vector<int> wide{200};
-  const std::vector<int>& one = hidden_units.empty() ? wide : hidden_units;
+  const std::vector<int> one = hidden_units.empty() ? best_preset().hidden_units : hidden_units;
   std::vector<WayTried> ways{{kRunEpochs, one, Optimiser::soap},
                              {kRunEpochs, one, Optimiser::adam}};
   if (hidden_units.empty()) {

@@ -33,12 +33,8 @@ TrainingSettings fine_tuning_of(TrainingSettings preset) {
     preset.stages.front().epochs = std::max(preset.stages.front().epochs / kEpochShare, 1);
   }
   preset.learning_rate *= kRateShare;
-  if (preset.optimiser == Optimiser::soap) {
-    // In so few steps SOAP hardly learns its directions; an arm outside its family came out worse.
-    preset.optimiser = Optimiser::adam;
-    preset.weight_decay = 0.0;
-    preset.first_frames_power = 0.0;
-  }
+  // In so few steps SOAP hardly learns its directions; an arm outside its family came out worse.
+  take_adam_for_soap(preset);
   return preset;
 }
 

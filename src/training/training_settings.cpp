@@ -115,6 +115,14 @@ void set_window_frames(TrainingSettings& settings, const std::vector<int>& windo
   set_epoch_count(settings, epochs);
 }
 
+void take_adam_for_soap(TrainingSettings& settings) {
+  if (settings.optimiser == Optimiser::soap) {
+    settings.optimiser = Optimiser::adam;
+    settings.weight_decay = 0.0;
+    settings.first_frames_power = 0.0;
+  }
+}
+
 void set_family_size(TrainingSettings& settings, int size) {
   constexpr int kWindowFrames = 32;
   constexpr int kValidationInterval = 25;

@@ -68,12 +68,6 @@ void opening(ReportPage& page, const DemoResults& results) {
       "real arm, so no figure shows an improvement over the paper's.");
 }
 
-std::string networks_text(const CompensationModel& model) {
-  return model.member_count() > 1
-             ? fmt::format("{} networks {}", model.member_count(), model.shape())
-             : fmt::format("network {}", model.shape());
-}
-
 void what_was_done(ReportPage& page, const DemoResults& results) {
   const TrainingResult& training = results.training;
   const ErrorRoom room = error_room(*results.network);
@@ -87,17 +81,13 @@ void what_was_done(ReportPage& page, const DemoResults& results) {
                       results.training_recording.frame_count(), hours(results.training_recording),
                       results.training_recording.episodes.size(),
                       results.test_recording.frame_count()),
-          fmt::format("Train: {}, {}{} epochs in {:.0f} s; epoch "
-                      "{} was best on the validation episode.{}",
-                      networks_text(training.model),
+          fmt::format("Train: network {}, {}{} epochs in {:.0f} s; epoch "
+                      "{} was best on the validation episode.",
+                      training.model.shape(),
                       results.starts_from_family
                           ? "from limber's family, adapted to another minute of the arm, "
                           : "",
-                      training.curve.size(), training.wall_time_s, training.best_epoch,
-                      training.model.member_count() > 1
-                          ? " The one that validated best predicts; plans count only where all "
-                            "agree that they are free and end in the goal."
-                          : ""),
+                      training.curve.size(), training.wall_time_s, training.best_epoch),
           "Evaluate: both models on the test, from one "
           "step ahead to the whole episode uncorrected.",
           fmt::format("Plan and execute: {} environments, {} plans of each model, {:.3g} "

@@ -143,6 +143,9 @@ void set_epoch_count(TrainingSettings& settings, int epochs);
 /// @throws InputError if there is none, one is < 1, or there are fewer epochs than stages.
 void set_window_frames(TrainingSettings& settings, const std::vector<int>& window_frames);
 
+/// Where they say SOAP: Adam, without weight decay, and all frames of a window count alike.
+void take_adam_for_soap(TrainingSettings& settings);
+
 /// For a family of arms (docs/families.md) that so many numbers tell apart: three layers of 100
 /// units, trained by SOAP with weight decay, in windows of 32 frames, all of which count alike, and
 /// validated every 25 epochs, since every arm held back is fitted then.
