@@ -75,6 +75,7 @@ class PredictedState {
   }
 
   const std::optional<MotionState>& ahead() const { return ahead_; }
+  const std::optional<MotionState>& shown() const { return state_; }
   double moved_m() const { return moved_m_; }
   const ModelMiss& miss() const { return miss_; }
   /// A network starts from the measured shape, and errs more the farther ahead; the no-load model
@@ -240,6 +241,10 @@ bool ArmEstimate::has_state() const {
 
 const MotionState& ArmEstimate::state() const {
   return *parts_->predicted->ahead();
+}
+
+const MotionState& ArmEstimate::shown_state() const {
+  return *parts_->predicted->shown();
 }
 
 bool ArmEstimate::is_moving() const {

@@ -82,6 +82,8 @@ class ArmEstimate {
   bool has_state() const;
   /// After the set points that were observed last. @pre has_state()
   const MotionState& state() const;
+  /// In the frame that `measured` shows, `lag_frames` earlier. @pre has_state()
+  const MotionState& shown_state() const;
   /// Whether friction and valves still carry the arm on: it came by more than 0.3 % of its length
   /// in the frame observed last. Where it is now says little of where it ends.
   bool is_moving() const;
