@@ -64,6 +64,10 @@ class FamilyVerb final : public Verb {
                    "How arms differ, as of limber collect: wide, or a factor")
         ->capture_default_str();
     app.add_option(
+        "--noise-m", noise_m_,
+        "Noise of the recorded positions, std deviation, as trackers have it; of the "
+        "headings 10 rad/m times as much. Without any the family fits no real recording");
+    app.add_option(
         "--tube-runs", tube_runs_,
         "Runs that test its tube, each on an arm of its own, else 400; 0: no tube, limber "
         "calibrate measures one later. In space there is none yet");
@@ -138,6 +142,8 @@ class FamilyVerb final : public Verb {
     schedule.episodes = std::max(
         1, static_cast<int>(std::lround(hours_ * kSecondsPerHour * share.share / share.arm_s)));
     VirtualArmOptions options;
+    options.noise_m = noise_m_;
+    options.noise_rad = kNoiseRadPerM * noise_m_;
     options.seed = flags.seed + static_cast<std::uint64_t>(&share - kShares);
     CollectionSettings settings = related_collection(arm, schedule, options, variation);
     settings.seed = options.seed;
@@ -223,6 +229,7 @@ class FamilyVerb final : public Verb {
   }
 
   static constexpr double kHeldBackShare = 0.03;
+  static constexpr double kNoiseRadPerM = 10.0;  // of markers 14 cm apart
   static constexpr int kTubeRuns = 400;
   static constexpr int kRunsBeforeTest = 200;  // that shape the tube, and that screen each factor
 
@@ -233,6 +240,7 @@ class FamilyVerb final : public Verb {
   std::vector<int> hidden_ = {160, 160, 160};  // an arm that varies in 20 ways takes more than one
   int epochs_ = 250;
   std::string variation_ = "wide";
+  double noise_m_ = 0.0002;
   std::optional<int> tube_runs_;
   bool resume_ = false;
 };

@@ -122,9 +122,6 @@ void bind_settings(py::module_& module) {
              "By this times the learning rate every step shortens the weights, >= 0.")
       .field("average_decay", &S::average_decay,
              "Decay of the weights' moving average, in [0, 1); 0: none.")
-      .field("input_noise", &S::input_noise,
-             "Standard deviation of what is added to a window's first backbone, in "
-             "normalised units, >= 0.")
       .field("shift_windows", &S::shift_windows,
              "Whether each epoch cuts its windows at another frame.")
       .field("family_size", &S::family_size,

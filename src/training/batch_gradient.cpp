@@ -9,7 +9,6 @@
 
 #include "flushed_subnormals.hpp"
 #include "kernels/job_arena.hpp"
-#include "limber/common/random_stream.hpp"
 #include "training_kernels.hpp"
 
 namespace limber {
@@ -37,7 +36,6 @@ struct BatchGradient::Threads {
 
   JobArena arena;
   std::vector<WindowGradient<float>> workspaces;
-  std::vector<Eigen::MatrixXf> noise;
 };
 
 BatchGradient::BatchGradient(const TrainingTables& tables, const ParameterLayout& layout,
@@ -55,19 +53,13 @@ BatchGradient::BatchGradient(const TrainingTables& tables, const ParameterLayout
   for (int thread = 0; thread < threads_->arena.jobs(); ++thread) {
     threads_->workspaces.emplace_back(layout, tables.map, segments, window_frames,
                                       windows_per_chunk_);
-    threads_->noise.emplace_back(tables.frames.state.rows(), windows_per_chunk_);
   }
 }
 
 BatchGradient::~BatchGradient() = default;
 
-int BatchGradient::chunk_count() const {
-  return static_cast<int>(gradients_.size());
-}
-
 void BatchGradient::compute_chunk(int chunk, std::span<const int> starts,
-                                  const Eigen::VectorXf& parameters, double noise,
-                                  std::uint64_t seed, std::uint64_t stream) {
+                                  const Eigen::VectorXf& parameters) {
   const FlushedSubnormals flushed;
   const auto thread = static_cast<std::size_t>(tbb::this_task_arena::current_thread_index());
   const auto index = static_cast<std::size_t>(chunk);
@@ -76,14 +68,6 @@ void BatchGradient::compute_chunk(int chunk, std::span<const int> starts,
       std::min(starts.size() - first, static_cast<std::size_t>(windows_per_chunk_));
   WindowGradient<float>& workspace = threads_->workspaces[thread];
   workspace.load(tables_.frames, starts.subspan(first, count));
-  if (noise > 0.0) {
-    RandomStream random(seed, stream + index);
-    Eigen::MatrixXf& added = threads_->noise[thread];
-    for (float& value : added.reshaped()) {
-      value = static_cast<float>(noise * random.normal());
-    }
-    workspace.disturb(added);
-  }
   for (std::size_t network = 0; network < networks_; ++network) {
     const Eigen::Index offset = static_cast<Eigen::Index>(network) * parameters_;
     losses_[index * networks_ + network] = workspace.forward(parameters.data() + offset);
@@ -102,8 +86,7 @@ void BatchGradient::add_chunks(std::size_t first, std::size_t count, std::size_t
 }
 
 std::span<const double> BatchGradient::compute(std::span<const int> starts,
-                                               const Eigen::VectorXf& parameters, double noise,
-                                               std::uint64_t seed, std::uint64_t stream,
+                                               const Eigen::VectorXf& parameters,
                                                Eigen::VectorXf& gradient) {
   const std::size_t per_chunk = static_cast<std::size_t>(windows_per_chunk_);
   const std::size_t chunks = (starts.size() + per_chunk - 1) / per_chunk;
@@ -111,9 +94,7 @@ std::span<const double> BatchGradient::compute(std::span<const int> starts,
   threads_->arena.execute([&] {
     tbb::parallel_for(
         std::size_t{0}, chunks,
-        [&](std::size_t chunk) {
-          compute_chunk(static_cast<int>(chunk), starts, parameters, noise, seed, stream);
-        },
+        [&](std::size_t chunk) { compute_chunk(static_cast<int>(chunk), starts, parameters); },
         tbb::simple_partitioner());
   });
   gradient.resize(gradients_.front().size());

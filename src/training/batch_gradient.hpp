@@ -25,20 +25,13 @@ class BatchGradient {
   /// Sums of the windows' errors, one per network; their gradients go to `gradient`.
   /// Valid until the next call. It allocates nothing of its own.
   /// @param parameters  N·P, one network after the other; so is `gradient`, resized where it must.
-  /// @param noise       standard deviation added to the first backbones, normalised; 0: none.
-  /// @param seed,stream of that noise; chunk i of the batch samples from stream + i.
   std::span<const double> compute(std::span<const int> starts, const Eigen::VectorXf& parameters,
-                                  double noise, std::uint64_t seed, std::uint64_t stream,
                                   Eigen::VectorXf& gradient);
-
-  /// Number of chunks that a full batch is cut into.
-  int chunk_count() const;
 
  private:
   struct Threads;
 
-  void compute_chunk(int chunk, std::span<const int> starts, const Eigen::VectorXf& parameters,
-                     double noise, std::uint64_t seed, std::uint64_t stream);
+  void compute_chunk(int chunk, std::span<const int> starts, const Eigen::VectorXf& parameters);
 
   /// Sum over the chunks of their numbers `first`, first + 1, …
   void add_chunks(std::size_t first, std::size_t count, std::size_t chunks,

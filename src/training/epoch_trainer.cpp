@@ -22,10 +22,9 @@ namespace {
 constexpr double kExplosion = 100.0;
 // An epoch that ends this many times worse than its stage began is not learning but drifting away.
 constexpr double kWorsening = 3.0;
-// Streams of one seed: the shuffles of epochs, the noise of batches and the weights of the members
-// behind the first, far apart from each other.
+// Streams of one seed: the shuffles of epochs and the weights of the members behind the first, far
+// apart from each other.
 constexpr std::uint64_t kShuffleStreams = 1ULL << 32;
-constexpr std::uint64_t kNoiseStreams = 1ULL << 33;
 constexpr std::uint64_t kMemberStreams = 1ULL << 34;
 constexpr std::uint64_t kSliceStep = 1ULL << 36;  // from one slice's shuffle to the next one's
 
@@ -261,12 +260,8 @@ EpochLoss EpochTrainer::train_slice(const TrainingStage& stage,
       return stopped;
     }
     const std::size_t count = std::min(batch, starts.size() - first);
-    const auto step_number = static_cast<std::uint64_t>(state_.optimiser.step);
-    const std::span<const double> losses = gradient.compute(
-        std::span(starts).subspan(first, count), state_.parameters, settings_.input_noise,
-        settings_.seed,
-        kNoiseStreams + step_number * static_cast<std::uint64_t>(gradient.chunk_count()),
-        gradient_);
+    const std::span<const double> losses =
+        gradient.compute(std::span(starts).subspan(first, count), state_.parameters, gradient_);
     for (int member = 0; member < members_; ++member) {
       const auto at = static_cast<std::size_t>(member);
       const double mean = losses[at] / static_cast<double>(count);
@@ -312,7 +307,7 @@ EpochLoss EpochTrainer::train_epoch(const TrainingStage& stage,
 }
 
 void EpochTrainer::rehearse(const TrainingStage& stage, std::span<const int> starts) {
-  gradient_for(stage).compute(starts, state_.parameters, 0.0, 0, 0, gradient_);
+  gradient_for(stage).compute(starts, state_.parameters, gradient_);
   const OptimiserState before = state_.optimiser;
   const Eigen::VectorXf average = state_.average;
   // The first step alone begins SOAP's averages: it costs many of the others.

@@ -126,16 +126,14 @@ void take_adam_for_soap(TrainingSettings& settings) {
 void set_family_size(TrainingSettings& settings, int size) {
   constexpr int kWindowFrames = 32;
   constexpr int kValidationInterval = 25;
-  // Both lower the error on other arms (docs/families.md).
+  // Lowers the error on other arms (docs/families.md).
   constexpr double kWeightDecay = 0.1;
-  constexpr double kInputNoise = 0.03;
   set_window_frames(settings, {kWindowFrames});
   settings.hidden_units = TrainingSettings().hidden_units;
   settings.first_frames_power = 0.0;
   settings.family_size = size;
   settings.optimiser = Optimiser::soap;
   settings.weight_decay = kWeightDecay;
-  settings.input_noise = kInputNoise;
   settings.validation_interval = kValidationInterval;
 }
 
@@ -192,7 +190,6 @@ void require_usable(const TrainingSettings& settings) {
           settings.weight_decay, ">= 0, and below 1 / learning_rate (0: none)");
   require(settings.average_decay >= 0.0 && settings.average_decay < 1.0, "average_decay",
           settings.average_decay, "[0, 1)");
-  require(settings.input_noise >= 0.0, "input_noise", settings.input_noise, ">= 0");
   require(settings.ensemble >= 1 && settings.ensemble <= 64, "ensemble", settings.ensemble,
           "1 to 64 networks");
   require(settings.family_size >= 0 && settings.family_size <= ArmFamily::kMaxSize, "family_size",

@@ -146,16 +146,6 @@ void WindowGradient<Scalar>::weigh(const FrameTable<Scalar>& frames, std::span<c
 }
 
 template <class Scalar>
-void WindowGradient<Scalar>::disturb(const Matrix& noise) {
-  for (int j = 0; j < windows_; ++j) {
-    Scalar* input = at(input_, layout_.inputs(0), block_of(j / stride_, 0));
-    for (int r = 0; r < size_; ++r) {
-      input[(2 * segments_ + r) * stride_ + j % stride_] += noise(r, j);
-    }
-  }
-}
-
-template <class Scalar>
 Scalar* WindowGradient<Scalar>::layer_input(int layer, int block) {
   return layer == 0
              ? at(input_, layout_.inputs(0), block)

@@ -17,11 +17,10 @@ class BatchGradientTest : public testing::Test {
         parameters_(initial_parameters(layout_, 5)),
         starts_(window_starts(tables_.episodes, {}, 4, 0)) {}
 
-  Eigen::VectorXf gradient(int jobs, double noise, double* loss = nullptr) const {
+  Eigen::VectorXf gradient(int jobs, double* loss = nullptr) const {
     BatchGradient batch(tables_, layout_, 4, static_cast<int>(starts_.size()), jobs);
-    EXPECT_GT(batch.chunk_count(), 1);
     Eigen::VectorXf result;
-    const double sum = batch.compute(starts_, parameters_, noise, 9, 100, result).front();
+    const double sum = batch.compute(starts_, parameters_, result).front();
     if (loss != nullptr) {
       *loss = sum;
     }
@@ -36,31 +35,20 @@ class BatchGradientTest : public testing::Test {
 };
 
 TEST_F(BatchGradientTest, HasTheSameBitsForAnyNumberOfThreads) {
-  const Eigen::VectorXf one = gradient(1, 0.1);
-  EXPECT_EQ(one, gradient(2, 0.1));
-  EXPECT_EQ(one, gradient(5, 0.1));
+  const Eigen::VectorXf one = gradient(1);
+  EXPECT_EQ(one, gradient(2));
+  EXPECT_EQ(one, gradient(5));
 }
 
 TEST_F(BatchGradientTest, IsTheSumOverTheWindows) {
   double loss = 0.0;
-  const Eigen::VectorXf all = gradient(2, 0.0, &loss);
+  const Eigen::VectorXf all = gradient(2, &loss);
   WindowGradient<float> whole(layout_, tables_.map, 3, 4, static_cast<int>(starts_.size()));
   whole.load(tables_.frames, starts_);
   EXPECT_NEAR(whole.forward(parameters_.data()), loss, kRounding * loss);
   Eigen::VectorXf expected(layout_.size());
   whole.backward(parameters_.data(), expected.data());
   EXPECT_LT((all - expected).norm(), kRounding * expected.norm());
-}
-
-TEST_F(BatchGradientTest, NoiseMovesTheLossAndNoNoiseDoesNot) {
-  double quiet = 0.0;
-  double again = 0.0;
-  double noisy = 0.0;
-  gradient(2, 0.0, &quiet);
-  gradient(2, 0.0, &again);
-  gradient(2, 0.3, &noisy);
-  EXPECT_EQ(quiet, again);
-  EXPECT_NE(quiet, noisy);
 }
 
 }  // namespace

@@ -179,10 +179,9 @@ void ClosedLoop::observe(const Moment& now) {
   }
   if (std::exchange(motion.seen, now.arm.frames()) != now.arm.frames()) {
     const Pressures& pressure_kpa = now.arm.measured().pressure_kpa;
-    motion.is_refitted |=
-        now.arm.frames_unseen() == 0 && now.arm.has_state()
-            ? motion.fit->observe(pressure_kpa, now.arm.shown_state().backbone)
-            : motion.fit->observe(pressure_kpa, std::nullopt);
+    motion.is_refitted |= now.arm.frames_unseen() == 0 && now.arm.has_state()
+                              ? motion.fit->observe(pressure_kpa, now.arm.shown_state().backbone)
+                              : motion.fit->observe(pressure_kpa, std::nullopt);
   }
   if (motion.is_refitted && !now.is_thinking) {
     motion.is_refitted = false;

@@ -93,7 +93,6 @@ struct TrainingSettings {
   /// arms excepted (Loshchilov & Hutter 2019). 0: no step does.
   double weight_decay = 0;
   double average_decay = 0;   ///< of the exponential moving average of the weights; 0: none
-  double input_noise = 0;     ///< standard deviation added to a window's first backbone, normalised
   bool shift_windows = true;  ///< each epoch cuts its windows at another offset
 
   /// k, numbers that say which of a family's arms it is (network/arm_family.hpp), 0 to 64; 0: the

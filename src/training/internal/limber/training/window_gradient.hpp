@@ -109,10 +109,6 @@ class WindowGradient {
   /// frames after it. @pre 1 ≤ starts.size() ≤ window_limit; start + T < F.
   void load(const FrameTable<Scalar>& frames, std::span<const int> starts);
 
-  /// Adds to the first backbones of the windows loaded (D × window_limit; the first columns are
-  /// used).
-  void disturb(const Matrix& noise);
-
   /// Sum over the windows of their errors.
   /// @param parameters  layout.size() numbers.
   double forward(const Scalar* parameters);
