@@ -95,6 +95,9 @@ void bind_evaluation(py::module_& module) {
                  "model's [%].")
       .read_only("orientation_reduction_percent", &Evaluation::orientation_reduction_percent,
                  "The same of headings [%].")
+      .read_only("noise_multiplied", &Evaluation::noise_multiplied,
+                 "How many times as large a tracker's noise comes out of one step; 0 without a "
+                 "network.")
       .done()
       .def_readonly("novel", &Evaluation::novel,
                     "NovelFrames of the network, or None where it does not know what it learnt "

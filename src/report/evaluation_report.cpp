@@ -12,6 +12,8 @@ namespace limber {
 
 namespace {
 
+constexpr double kTooMuchNoise = 10.0;  // times: networks that learnt with noise have 1 to 4
+
 using Json = nlohmann::ordered_json;
 
 Json to_json(const ErrorStatistics& value) {
@@ -103,6 +105,7 @@ Json to_json(const Evaluation& evaluation) {
     const std::optional<TipErrors>& planned = evaluation.network->open_loop_from_setpoints;
     json["network"] = to_json(*evaluation.network);
     json["network"]["open_loop_from_setpoints"] = planned ? to_json(*planned) : Json();
+    json["network"]["noise_multiplied"] = evaluation.noise_multiplied;
     json["long_rollout"] = to_json(evaluation.long_rollout);
     json["novel_frames"] = evaluation.novel ? to_json(*evaluation.novel) : Json();
   }
@@ -156,6 +159,15 @@ std::string to_text(const Evaluation& evaluation) {
         "the model's bounds held a gap\n",
         rollout.frames, rollout.bounded ? "bounded" : "NOT BOUNDED", rollout.max_distance_m,
         100.0 * rollout.held_share);
+    text += fmt::format(
+        "the noise of a tracker comes out of one step {:.1f} times as large (of a held pose 1, at "
+        "constant velocity 2.2)\n",
+        evaluation.noise_multiplied);
+    if (evaluation.noise_multiplied > kTooMuchNoise) {
+      text +=
+          "warning: a closed loop behind a tracker would act on that noise: learn from recordings "
+          "that have it (of the virtual arm: limber collect --noise-m 0.0005 --noise-rad 0.005)\n";
+    }
     text += evaluation.novel ? to_text(*evaluation.novel, evaluation.command) : "";
   }
   return text;

@@ -1,5 +1,6 @@
 #include "limber/training/evaluation.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -7,6 +8,7 @@
 #include "learnt_kind.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/random_stream.hpp"
 #include "limber/common/units.hpp"
 #include "limber/data/valve_identification.hpp"
 #include "limber/data/valve_simulation.hpp"
@@ -16,6 +18,8 @@ namespace limber {
 
 namespace {
 
+constexpr double kTrackerNoiseM = 0.0005;  // of a plate's place: that of a usual tracker
+constexpr std::uint64_t kTrackerStream = 0x747261636b;
 constexpr int kMinFrames = 3;  // constant velocity needs two frames before the one it predicts
 
 /// A piece for every frame but the first, whether a start was tracked or not: for models that need
@@ -112,6 +116,42 @@ std::optional<TipErrors> errors_from_setpoints(const ForwardModel& network,
   return rollout_errors(network, episodes, Restart::at_the_start_only, jobs);
 }
 
+/// The episodes as a tracker would have seen them.
+std::vector<Episode> with_tracker_noise(std::vector<Episode> episodes, Eigen::Index pose_size) {
+  RandomStream random(1, kTrackerStream);
+  const Eigen::Index places = pose_size == kPoseSize ? 2 : 3;
+  for (Episode& episode : episodes) {
+    for (Eigen::Index t = 0; t < episode.backbone.rows(); ++t) {
+      for (Eigen::Index i = pose_size; i < episode.backbone.cols(); ++i) {
+        const double noise_m = i % pose_size < places ? kTrackerNoiseM * random.normal() : 0.0;
+        episode.backbone(t, i) += static_cast<float>(noise_m);
+      }
+    }
+  }
+  return episodes;
+}
+
+/// Of the tip, as standard deviations: after one step, of what it began from.
+double noise_multiplied(const ForwardModel& network, const std::vector<Episode>& episodes,
+                        const std::vector<FrameMatrix>& predicted, int jobs) {
+  const Eigen::Index pose = pose_size(network.dimension());
+  const std::vector<FrameMatrix> noisy =
+      predict_checked(network, with_tracker_noise(episodes, pose), Restart::every_frame, jobs);
+  double sum_m2 = 0.0;
+  std::int64_t count = 0;
+  const Eigen::Index places = pose == kPoseSize ? 2 : 3;
+  for (std::size_t e = 0; e < predicted.size(); ++e) {
+    const FrameMatrix tip_off = (noisy[e] - predicted[e]).rightCols(pose).leftCols(places);
+    for (Eigen::Index t = 0; t < tip_off.rows(); ++t) {
+      if (tip_off.row(t).allFinite()) {
+        sum_m2 += double(tip_off.row(t).squaredNorm());
+        count += places;
+      }
+    }
+  }
+  return count > 0 ? std::sqrt(sum_m2 / double(count)) / kTrackerNoiseM : 0.0;
+}
+
 /// Two arms of equal sizes that differ in numbers alone would pass for one.
 void require_models(const ForwardModel& no_load, const ForwardModel* network) {
   if (no_load.has_network() || (network != nullptr && !network->has_network())) {
@@ -176,6 +216,8 @@ Evaluation evaluate(const ForwardModel& no_load, const ForwardModel* network,
       return predict_checked(*network, episodes, restart, jobs);
     });
     errors.open_loop_from_setpoints = errors_from_setpoints(*network, episodes, jobs);
+    result.noise_multiplied = noise_multiplied(
+        *network, episodes, predict_checked(*network, episodes, Restart::every_frame, jobs), jobs);
     result.long_rollout = roll_out_long(*network, episodes);
     if (network->compensation().learnt) {
       result.novel = find_novel_frames(*network->compensation().learnt, episodes);

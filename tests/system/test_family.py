@@ -101,6 +101,18 @@ class Family(InFolder):
         error = self.run_limber(*run, "--adapted-out", "x.safetensors", code=2).stderr
         self.assertIn("--adapted-out: nothing was adapted", error)
 
+    def test_a_trackers_noise_hides_little_of_the_arm(self):
+        errors = []
+        for noise in ((), ("--noise-m", 0.0005, "--noise-rad", 0.005)):
+            self.run_limber("collect", "--schedule", "identify", "--seed", 7, *noise, "--out", "seen.h5", "--force")
+            self.run_limber("adapt", "--model", "three_segment", "--recording", "seen.h5", "--weights", "never",
+                            "--out", "mine.safetensors", "--force")
+            self.run_limber("collect", "--schedule", "random", "--count", 20, "--seed", 8, "--out", "other.h5", "--force")
+            found = self.run_json("evaluate", "--model", "mine.safetensors", "--data", "other.h5")["network"]
+            errors.append(found["open_loop"]["position_error_cm"]["mean"])
+            self.assertLess(found["noise_multiplied"], 10.0)
+        self.assertLess(errors[1], 1.4 * errors[0])
+
     def test_the_small_one_is_found_by_its_name_too(self):
         self.run_limber("collect", "--vary-physics", 1.5, "--schedule", "identify", "--seed", 6, "--out", "like.h5")
         found = self.run_json("adapt", "--model", "three_segment_small", "--recording", "like.h5",

@@ -98,6 +98,7 @@ TEST(Evaluate, ErrorsOfADriftFollowTheRestarts) {
   EXPECT_NEAR(errors.open_loop.position_cm.worst_motion, 0.1 * 140.5, kDriftRounding_cm);
   EXPECT_NEAR(errors.per_motion.position_cm.worst_motion, 0.1 * 41 / 2, kMicrometre_cm);
   EXPECT_TRUE(std::isnan(errors.one_step_moving.position_cm.mean)) << "the arm stands still";
+  EXPECT_NEAR(evaluation.noise_multiplied, 1.0, 0.15) << "of 320 numbers";
 }
 
 TEST(Evaluate, MovingFramesAreThoseInWhichTheTipMoves) {
@@ -183,6 +184,7 @@ TEST(Evaluate, AZeroNetworkIsTheNoLoadModel) {
   EXPECT_NEAR(evaluation.network->open_loop.position_cm.mean,
               evaluation.no_load_open_loop.position_cm.mean, kMicrometre_cm);
   EXPECT_NEAR(evaluation.position_reduction_percent, 0.0, 1e-3);
+  EXPECT_EQ(evaluation.noise_multiplied, 0.0) << "it has no memory";
 }
 
 TEST(Evaluate, BaselinesOfSteadyMotion) {
