@@ -105,7 +105,7 @@ Json to_json(const Evaluation& evaluation) {
     const std::optional<TipErrors>& planned = evaluation.network->open_loop_from_setpoints;
     json["network"] = to_json(*evaluation.network);
     json["network"]["open_loop_from_setpoints"] = planned ? to_json(*planned) : Json();
-    json["network"]["noise_multiplied"] = evaluation.noise_multiplied;
+    json["noise_multiplied"] = evaluation.noise_multiplied;
     json["long_rollout"] = to_json(evaluation.long_rollout);
     json["novel_frames"] = evaluation.novel ? to_json(*evaluation.novel) : Json();
   }

@@ -108,8 +108,8 @@ class Family(InFolder):
             self.run_limber("adapt", "--model", "three_segment", "--recording", "seen.h5", "--weights", "never",
                             "--out", "mine.safetensors", "--force")
             self.run_limber("collect", "--schedule", "random", "--count", 20, "--seed", 8, "--out", "other.h5", "--force")
-            found = self.run_json("evaluate", "--model", "mine.safetensors", "--data", "other.h5")["network"]
-            errors.append(found["open_loop"]["position_error_cm"]["mean"])
+            found = self.run_json("evaluate", "--model", "mine.safetensors", "--data", "other.h5")
+            errors.append(found["network"]["open_loop"]["position_error_cm"]["mean"])
             self.assertLess(found["noise_multiplied"], 10.0)
         self.assertLess(errors[1], 1.4 * errors[0])
 
