@@ -64,9 +64,10 @@ class FamilyVerb final : public Verb {
                    "How arms differ, as of limber collect: wide, or a factor")
         ->capture_default_str();
     app.add_option(
-        "--noise-m", noise_m_,
-        "Noise of the recorded positions, std deviation, as trackers have it; of the "
-        "headings 10 rad/m times as much. Without any the family fits no real recording");
+           "--noise-m", noise_m_,
+           "Noise of the recorded positions, std deviation, as trackers have it; of the "
+           "headings 10 rad/m times as much. Without any, real trackers mislead limber adapt")
+        ->capture_default_str();
     app.add_option(
         "--tube-runs", tube_runs_,
         "Runs that test its tube, each on an arm of its own, else 400; 0: no tube, limber "

@@ -212,12 +212,16 @@ Evaluation evaluate(const ForwardModel& no_load, const ForwardModel* network,
   one_step(keep_velocity, result.constant_velocity_one_step,
            result.constant_velocity_one_step_moving);
   if (network != nullptr) {
+    std::vector<FrameMatrix> after_one_step;
     RolloutErrors errors = errors_at_every_restart(episodes, [&](Restart restart) {
-      return predict_checked(*network, episodes, restart, jobs);
+      std::vector<FrameMatrix> predicted = predict_checked(*network, episodes, restart, jobs);
+      if (restart == Restart::every_frame) {
+        after_one_step = predicted;
+      }
+      return predicted;
     });
     errors.open_loop_from_setpoints = errors_from_setpoints(*network, episodes, jobs);
-    result.noise_multiplied = noise_multiplied(
-        *network, episodes, predict_checked(*network, episodes, Restart::every_frame, jobs), jobs);
+    result.noise_multiplied = noise_multiplied(*network, episodes, after_one_step, jobs);
     result.long_rollout = roll_out_long(*network, episodes);
     if (network->compensation().learnt) {
       result.novel = find_novel_frames(*network->compensation().learnt, episodes);

@@ -102,12 +102,12 @@ class Family(InFolder):
         self.assertIn("--adapted-out: nothing was adapted", error)
 
     def test_a_trackers_noise_hides_little_of_the_arm(self):
+        self.run_limber("collect", "--schedule", "random", "--count", 20, "--seed", 8, "--out", "other.h5")
         errors = []
         for noise in ((), ("--noise-m", 0.0005, "--noise-rad", 0.005)):
             self.run_limber("collect", "--schedule", "identify", "--seed", 7, *noise, "--out", "seen.h5", "--force")
             self.run_limber("adapt", "--model", "three_segment", "--recording", "seen.h5", "--weights", "never",
                             "--out", "mine.safetensors", "--force")
-            self.run_limber("collect", "--schedule", "random", "--count", 20, "--seed", 8, "--out", "other.h5", "--force")
             found = self.run_json("evaluate", "--model", "mine.safetensors", "--data", "other.h5")
             errors.append(found["network"]["open_loop"]["position_error_cm"]["mean"])
             self.assertLess(found["noise_multiplied"], 10.0)

@@ -178,10 +178,12 @@ void ClosedLoop::observe(const Moment& now) {
     return;
   }
   if (std::exchange(motion.seen, now.arm.frames()) != now.arm.frames()) {
-    const Pressures& pressure_kpa = now.arm.measured().pressure_kpa;
-    motion.is_refitted |= now.arm.frames_unseen() == 0 && now.arm.has_state()
-                              ? motion.fit->observe(pressure_kpa, now.arm.shown_state().backbone)
-                              : motion.fit->observe(pressure_kpa, std::nullopt);
+    // As it was measured, noise would pass for a velocity, and e be moved to explain that.
+    std::optional<Backbone> shape;
+    if (now.arm.has_state() && now.arm.frames_unseen() == 0) {
+      shape = now.arm.shown_state().backbone;
+    }
+    motion.is_refitted |= motion.fit->observe(now.arm.measured().pressure_kpa, shape);
   }
   if (motion.is_refitted && !now.is_thinking) {
     motion.is_refitted = false;
