@@ -33,6 +33,7 @@ SPENT_MOTIONS = 54
 # The same in space, where `identify` has more motions.
 SPACE_SPENT_MOTIONS = 90
 FRAME_RATE_HZ = 20
+RAD_PER_M = 10  # of a tracker's noise
 NAMED_ARMS = {
     "nominal": {},
     "friction +30 %": {"friction_coefficient": 0.325},
@@ -118,8 +119,9 @@ class Family:
 
     def minute_and_test(self, name, seed, count, *arguments):
         spent = SPACE_SPENT_MOTIONS if self.in_space else SPENT_MOTIONS
+        noise_m = self.options.noise_m
         minutes = self.record(f"{name}_minute.h5", seed, "--schedule", "identify", "--episodes", count,
-                              *arguments)
+                              "--noise-m", noise_m, "--noise-rad", RAD_PER_M * noise_m, *arguments)
         tests = self.record(f"{name}_test.h5", seed, "--schedule", "random", "--hold-s", 3, "--count",
                             spent + MOTIONS_OF_100_S, "--episodes", count, *arguments)
         tests = [piece(test, int(np.argmax(np.asarray(test.motion_index) >= spent)), 10**9)
@@ -264,6 +266,8 @@ def main():
     parser.add_argument("--vary-physics", default="wide", help="how arms of parts unseen and tube differ")
     parser.add_argument("--trials", type=int, default=20, help="of each environment, part arms")
     parser.add_argument("--max-queries", type=int, default=20000, help="of each plan")
+    parser.add_argument("--noise-m", type=float, default=0.0,
+                        help="of the minute's positions, std deviation; of its headings 10 rad/m times that")
     parser.add_argument("--no-training", action="store_true", help="no networks from nothing")
     parser.add_argument("parts", nargs="*", default=["open", "arms", "unseen"])
     options = parser.parse_args()
