@@ -50,6 +50,7 @@ TEST(ArmEstimate, OfADriverThatAnswersAtOnceIsWhereTheSetPointsLead) {
   estimate.observe(s.rest.pressures_kpa, shown);
   for (int k = 1; k < 10; ++k) {
     estimate.observe(s.setpoint(k), shown);
+    ASSERT_TRUE(estimate.shown_state().backbone == *shown.backbone) << "a frame behind";
     shown = s.after(s.setpoint(k));
     shown.setpoint_kpa = s.setpoint(k);
     ASSERT_TRUE(estimate.state() == s.state) << k;
