@@ -86,6 +86,8 @@ class Family:
         self.in_space = self.arm.dimension == 3
         self.family = limber.read_model(options.family)
         self.parts = KeptParts(options.limber, options.out)
+        self.identify = ("--schedule", "identify", "--noise-m", options.noise_m, "--noise-rad",
+                         RAD_PER_M * options.noise_m)
 
     def error_cm(self, model, episode):
         predicted = limber.predict(limber.ForwardModel(self.arm, model), episode,
@@ -119,9 +121,7 @@ class Family:
 
     def minute_and_test(self, name, seed, count, *arguments):
         spent = SPACE_SPENT_MOTIONS if self.in_space else SPENT_MOTIONS
-        noise_m = self.options.noise_m
-        minutes = self.record(f"{name}_minute.h5", seed, "--schedule", "identify", "--episodes", count,
-                              "--noise-m", noise_m, "--noise-rad", RAD_PER_M * noise_m, *arguments)
+        minutes = self.record(f"{name}_minute.h5", seed, *self.identify, "--episodes", count, *arguments)
         tests = self.record(f"{name}_test.h5", seed, "--schedule", "random", "--hold-s", 3, "--count",
                             spent + MOTIONS_OF_100_S, "--episodes", count, *arguments)
         tests = [piece(test, int(np.argmax(np.asarray(test.motion_index) >= spent)), 10**9)
@@ -145,8 +145,8 @@ class Family:
         model = self.options.out / f"{name}.safetensors"
         if not model.exists():
             if not minute.exists():
-                self.parts.limber("collect", "--json", "--arm", arm_file, "--schedule", "identify",
-                                  "--seed", seed, "--out", minute)
+                self.parts.limber("collect", "--json", "--arm", arm_file, *self.identify, "--seed", seed,
+                                  "--out", minute)
             self.parts.limber("adapt", "--json", "--arm", arm_file, "--model", self.options.family,
                               "--recording", minute, "--out", model)
         return model
@@ -200,7 +200,7 @@ class Family:
         for number, physics in enumerate(STRANGERS):
             arm_file = self.write_arm(f"stranger_{number}", physics)
             seed = self.options.seed + 100 + number
-            minutes = self.record(f"stranger_{number}_minutes.h5", seed, "--schedule", "identify", "--episodes",
+            minutes = self.record(f"stranger_{number}_minutes.h5", seed, *self.identify, "--episodes",
                                   MINUTES_OF_A_STRANGER, "--arm", arm_file)
             _, test = next(iter(self.minute_and_test(f"stranger_{number}", seed, 1, "--arm", arm_file)))
             rows.append(self.parts.kept(f"stranger_{number}", lambda m=minutes, t=test: [
@@ -267,7 +267,7 @@ def main():
     parser.add_argument("--trials", type=int, default=20, help="of each environment, part arms")
     parser.add_argument("--max-queries", type=int, default=20000, help="of each plan")
     parser.add_argument("--noise-m", type=float, default=0.0,
-                        help="of the minute's positions, std deviation; of its headings 10 rad/m times that")
+                        help="of the minutes' positions, std deviation; of their headings 10 rad/m times that")
     parser.add_argument("--no-training", action="store_true", help="no networks from nothing")
     parser.add_argument("parts", nargs="*", default=["open", "arms", "unseen"])
     options = parser.parse_args()
