@@ -42,6 +42,12 @@ def broken_links(path):
             yield f"{path.relative_to(ROOT)}: link to {target}, which is not there"
 
 
+def unfinished_merges(path):
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        if re.match(r"(<{7}|>{7}) ", line):
+            yield f"{path.relative_to(ROOT)}:{number}: mark of a merge that was not finished"
+
+
 def unlisted_documents():
     index = (ROOT / "docs" / "README.md").read_text(encoding="utf-8")
     for path in sorted((ROOT / "docs").glob("*.md")):
@@ -135,10 +141,11 @@ def unnamed_verbs(verbs):
 
 
 def main():
-    problems = [problem for path in documents() for problem in broken_links(path)]
+    problems = [problem for path in documents() for rule in (broken_links, unfinished_merges) for problem in rule(path)]
     problems += unlisted_documents()
     problems += unlisted_headers()
-    for path in [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]:
+    pages = [ROOT / name for name in ("README.md", "CONTRIBUTING.md", "SECURITY.md")]
+    for path in [*pages, *sorted((ROOT / "docs").glob("*.md"))]:
         problems += long_sentences(path)
         problems += long_lines(path)
         problems += banned_words(path.relative_to(ROOT), prose(path))
