@@ -10,6 +10,8 @@
 #include "limber/common/content_hash.hpp"
 #include "limber/common/units.hpp"
 #include "limber/network/arm_family.hpp"
+#include "limber/network/physical_traits.hpp"
+#include "limber/report/training_report.hpp"
 #include "limber/training/adaptation.hpp"
 #include "verbs.hpp"
 
@@ -99,6 +101,7 @@ class AdaptVerb final : public Verb {
       json["e"] = std::vector<float>(member->e.begin(), member->e.end());
       json["sd"] = std::vector<float>(deviation.begin(), deviation.end());
     }
+    json["traits"] = limber::to_json(done.traits);
     json["distance_from_family"] = done.distance;
     json["distance_to_nearest_arm"] = done.distance_to_nearest;
     json["expected_error_cm"] = kCmPerM * done.expected_error_m;
@@ -126,6 +129,9 @@ class AdaptVerb final : public Verb {
         "nearest; {:.0f} % of the family's spread are left (at most {:.0f} % in a direction)",
         done.distance, done.distance_to_nearest, 100.0 * done.uncertainty,
         100.0 * done.largest_uncertainty);
+    if (const std::string differences = differences_text(done.traits); !differences.empty()) {
+      text += fmt::format("\nlike arms with: {} (in brackets what {} says)", differences, arm.name);
+    }
     if (done.tells_too_little()) {
       text +=
           "\nwarning: the recording moved too little to tell which arm it is; limber collect "

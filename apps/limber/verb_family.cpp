@@ -7,6 +7,7 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/lab/family_traits.hpp"
 #include "limber/lab/tube_calibration.hpp"
 #include "limber/sim/related_arms.hpp"
 #include "limber/training/trainer.hpp"
@@ -111,6 +112,7 @@ class FamilyVerb final : public Verb {
     if (!arm.is_spatial()) {
       result.model.learnt = learnt_region_of(data);
     }
+    result.model.family->traits = fit_traits(arm, data.physics, *result.model.family);
     result.model.training["data"] = sources;
     result.model.training["physics"] = variation_;
     if (wants_tube(arm)) {

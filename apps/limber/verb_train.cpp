@@ -15,6 +15,7 @@
 #include "limber/common/error.hpp"
 #include "limber/data/recording_inspection.hpp"
 #include "limber/data/valve_identification.hpp"
+#include "limber/lab/family_traits.hpp"
 #include "limber/report/training_report.hpp"
 #include "limber/training/fine_tuning.hpp"
 #include "limber/training/learnt_region_fit.hpp"
@@ -130,6 +131,9 @@ class TrainVerb final : public Verb {
     if (!arm.is_spatial()) {
       result.model.learnt =
           learnt_region_of(data, start && start->learnt ? &*start->learnt : nullptr);
+    }
+    if (family_) {
+      result.model.family->traits = fit_traits(arm, data.physics, *result.model.family);
     }
     record_origin(result.model, reader.sources(), settings, choice);
     note_unseen(arm, result.model, data.unseen, flags.jobs);

@@ -1,11 +1,13 @@
 #include "limber/network/arm_family.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
 
 #include "limber/common/error.hpp"
 #include "limber/common/number_text.hpp"
+#include "limber/common/printable.hpp"
 #include "limber/common/units.hpp"
 #include "refusal.hpp"
 
@@ -14,9 +16,32 @@ namespace limber {
 namespace {
 
 constexpr const char* kTubeErrorKey = "tube_error_cm";
+constexpr std::size_t kMaxTraitName = 40;
 
 void add_share(CompensationModel& model, const Eigen::VectorXf& e, float sign) {
   model.layers.front().bias += sign * (model.family->columns * e);
+}
+
+bool is_trait_name(const std::string& name) {
+  return !name.empty() && name.size() <= kMaxTraitName &&
+         name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
+}
+
+void validate(const PhysicalTrait& trait, int size, const std::string& where) {
+  if (!is_trait_name(trait.name)) {
+    refuse(where, fmt::format("metadata family_traits: {}; expected names of at most {} small "
+                              "letters, digits and _",
+                              printable(trait.name), kMaxTraitName));
+  }
+  const std::string what = "family.traits, " + trait.name;
+  require_finite(where, what, trait.slope);
+  if (trait.slope.size() != size || !std::isfinite(trait.of_file + trait.middle) ||
+      !(trait.left > 0.0F && std::isfinite(trait.left))) {
+    refuse(where,
+           fmt::format("tensor {}: {}, {}, {} and a slope of {} numbers; expected three "
+                       "finite numbers, the last above 0, and a slope of {}",
+                       what, trait.of_file, trait.middle, trait.left, trait.slope.size(), size));
+  }
 }
 
 }  // namespace
@@ -34,6 +59,9 @@ void validate(const ArmFamily& family, Eigen::Index units, const std::string& wh
   }
   require_finite(where, "family.columns", family.columns);
   require_finite(where, "family.arms", family.arms);
+  for (const PhysicalTrait& trait : family.traits) {
+    validate(trait, family.size(), where);
+  }
 }
 
 void validate(const FamilyMember& member, const ArmFamily& family, const std::string& where) {

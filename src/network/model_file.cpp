@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -36,6 +37,8 @@ constexpr const char* kLearntPrefix = "learnt.";
 constexpr const char* kBoundsPrefix = "bounds.";
 constexpr const char* kFamilyPrefix = "family.";
 constexpr const char* kFamilyKey = "family";
+constexpr const char* kTraitsKey = "family_traits";
+constexpr Eigen::Index kTraitColumns = 3;  // before the slope
 
 std::string member_prefix(std::size_t member) {
   return fmt::format("members.{}.layers.", member);
@@ -229,10 +232,53 @@ GapBounds read_bounds(TensorReader& tensors) {
   return bounds;
 }
 
+/// A row each: of the arm's file, of the middle, what is left, the slope.
+void add_traits(Safetensors& content, const std::vector<PhysicalTrait>& traits) {
+  Eigen::MatrixXf rows(std::ssize(traits), kTraitColumns + traits.front().slope.size());
+  std::vector<std::string> names;
+  for (const PhysicalTrait& trait : traits) {
+    rows.row(std::ssize(names)) << trait.of_file, trait.middle, trait.left, trait.slope.transpose();
+    names.push_back(trait.name);
+  }
+  content.tensors[std::string(kFamilyPrefix) + "traits"] = matrix_tensor(rows);
+  content.metadata[kTraitsKey] = fmt::format("{}", fmt::join(names, ","));
+}
+
+std::vector<PhysicalTrait> read_traits(const Safetensors& content, TensorReader& tensors,
+                                       const std::string& where) {
+  const std::string tensor = std::string(kFamilyPrefix) + "traits";
+  if (!tensors.has(tensor)) {
+    return {};
+  }
+  const Eigen::MatrixXf rows = tensors.matrix(tensor);
+  std::istringstream names(text_at(content, kTraitsKey, where));
+  std::vector<PhysicalTrait> traits;
+  for (std::string name; std::getline(names, name, ',');) {
+    traits.emplace_back().name = name;
+  }
+  if (std::ssize(traits) != rows.rows() || rows.cols() <= kTraitColumns) {
+    refuse(where,
+           fmt::format("tensor {} is {} by {}, and metadata {} has {} names; expected a row "
+                       "for each, of {} numbers and a slope",
+                       tensor, rows.rows(), rows.cols(), kTraitsKey, traits.size(), kTraitColumns));
+  }
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+    PhysicalTrait& trait = traits[static_cast<std::size_t>(i)];
+    trait.of_file = rows(i, 0);
+    trait.middle = rows(i, 1);
+    trait.left = rows(i, 2);
+    trait.slope = rows.row(i).tail(rows.cols() - kTraitColumns).transpose();
+  }
+  return traits;
+}
+
 void add_family(Safetensors& content, const CompensationModel& model) {
   const std::string prefix = kFamilyPrefix;
   content.tensors[prefix + "columns"] = matrix_tensor(model.family->columns);
   content.tensors[prefix + "arms"] = matrix_tensor(model.family->arms);
+  if (!model.family->traits.empty()) {
+    add_traits(content, model.family->traits);
+  }
   if (model.member_of_family) {
     const FamilyMember& member = *model.member_of_family;
     content.metadata[kFamilyKey] = member.family_hash;
@@ -242,9 +288,11 @@ void add_family(Safetensors& content, const CompensationModel& model) {
   }
 }
 
-void read_family_into(CompensationModel& model, const Safetensors& content, TensorReader& tensors) {
+void read_family_into(CompensationModel& model, const Safetensors& content, TensorReader& tensors,
+                      const std::string& where) {
   const std::string prefix = kFamilyPrefix;
-  model.family = {tensors.matrix(prefix + "columns"), tensors.matrix(prefix + "arms")};
+  model.family = {tensors.matrix(prefix + "columns"), tensors.matrix(prefix + "arms"),
+                  read_traits(content, tensors, where)};
   if (tensors.has(prefix + "e")) {
     const auto hash = content.metadata.find(kFamilyKey);
     model.member_of_family = {hash == content.metadata.end() ? "" : hash->second,
@@ -359,7 +407,7 @@ CompensationModel read_model(const std::filesystem::path& path) {
     model.bounds = read_bounds(tensors);
   }
   if (tensors.has_any(kFamilyPrefix)) {
-    read_family_into(model, content, tensors);
+    read_family_into(model, content, tensors, where);
   }
   tensors.require_all_taken();
   validate(model, where);

@@ -75,6 +75,17 @@ std::string row(const char* name, const EnsembleErrors& errors) {
 
 }  // namespace
 
+Json to_json(const std::vector<TraitEstimate>& traits) {
+  Json list = Json::array();
+  for (const TraitEstimate& trait : traits) {
+    list.push_back({{"name", trait.name},
+                    {"value", trait.value},
+                    {"sd", trait.deviation},
+                    {"reference", trait.reference}});
+  }
+  return list;
+}
+
 Json to_json(const TipErrors& value) {
   return {{"position_error_cm", to_json(value.position_cm)},
           {"orientation_error_rad", to_json(value.orientation_rad)},

@@ -10,11 +10,13 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/json_number.hpp"
 #include "limber/common/units.hpp"
+#include "limber/network/physical_traits.hpp"
 #include "limber/plot/svg_drawing.hpp"
 #include "limber/report/driver_report.hpp"
 #include "limber/report/motion_track.hpp"
 #include "limber/report/plan_picture.hpp"
 #include "limber/report/scene_json.hpp"
+#include "limber/report/training_report.hpp"
 
 namespace limber {
 
@@ -135,6 +137,7 @@ Json to_json(const ExecutionResult& result, const Environment& before) {
     json["arm"] = {{"e", std::vector<float>(result.arm->e.begin(), result.arm->e.end())},
                    {"sd", std::vector<float>(deviation.begin(), deviation.end())},
                    {"distance_from_family", result.arm->distance()},
+                   {"traits", to_json(result.arm_traits)},
                    {"largest_window_error_cm", kCmPerM * result.largest_window_error_m},
                    {"last_window_error_cm", kCmPerM * result.last_window_error_m}};
   }
@@ -206,6 +209,9 @@ std::string to_text(const ExecutionResult& result, const Environment& before) {
         kCmPerM * result.largest_window_error_m, kCmPerM * result.last_window_error_m,
         result.arm->distance() >= FamilyMember::kFar ? "; no arm of the family is like this one"
                                                      : "");
+    if (const std::string changes = differences_text(result.arm_traits); !changes.empty()) {
+      text += fmt::format("\n  since it began, the arm has come to be like arms with: {}", changes);
+    }
   }
   if (result.frames_not_seen > 0 && result.final_backbone) {
     text += fmt::format("\n  not tracked in {} frames", result.frames_not_seen);

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "limber/arm/names.hpp"
-#include "limber/common/random_stream.hpp"
 
 namespace limber {
 
@@ -24,12 +23,10 @@ ArmPhysics::ArmPhysics(const ArmDescription& arm, const VirtualArmParameters& pa
       loads_(links_.size()) {
   for (const ChainLink& link : links_) {
     for (std::size_t side = 0; side < kSides.size(); ++side) {
-      RandomStream stream(parameters_.strength_seed,
-                          2 * static_cast<std::uint64_t>(link.segment) + side);
-      const double spread = parameters_.strength_spread * stream.uniform(-1.0, 1.0);
-      const bool is_weak = 2 * link.segment + static_cast<int>(side) == parameters_.weak_side;
-      const double left = is_weak ? 1.0 - parameters_.weak_side_loss : 1.0;
-      const double strength = parameters_.actuators_per_side * (1.0 + spread) * left;
+      const int number = 2 * link.segment + static_cast<int>(side);
+      const double left = number == parameters_.weak_side ? 1.0 - parameters_.weak_side_loss : 1.0;
+      const double strength =
+          parameters_.actuators_per_side * side_strength(parameters_, number) * left;
       sides_.push_back({kSides[side] * 0.5 * link.width_m,
                         side_law_.side(link.length_m, strength, false,
                                        arm.limits_of_channel(link.segment).largest_kpa())});

@@ -8,7 +8,6 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
-#include "limber/common/random_stream.hpp"
 
 namespace limber {
 
@@ -48,9 +47,8 @@ void SpacePhysics::add_chambers(const ArmDescription& arm) {
             "actuator that contracts does so under pressure alone",
             channel_name(arm, channel), chamber.limit_kpa.lower_kpa));
       }
-      RandomStream stream(parameters_.strength_seed, static_cast<std::uint64_t>(channel));
-      const double strength = (1.0 + parameters_.strength_spread * stream.uniform(-1.0, 1.0)) *
-                              (extends ? 1.0 : parameters_.actuators_per_side);
+      const double strength =
+          side_strength(parameters_, channel) * (extends ? 1.0 : parameters_.actuators_per_side);
       const double angle_rad = chamber.angle_deg * std::numbers::pi / 180.0;
       chambers_.push_back({gap, static_cast<std::size_t>(channel),
                            chamber.radius_m * std::cos(angle_rad),

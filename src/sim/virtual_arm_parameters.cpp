@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "limber/common/random_stream.hpp"
 #include "limber/common/yaml_reader.hpp"
 
 namespace limber {
@@ -164,8 +165,8 @@ void require_belonging(const YamlReader& value, Of of, Dimension dimension) {
   }
 }
 
-VirtualArmParameters read_parameters(const YamlReader& node, Dimension dimension) {
-  VirtualArmParameters parameters;
+VirtualArmParameters read_parameters(const YamlReader& node, Dimension dimension,
+                                     VirtualArmParameters parameters = {}) {
   for (const std::string& key : node.keys()) {
     const YamlReader value = node.at(key);
     if (key == "strength_seed") {
@@ -245,6 +246,17 @@ std::string physics_differences(const VirtualArmParameters& of,
     }
   }
   return fmt::format("{{{}}}", fmt::join(others, ", "));
+}
+
+VirtualArmParameters with_differences(const VirtualArmParameters& of,
+                                      const std::string& differences, Dimension dimension,
+                                      const std::string& where) {
+  return read_parameters(YamlReader::from_text(differences, where), dimension, of);
+}
+
+double side_strength(const VirtualArmParameters& parameters, int side) {
+  RandomStream stream(parameters.strength_seed, static_cast<std::uint64_t>(side));
+  return 1.0 + parameters.strength_spread * stream.uniform(-1.0, 1.0);
 }
 
 std::string virtual_arm_to_yaml(const ArmDescription& arm) {

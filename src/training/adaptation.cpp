@@ -14,6 +14,7 @@
 #include "limber/data/valve_identification.hpp"
 #include "limber/forward/forward_model.hpp"
 #include "limber/network/arm_family.hpp"
+#include "limber/network/physical_traits.hpp"
 #include "limber/training/arm_fit.hpp"
 #include "limber/training/fine_tuning.hpp"
 #include "limber/training/trainer.hpp"
@@ -90,6 +91,7 @@ class Adapter {
     result.expected_error_m = whole.expected_error_m;
     result.distance_to_nearest = whole.distance_to_nearest;
     note_uncertainty(result);
+    result.traits = physical_traits(*result.model.family, *result.model.member_of_family);
     result.seconds = double(frame_count(episodes)) * arm_.frame_period_s();
     for (const Episode& episode : episodes) {
       result.moving_s += moving_frames(episode) * arm_.frame_period_s();

@@ -28,7 +28,8 @@ void make_family(const ParameterLayout& layout, const Eigen::VectorXf& parameter
   first.bias += (columns * mean).cast<float>();
   first.weight.conservativeResize(Eigen::NoChange, first.weight.cols() - size);
   model.family = {(columns * Eigen::MatrixXd(root.matrixL())).cast<float>(),
-                  root.matrixL().solve(centred).cast<float>()};
+                  root.matrixL().solve(centred).cast<float>(),
+                  {}};
 }
 
 }  // namespace limber

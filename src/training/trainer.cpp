@@ -135,12 +135,14 @@ TrainingData hold_back_arms(std::vector<Episode> episodes, const std::vector<int
           ? 0
           : static_cast<std::size_t>(std::lround(fraction * static_cast<double>(order.size())));
   TrainingData data;
+  data.physics.resize(order.size() - held);
   for (std::size_t i = 0; i < episodes.size(); ++i) {
     const auto place = static_cast<std::size_t>(std::ranges::find(order, arms[i]) - order.begin());
     if (place < held) {
       data.validation.push_back(std::move(episodes[i]));
       data.held_back.push_back(static_cast<int>(i));
     } else {
+      data.physics[place - held] = episodes[i].physics;
       data.training.push_back(std::move(episodes[i]));
       data.arms.push_back(static_cast<int>(place - held));
     }

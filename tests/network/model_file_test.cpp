@@ -74,12 +74,21 @@ TEST(ModelFile, FamiliesAndTheirArmsComeBack) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "model.safetensors";
   CompensationModel family = untrained_model(sample_arm(2), BackboneLayout::gap_poses, {7, 9}, 1);
-  family.family = ArmFamily{Eigen::MatrixXf::Random(7, 3), Eigen::MatrixXf::Random(3, 20)};
+  family.family = ArmFamily{Eigen::MatrixXf::Random(7, 3), Eigen::MatrixXf::Random(3, 20), {}};
+  family.family->traits = {
+      {"tip_load_kg", 0.01F, 0.04F, 0.005F, Eigen::Vector3f(0.1F, 0.0F, -0.2F)},
+      {"actuator_bow", 0.0F, 0.1F, 0.05F, Eigen::Vector3f(0.3F, 0.2F, 0.1F)}};
   write_model(path, family);
   const CompensationModel back = read_model(path);
   ASSERT_TRUE(is_family(back));
   EXPECT_EQ(back.family->columns, family.family->columns);
   EXPECT_EQ(back.family->arms, family.family->arms);
+  ASSERT_EQ(back.family->traits.size(), 2U);
+  EXPECT_EQ(back.family->traits[1].name, "actuator_bow");
+  EXPECT_EQ(back.family->traits[0].of_file, 0.01F);
+  EXPECT_EQ(back.family->traits[0].middle, 0.04F);
+  EXPECT_EQ(back.family->traits[0].left, 0.005F);
+  EXPECT_EQ(back.family->traits[0].slope, family.family->traits[0].slope);
   EXPECT_THAT([&] { (void)read_model_of_one_arm(path); },
               ThrowsMessage<InputError>(AllOf(HasSubstr(path.string() + ": a family of 20 arms"),
                                               HasSubstr("limber adapt"))));
@@ -96,6 +105,14 @@ TEST(ModelFile, FamiliesAndTheirArmsComeBack) {
   EXPECT_EQ(read.member_of_family->covariance, member.covariance);
   EXPECT_EQ(read.member_of_family->family_hash, "0123");
 
+  family.family->traits[0].name = "tip load";
+  EXPECT_THAT([&] { write_model(path, family); },
+              ThrowsMessage<InputError>(HasSubstr("metadata family_traits: 'tip load'")));
+  family.family->traits[0].name = "tip_load_kg";
+  family.family->traits[0].left = 0.0F;
+  EXPECT_THAT([&] { write_model(path, family); },
+              ThrowsMessage<InputError>(HasSubstr("tensor family.traits, tip_load_kg")));
+  family.family->traits.clear();
   family.family->arms.conservativeResize(2, Eigen::NoChange);
   EXPECT_THAT([&] { write_model(path, family); },
               ThrowsMessage<InputError>(HasSubstr("tensor family.arms is 2 by 20; expected 3")));

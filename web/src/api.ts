@@ -117,7 +117,12 @@ export type ArmFrame = {
 };
 
 /** What tells arms of the model's family apart; empty: it is of none. */
-export type Family = { is_family: boolean; e: number[] };
+export type Family = { is_family: boolean; e: number[]; traits: Trait[] };
+/** A quantity of an arm's physics, in `unit`: middle + slope · e. Along `along`, it alone changes. */
+export type Trait = {
+  text: string; unit: string; of_arm_file: number; low: number; high: number;
+  middle: number; slope: number[]; along: number[];
+};
 
 export type Figure = { median: number | null; p95: number | null; count: number } | null;
 /** A row of `limber experiment`'s table. */

@@ -15,7 +15,7 @@ export class DriveMode implements Mode {
   private now: Drive | null = null;
   private trails = new Map<TrackKey, Point[]>();
   private target: number[] = [];
-  private family: Family = { is_family: false, e: [] };
+  private family: Family = { is_family: false, e: [], traits: [] };
   private e: number[] = []; // the arm of the family; empty: as the model stands
   private showsAll = false;
   private arms = h('section', { hidden: true });
@@ -58,7 +58,7 @@ export class DriveMode implements Mode {
     this.arms.hidden = false;
     this.arms.replaceChildren(
       h('h2', {}, family.is_family ? 'Which arm of the family' : 'Another arm of the model’s family'),
-      familySliders(this.e.length ? this.e : family.e, this.showsAll, become, () => {
+      familySliders(family, this.e.length ? this.e : family.e, this.showsAll, become, () => {
         this.showsAll = !this.showsAll;
         this.showFamily();
         this.arms.querySelector<HTMLElement>('[aria-expanded]')?.focus();

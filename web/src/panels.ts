@@ -1,8 +1,9 @@
-import type { Arm, Environment, Motion, Obstacle, TrackKey } from './api';
+import type { Arm, Environment, Family, Motion, Obstacle, TrackKey, Trait } from './api';
 import { button, checkbox, choice, facts, field, h, numberInput } from './dom';
 import { kindOf, type Point, type Selection, withObstacle } from './environment';
 import { trackNames } from './names';
 import type { LivePlanner } from './planner';
+import { valueOf, withValue } from './traits';
 
 const seconds = (s: number): string => (s < 1 ? `${Math.round(s * 1000)} ms` : `${s.toFixed(1)} s`);
 const cm = (m: number): string => `${(m * 100).toFixed(2)} cm`;
@@ -171,17 +172,41 @@ const kShownNumbers = 6; // of a family
 const kFarthest = 2; // standard deviations of its arms
 
 /** A slider for each number that tells the family's arms apart. */
-export function familySliders(e: number[], all: boolean, become: (e: number[]) => void, more: () => void): HTMLElement {
+function numberRows(e: number[], count: number, become: (e: number[]) => void): HTMLElement[] {
   let now = e;
-  const count = all ? e.length : Math.min(e.length, kShownNumbers);
+  return e.slice(0, count).map((value, i) =>
+    sliderRow(`e ${i}`, `Number ${i} of the family, in standard deviations`,
+      [Math.min(-kFarthest, value), Math.max(kFarthest, value)], value, (v) => v.toFixed(2), (v) => {
+        now = now.map((old, k) => (k === i ? v : old));
+        become(now);
+      }));
+}
+
+/** A slider for each quantity that those numbers tell of; each leaves the others where they are. */
+function traitRows(traits: Trait[], e: number[], become: (e: number[]) => void): HTMLElement[] {
+  let now = e;
+  return traits.map((trait) => {
+    const { text, unit, low, high } = trait;
+    const value = valueOf(trait, e);
+    const decimals = Math.max(0, Math.min(4, 2 - Math.floor(Math.log10(high - low))));
+    return sliderRow(text, `${text}, of the arm file ${trait.of_arm_file.toFixed(decimals)}${unit}`,
+      [Math.min(low, value), Math.max(high, value)], value, (v) => v.toFixed(decimals) + unit, (v) => {
+        now = withValue(trait, now, v);
+        become(now);
+      });
+  });
+}
+
+/** Which arm of the family: by its physics where the family knows that, else by its first numbers. */
+export function familySliders(
+  { traits }: Family, e: number[], all: boolean, become: (e: number[]) => void, more: () => void,
+): HTMLElement {
+  const shown = traits.length > 0 ? 0 : Math.min(e.length, kShownNumbers);
   return h('div', { class: 'sliders', id: 'family' },
-    ...e.slice(0, count).map((value, i) =>
-      sliderRow(`e ${i}`, `Number ${i} of the family, in standard deviations`,
-        [Math.min(-kFarthest, value), Math.max(kFarthest, value)], value, (v) => v.toFixed(2), (v) => {
-          now = now.map((old, k) => (k === i ? v : old));
-          become(now);
-        })),
-    e.length > kShownNumbers && button(all ? 'Fewer' : `More: ${e.length - kShownNumbers}`, more, { 'aria-expanded': String(all) }));
+    ...(shown > 0 || all ? numberRows(e, all ? e.length : shown, become) : traitRows(traits, e, become)),
+    e.length > shown && button(
+      !all ? `${shown > 0 ? 'More' : 'The numbers behind it'}: ${e.length - shown}` : shown > 0 ? 'Fewer' : 'What they tell of',
+      more, { 'aria-expanded': String(all) }));
 }
 
 export { cm, choice };

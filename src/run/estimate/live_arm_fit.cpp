@@ -9,6 +9,7 @@
 #include "limber/arm/plate_distance.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/network/arm_offsets.hpp"
+#include "limber/network/physical_traits.hpp"
 
 namespace limber {
 
@@ -31,7 +32,10 @@ Eigen::ArrayXf lengths(const Eigen::VectorXf& offsets_m) {
 }  // namespace
 
 LiveArmFit::LiveArmFit(const ArmDescription& arm, const CompensationModel& adapted)
-    : arm_(arm), family_(family_of(adapted)), member_(*adapted.member_of_family) {
+    : arm_(arm),
+      family_(family_of(adapted)),
+      at_start_(*adapted.member_of_family),
+      member_(at_start_) {
   family_.family->arms = Eigen::MatrixXf::Zero(family_.family->size(), 1);
   family_.learnt.reset();
   const auto size = member_.e.size();
@@ -63,6 +67,10 @@ bool LiveArmFit::observe(const Pressures& pressure_kpa, const std::optional<Back
     has_changed |= roll_out();
   }
   return has_changed;
+}
+
+std::vector<TraitEstimate> LiveArmFit::traits_since_start() const {
+  return physical_traits_since(*family_.family, at_start_, member_);
 }
 
 /// The oldest window becomes part of what was known before.

@@ -30,6 +30,8 @@ class LiveArmFit {
 
   /// As far as it is known now.
   const FamilyMember& member() const { return member_; }
+  /// What that tells of the arm's physics, beside what was believed at first.
+  std::vector<TraitEstimate> traits_since_start() const;
   /// Of the plates' places, by the e of its time, over the window that was fitted last, and the
   /// largest of all; 0 before the first. [m]
   double last_error_m() const { return last_error_m_; }
@@ -64,6 +66,7 @@ class LiveArmFit {
 
   const ArmDescription& arm_;
   CompensationModel family_;  // its network alone
+  FamilyMember at_start_;
   FamilyMember member_;
   Knowledge before_;  // the windows
   std::deque<Frame> recent_;

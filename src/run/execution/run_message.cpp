@@ -4,6 +4,7 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/common/units.hpp"
+#include "limber/network/physical_traits.hpp"
 
 namespace limber {
 
@@ -59,8 +60,11 @@ std::string hint(const ExecutionResult& run, const Environment& environment, con
   if (run.replans == 0) {
     return ": no plan from where it rests leads nearer";
   }
-  return fmt::format(": {} {} from rest, none came into it; friction or load may have changed",
-                     run.replans, run.replans == 1 ? "plan" : "plans");
+  const std::string changes = differences_text(run.arm_traits);
+  return fmt::format(": {} {} from rest, none came into it; {}", run.replans,
+                     run.replans == 1 ? "plan" : "plans",
+                     changes.empty() ? "friction or load may have changed"
+                                     : "the arm has come to be like arms with: " + changes);
 }
 
 }  // namespace

@@ -61,6 +61,26 @@ struct GapBounds {
   Eigen::VectorXf max_bend_rad{};  ///< > 0, in space; else empty
 };
 
+/// A quantity of an arm's physics that e tells of: about middle + slope · e, in its name's unit
+/// (docs/families.md, "What an arm is like").
+struct PhysicalTrait {
+  std::string name;       ///< "tip_load_kg"
+  float of_file = 0.0F;   ///< what the arm's file says
+  float middle = 0.0F;    ///< of the family's middle
+  float left = 0.0F;      ///< standard deviation of what e does not tell
+  Eigen::VectorXf slope;  ///< k
+};
+
+/// What is believed of one.
+struct TraitEstimate {
+  std::string name;
+  double value = 0.0;
+  double deviation = 0.0;  ///< standard, of value − reference
+  double reference = 0.0;  ///< what the arm's file says, or what was believed before
+  /// Beyond what may well be chance.
+  bool differs() const { return std::abs(value - reference) > 2.0 * deviation; }
+};
+
 /// What makes a network one for a family of arms: its first layer reads, beside its other inputs,
 /// k numbers e that say which arm it is (docs/families.md). They are in the family's own scale:
 /// over the arms that it learnt from, e has mean 0 and unit covariance, so that the origin is the
@@ -68,8 +88,9 @@ struct GapBounds {
 struct ArmFamily {
   static constexpr int kMaxSize = 64;  ///< of k
 
-  Eigen::MatrixXf columns;  ///< of e in the first layer, units × k
-  Eigen::MatrixXf arms;     ///< k × N, e of the arms that it learnt from
+  Eigen::MatrixXf columns;            ///< of e in the first layer, units × k
+  Eigen::MatrixXf arms;               ///< k × N, e of the arms that it learnt from
+  std::vector<PhysicalTrait> traits;  ///< of virtual arms, whose physics is known
 
   int size() const { return static_cast<int>(columns.cols()); }
 };

@@ -17,6 +17,8 @@ struct TrainingSpeed;
 
 /// Keys position_error_cm and orientation_error_rad of `evaluate --json`.
 nlohmann::ordered_json to_json(const TipErrors& errors);
+/// A list of {name, value, sd, reference}, in the units of their names.
+nlohmann::ordered_json to_json(const std::vector<TraitEstimate>& traits);
 /// The object `network` of `evaluate --json`, without `open_loop_from_setpoints`.
 nlohmann::ordered_json to_json(const RolloutErrors& errors);
 /// The object `long_rollout` of `train` and `evaluate` with --json.

@@ -106,6 +106,15 @@ void set_virtual_arm_parameters(ArmDescription& arm, const VirtualArmParameters&
 /// JSON of the parameters that `varied` has other than `of`, one object: {"tip_load_kg": 0.05}.
 std::string physics_differences(const VirtualArmParameters& of, const VirtualArmParameters& varied);
 
+/// `of` with what physics_differences wrote. @throws InputError, its message beginning with `where`
+VirtualArmParameters with_differences(const VirtualArmParameters& of,
+                                      const std::string& differences, Dimension dimension,
+                                      const std::string& where);
+
+/// What strength_seed makes of one side's strength, about 1. @param side  2 × segment, + 1 for its
+/// right side; in space the chamber
+double side_strength(const VirtualArmParameters& parameters, int side);
+
 /// change(parameters), and puts them back.
 template <class Change>
 void change_virtual_arm(ArmDescription& arm, Change&& change) {

@@ -44,7 +44,8 @@ struct Adaptation {
   /// Of the tip, as far as the fit can tell: what it left, and what e's uncertainty makes of it.
   /// The width of the model's tube, where the family has one, is in proportion.
   double expected_error_m = 0.0;
-  bool has_trained_weights = false;  ///< `model` has weights of its own
+  bool has_trained_weights = false;   ///< `model` has weights of its own
+  std::vector<TraitEstimate> traits;  ///< what e tells of its physics, beside the arm's file
   bool is_of_family() const { return distance <= kFarFromFamily && !has_trained_weights; }
   /// The arm hardly moved, or some direction of e is hardly better known than before.
   bool tells_too_little() const {

@@ -37,6 +37,9 @@ struct TrainingData {
   /// For a family: which arm each training episode was recorded on, from 0. Empty: every one on an
   /// arm of its own.
   std::vector<int> arms = {};
+  /// … and what is known of each of those arms (Episode::physics); fewer than there are, or empty
+  /// ones: nothing of the others.
+  std::vector<std::string> physics = {};
   /// Which of the episodes given to `hold_back_validation` validate, rising; empty where none were
   /// held back.
   std::vector<int> held_back = {};
