@@ -129,8 +129,12 @@ class AdaptVerb final : public Verb {
         "nearest; {:.0f} % of the family's spread are left (at most {:.0f} % in a direction)",
         done.distance, done.distance_to_nearest, 100.0 * done.uncertainty,
         100.0 * done.largest_uncertainty);
-    if (const std::string differences = differences_text(done.traits); !differences.empty()) {
-      text += fmt::format("\nlike arms with: {} (in brackets what {} says)", differences, arm.name);
+    if (!done.traits.empty()) {
+      const std::string differences = differences_text(done.traits);
+      text += differences.empty()
+                  ? fmt::format("\nin all that this tells of its physics it is as {} says", arm.name)
+                  : fmt::format("\nit moves like arms with: {} (in brackets what {} says)",
+                                differences, arm.name);
     }
     if (done.tells_too_little()) {
       text +=

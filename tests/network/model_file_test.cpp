@@ -107,7 +107,7 @@ TEST(ModelFile, FamiliesAndTheirArmsComeBack) {
 
   family.family->traits[0].name = "tip load";
   EXPECT_THAT([&] { write_model(path, family); },
-              ThrowsMessage<InputError>(HasSubstr("metadata family_traits: 'tip load'")));
+              ThrowsMessage<InputError>(HasSubstr("metadata family_traits: tip load;")));
   family.family->traits[0].name = "tip_load_kg";
   family.family->traits[0].left = 0.0F;
   EXPECT_THAT([&] { write_model(path, family); },
