@@ -131,10 +131,11 @@ class AdaptVerb final : public Verb {
         100.0 * done.largest_uncertainty);
     if (!done.traits.empty()) {
       const std::string differences = differences_text(done.traits);
-      text += differences.empty()
-                  ? fmt::format("\nin all that this tells of its physics it is as {} says", arm.name)
-                  : fmt::format("\nit moves like arms with: {} (in brackets what {} says)",
-                                differences, arm.name);
+      text +=
+          differences.empty()
+              ? fmt::format("\nin all that this tells of its physics it is as {} says", arm.name)
+              : fmt::format("\nit moves like arms with: {} (in brackets what {} says)", differences,
+                            arm.name);
     }
     if (done.tells_too_little()) {
       text +=

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <Eigen/Cholesky>
+#include <Eigen/QR>
 
 #include "limber/common/error.hpp"
 #include "limber/network/physical_traits.hpp"
@@ -93,6 +94,25 @@ Eigen::VectorXd least_squares(const Eigen::MatrixXd& rows, const Eigen::VectorXd
   return (rows.transpose() * rows).ldlt().solve(rows.transpose() * values);
 }
 
+/// How e changes with each quantity, when none of the others does: a column each.
+Eigen::MatrixXf directions(const KnownArms& known, const std::vector<Quantity>& quantities) {
+  Eigen::MatrixXd rows(known.rows.rows(), 1 + std::ssize(quantities));
+  rows.col(0).setOnes();
+  for (std::size_t j = 0; j < quantities.size(); ++j) {
+    auto column = rows.col(1 + Eigen::Index(j));
+    std::ranges::transform(known.physics, column.begin(), quantities[j].value);
+  }
+  // Some do not vary, and are of no consequence.
+  const Eigen::VectorXd scale = rows.cwiseAbs().colwise().maxCoeff().cwiseMax(1e-12).transpose();
+  const Eigen::MatrixXd found = (rows * scale.cwiseInverse().asDiagonal())
+                                    .completeOrthogonalDecomposition()
+                                    .solve(known.rows.rightCols(known.rows.cols() - 1));
+  return (scale.cwiseInverse().asDiagonal() * found)
+      .bottomRows(std::ssize(quantities))
+      .transpose()
+      .cast<float>();
+}
+
 /// What is left of each arm's value where the fit did not know that arm.
 Eigen::VectorXd left_of_others(const Eigen::MatrixXd& rows, const Eigen::VectorXd& values) {
   Eigen::VectorXd left(values.size());
@@ -124,8 +144,11 @@ std::vector<PhysicalTrait> fit_traits(const ArmDescription& arm,
     return traits;
   }
   const Parameters of_file = virtual_arm_parameters(arm);
+  const std::vector<Quantity> quantities = quantities_of(arm);
+  const Eigen::MatrixXf along = directions(known, quantities);
   Eigen::VectorXd values(known.rows.rows());
-  for (const Quantity& quantity : quantities_of(arm)) {
+  for (std::size_t j = 0; j < quantities.size(); ++j) {
+    const Quantity& quantity = quantities[j];
     std::ranges::transform(known.physics, values.begin(), quantity.value);
     const double variance = mean_square((values.array() - values.mean()).matrix());
     const double left = mean_square(left_of_others(known.rows, values));
@@ -134,7 +157,8 @@ std::vector<PhysicalTrait> fit_traits(const ArmDescription& arm,
     }
     const Eigen::VectorXf found = least_squares(known.rows, values).cast<float>();
     traits.push_back({quantity.name, static_cast<float>(quantity.value(of_file)), found(0),
-                      static_cast<float>(std::sqrt(left)), found.tail(family.size())});
+                      static_cast<float>(std::sqrt(left)), found.tail(family.size()),
+                      along.col(Eigen::Index(j))});
   }
   return traits;
 }

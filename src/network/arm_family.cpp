@@ -35,12 +35,15 @@ void validate(const PhysicalTrait& trait, int size, const std::string& where) {
   }
   const std::string what = "family.traits, " + trait.name;
   require_finite(where, what, trait.slope);
-  if (trait.slope.size() != size || !std::isfinite(trait.of_file + trait.middle) ||
+  require_finite(where, what, trait.along);
+  if (trait.slope.size() != size || trait.along.size() != size ||
+      !std::isfinite(trait.of_file + trait.middle) ||
       !(trait.left > 0.0F && std::isfinite(trait.left))) {
     refuse(where,
-           fmt::format("tensor {}: {}, {}, {} and a slope of {} numbers; expected three "
-                       "finite numbers, the last above 0, and a slope of {}",
-                       what, trait.of_file, trait.middle, trait.left, trait.slope.size(), size));
+           fmt::format("tensor {}: {}, {}, {}, a slope of {} numbers and a direction of {}; "
+                       "expected three finite numbers, the last above 0, and {} numbers each",
+                       what, trait.of_file, trait.middle, trait.left, trait.slope.size(),
+                       trait.along.size(), size));
   }
 }
 

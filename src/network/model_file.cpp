@@ -38,7 +38,7 @@ constexpr const char* kBoundsPrefix = "bounds.";
 constexpr const char* kFamilyPrefix = "family.";
 constexpr const char* kFamilyKey = "family";
 constexpr const char* kTraitsKey = "family_traits";
-constexpr Eigen::Index kTraitColumns = 3;  // before the slope
+constexpr Eigen::Index kTraitColumns = 3;  // before slope and direction
 
 std::string member_prefix(std::size_t member) {
   return fmt::format("members.{}.layers.", member);
@@ -232,12 +232,13 @@ GapBounds read_bounds(TensorReader& tensors) {
   return bounds;
 }
 
-/// A row each: of the arm's file, of the middle, what is left, the slope.
+/// A row each: of the arm's file, of the middle, what is left, slope, direction.
 void add_traits(Safetensors& content, const std::vector<PhysicalTrait>& traits) {
-  Eigen::MatrixXf rows(std::ssize(traits), kTraitColumns + traits.front().slope.size());
+  Eigen::MatrixXf rows(std::ssize(traits), kTraitColumns + 2 * traits.front().slope.size());
   std::vector<std::string> names;
   for (const PhysicalTrait& trait : traits) {
-    rows.row(std::ssize(names)) << trait.of_file, trait.middle, trait.left, trait.slope.transpose();
+    rows.row(std::ssize(names)) << trait.of_file, trait.middle, trait.left, trait.slope.transpose(),
+        trait.along.transpose();
     names.push_back(trait.name);
   }
   content.tensors[std::string(kFamilyPrefix) + "traits"] = matrix_tensor(rows);
@@ -256,10 +257,11 @@ std::vector<PhysicalTrait> read_traits(const Safetensors& content, TensorReader&
   for (std::string name; std::getline(names, name, ',');) {
     traits.emplace_back().name = name;
   }
-  if (std::ssize(traits) != rows.rows() || rows.cols() <= kTraitColumns) {
+  const Eigen::Index size = (rows.cols() - kTraitColumns) / 2;
+  if (std::ssize(traits) != rows.rows() || size < 1) {
     refuse(where,
            fmt::format("tensor {} is {} by {}, and metadata {} has {} names; expected a row "
-                       "for each, of {} numbers and a slope",
+                       "for each, of {} numbers, a slope and a direction",
                        tensor, rows.rows(), rows.cols(), kTraitsKey, traits.size(), kTraitColumns));
   }
   for (Eigen::Index i = 0; i < rows.rows(); ++i) {
@@ -267,7 +269,8 @@ std::vector<PhysicalTrait> read_traits(const Safetensors& content, TensorReader&
     trait.of_file = rows(i, 0);
     trait.middle = rows(i, 1);
     trait.left = rows(i, 2);
-    trait.slope = rows.row(i).tail(rows.cols() - kTraitColumns).transpose();
+    trait.slope = rows.row(i).segment(kTraitColumns, size).transpose();
+    trait.along = rows.row(i).tail(rows.cols() - kTraitColumns - size).transpose();
   }
   return traits;
 }

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/ranges.h>
+#include <Eigen/Cholesky>
 #include <Eigen/QR>
 
 #include "limber/common/units.hpp"
@@ -15,6 +17,9 @@ namespace {
 
 constexpr double kGramsPerKg = 1000.0;
 constexpr double kPercent = 100.0;
+constexpr std::size_t kMostCauses = 2;
+constexpr double kSureBy = 9.0;        // three standard deviations
+constexpr double kShareOfCause = 0.2;  // of all that some change of e explains
 constexpr const char* kSides = "left_over_right_";
 
 struct Named {
@@ -58,6 +63,67 @@ double value_of(const PhysicalTrait& trait, const FamilyMember& member) {
   return double(trait.middle + trait.slope.dot(member.e));
 }
 
+/// What one trait, or some together, explain of e's change.
+class Changes {
+ public:
+  Changes(const ArmFamily& family, const Eigen::MatrixXd& precision, const Eigen::VectorXd& pull)
+      : family_(family), precision_(precision), pull_(pull) {}
+
+  /// Twice the logarithm of how much likelier the motion is with that trait's change beside those.
+  std::pair<Eigen::Index, double> best_with(std::vector<Eigen::Index> causes) const {
+    std::pair<Eigen::Index, double> best{-1, 0.0};
+    for (Eigen::Index i = 0; i < std::ssize(family_.traits); ++i) {
+      if (std::ranges::find(causes, i) == causes.end()) {
+        causes.push_back(i);
+        const Fit fit = fit_of(causes);
+        if (const double told = fit.pull.dot(fit.change); told > best.second) {
+          best = {i, told};
+        }
+        causes.pop_back();
+      }
+    }
+    return best;
+  }
+
+  std::vector<TraitEstimate> of(const std::vector<Eigen::Index>& causes,
+                                const FamilyMember& before) const {
+    const Fit fit = fit_of(causes);
+    std::vector<TraitEstimate> traits;
+    for (Eigen::Index i = 0; i < std::ssize(causes); ++i) {
+      const PhysicalTrait& trait = family_.traits[static_cast<std::size_t>(causes[i])];
+      const double reference = value_of(trait, before);
+      traits.push_back({trait.name, reference + fit.change(i),
+                        std::sqrt(std::max(0.0, fit.covariance(i, i))), reference});
+    }
+    return traits;
+  }
+
+  double told_by(Eigen::Index i) const { const Fit f = fit_of({i}); return f.pull.dot(f.change); }
+ private:
+  struct Fit {
+    Eigen::VectorXd pull;
+    Eigen::VectorXd change;
+    Eigen::MatrixXd covariance;
+  };
+
+  Fit fit_of(const std::vector<Eigen::Index>& causes) const {
+    Eigen::MatrixXd along(pull_.size(), std::ssize(causes));
+    for (Eigen::Index i = 0; i < along.cols(); ++i) {
+      along.col(i) = family_.traits[static_cast<std::size_t>(causes[i])].along.cast<double>();
+    }
+    Fit fit;
+    fit.pull = along.transpose() * pull_;
+    fit.covariance =
+        (along.transpose() * precision_ * along).completeOrthogonalDecomposition().pseudoInverse();
+    fit.change = fit.covariance * fit.pull;
+    return fit;
+  }
+
+  const ArmFamily& family_;
+  const Eigen::MatrixXd& precision_;
+  const Eigen::VectorXd& pull_;
+};
+
 }  // namespace
 
 std::string sides_trait(int segment) {
@@ -85,25 +151,23 @@ std::vector<TraitEstimate> physical_traits(const ArmFamily& family, const Family
   return traits;
 }
 
-std::vector<TraitEstimate> physical_traits_since(const ArmFamily& family,
-                                                 const FamilyMember& before,
-                                                 const FamilyMember& now) {
-  std::vector<TraitEstimate> traits = physical_traits(family, now);
-  for (std::size_t i = 0; i < traits.size(); ++i) {
-    const PhysicalTrait& trait = family.traits[i];
-    traits[i].reference = value_of(trait, before);
-    traits[i].deviation =
-        std::sqrt(traits[i].deviation * traits[i].deviation + variance(trait, before));
+std::vector<TraitEstimate> changed_traits(const ArmFamily& family, const FamilyMember& before,
+                                          const Eigen::MatrixXd& precision,
+                                          const Eigen::VectorXd& pull) {
+  const Changes changes(family, precision, pull);
+  const double most = pull.dot(precision.ldlt().solve(pull));  // were every number of e free
+  std::vector<Eigen::Index> causes;
+  double explained = 0.0;
+  for (Eigen::Index i = 0; i < std::ssize(family.traits); ++i) { fprintf(stderr, "DBG %s %.1f of %.1f\n", family.traits[i].name.c_str(), changes.told_by(i), most); }
+  while (causes.size() < kMostCauses) {
+    const auto [next, by_then] = changes.best_with(causes);
+    if (!(by_then - explained > std::max(kSureBy, kShareOfCause * most))) {
+      break;
+    }
+    causes.push_back(next);
+    explained = by_then;
   }
-  return traits;
-}
-
-Eigen::MatrixXf trait_directions(const ArmFamily& family) {
-  Eigen::MatrixXf slopes(std::ssize(family.traits), family.size());
-  for (Eigen::Index i = 0; i < slopes.rows(); ++i) {
-    slopes.row(i) = family.traits[static_cast<std::size_t>(i)].slope.transpose();
-  }
-  return slopes.completeOrthogonalDecomposition().pseudoInverse();
+  return causes.empty() ? std::vector<TraitEstimate>() : changes.of(causes, before);
 }
 
 std::string differences_text(std::vector<TraitEstimate> traits) {

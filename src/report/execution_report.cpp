@@ -137,7 +137,7 @@ Json to_json(const ExecutionResult& result, const Environment& before) {
     json["arm"] = {{"e", std::vector<float>(result.arm->e.begin(), result.arm->e.end())},
                    {"sd", std::vector<float>(deviation.begin(), deviation.end())},
                    {"distance_from_family", result.arm->distance()},
-                   {"traits", to_json(result.arm_traits)},
+                   {"changes", to_json(result.arm_changes)},
                    {"largest_window_error_cm", kCmPerM * result.largest_window_error_m},
                    {"last_window_error_cm", kCmPerM * result.last_window_error_m}};
   }
@@ -209,8 +209,9 @@ std::string to_text(const ExecutionResult& result, const Environment& before) {
         kCmPerM * result.largest_window_error_m, kCmPerM * result.last_window_error_m,
         result.arm->distance() >= FamilyMember::kFar ? "; no arm of the family is like this one"
                                                      : "");
-    if (const std::string changes = differences_text(result.arm_traits); !changes.empty()) {
-      text += fmt::format("\n  since it began, the arm has come to be like arms with: {}", changes);
+    if (const std::string changes = differences_text(result.arm_changes); !changes.empty()) {
+      text += fmt::format(
+          "\n  what has changed of the arm: {} (in brackets what was believed before)", changes);
     }
   }
   if (result.frames_not_seen > 0 && result.final_backbone) {

@@ -57,14 +57,12 @@ Eigen::VectorXf as_vector(const std::vector<double>& numbers) {
 /// how e changes along with it.
 Json traits_to_json(const ArmFamily& family) {
   Json list = Json::array();
-  const Eigen::MatrixXf directions = trait_directions(family);
-  for (std::size_t i = 0; i < family.traits.size(); ++i) {
-    const PhysicalTrait& trait = family.traits[i];
+  for (const PhysicalTrait& trait : family.traits) {
     const TraitWords words = words_of_trait(trait.name);
     const auto in_words = [&](float value) { return words.per_si * double(value); };
     const Eigen::VectorXf told =
         (trait.slope.transpose() * family.arms).transpose().array() + trait.middle;
-    const Eigen::VectorXf along = directions.col(Eigen::Index(i)) / float(words.per_si);
+    const Eigen::VectorXf along = trait.along / float(words.per_si);
     const Eigen::VectorXf slope = float(words.per_si) * trait.slope;
     list.push_back({{"name", trait.name},
                     {"text", words.text},

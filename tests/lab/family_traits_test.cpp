@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include <Eigen/Core>
 #include <gmock/gmock.h>
+#include <Eigen/Core>
 
 #include "limber/network/physical_traits.hpp"
 #include "limber/sim/related_arms.hpp"

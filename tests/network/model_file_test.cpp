@@ -75,9 +75,10 @@ TEST(ModelFile, FamiliesAndTheirArmsComeBack) {
   const auto path = folder.path() / "model.safetensors";
   CompensationModel family = untrained_model(sample_arm(2), BackboneLayout::gap_poses, {7, 9}, 1);
   family.family = ArmFamily{Eigen::MatrixXf::Random(7, 3), Eigen::MatrixXf::Random(3, 20), {}};
-  family.family->traits = {
-      {"tip_load_kg", 0.01F, 0.04F, 0.005F, Eigen::Vector3f(0.1F, 0.0F, -0.2F)},
-      {"actuator_bow", 0.0F, 0.1F, 0.05F, Eigen::Vector3f(0.3F, 0.2F, 0.1F)}};
+  family.family->traits = {{"tip_load_kg", 0.01F, 0.04F, 0.005F, Eigen::Vector3f(0.1F, 0.0F, -0.2F),
+                            Eigen::Vector3f(7.0F, 1.0F, -1.0F)},
+                           {"actuator_bow", 0.0F, 0.1F, 0.05F, Eigen::Vector3f(0.3F, 0.2F, 0.1F),
+                            Eigen::Vector3f(3.0F, 2.0F, 5.0F)}};
   write_model(path, family);
   const CompensationModel back = read_model(path);
   ASSERT_TRUE(is_family(back));
@@ -89,6 +90,7 @@ TEST(ModelFile, FamiliesAndTheirArmsComeBack) {
   EXPECT_EQ(back.family->traits[0].middle, 0.04F);
   EXPECT_EQ(back.family->traits[0].left, 0.005F);
   EXPECT_EQ(back.family->traits[0].slope, family.family->traits[0].slope);
+  EXPECT_EQ(back.family->traits[1].along, family.family->traits[1].along);
   EXPECT_THAT([&] { (void)read_model_of_one_arm(path); },
               ThrowsMessage<InputError>(AllOf(HasSubstr(path.string() + ": a family of 20 arms"),
                                               HasSubstr("limber adapt"))));

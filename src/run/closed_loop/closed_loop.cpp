@@ -333,7 +333,7 @@ void ClosedLoop::report(ExecutionResult& result) const {
   PlanController::report(result);
   if (const auto& fit = motion_->fit) {
     result.arm = fit->member();
-    result.arm_traits = fit->traits_since_start();
+    result.arm_changes = fit->changed_traits();
     result.largest_window_error_m = fit->largest_error_m();
     result.last_window_error_m = fit->last_error_m();
   }

@@ -42,6 +42,7 @@ LiveArmFit::LiveArmFit(const ArmDescription& arm, const CompensationModel& adapt
   before_.precision =
       member_.covariance.cast<double>().ldlt().solve(Eigen::MatrixXd::Identity(size, size));
   before_.pull = before_.precision * member_.e.cast<double>();
+  retired_ = {Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Zero(size)};
 }
 
 bool LiveArmFit::has_moved() const {
@@ -69,14 +70,22 @@ bool LiveArmFit::observe(const Pressures& pressure_kpa, const std::optional<Back
   return has_changed;
 }
 
-std::vector<TraitEstimate> LiveArmFit::traits_since_start() const {
-  return physical_traits_since(*family_.family, at_start_, member_);
+std::vector<TraitEstimate> LiveArmFit::changed_traits() const {
+  Knowledge told = retired_;
+  for (const Window& window : windows_) {
+    if (window.is_fitted) {
+      add(window, told);
+    }
+  }
+  told.pull -= told.precision * at_start_.e.cast<double>();
+  return limber::changed_traits(*family_.family, at_start_, told.precision, told.pull);
 }
 
 /// The oldest window becomes part of what was known before.
 void LiveArmFit::take_window() {
   if (windows_.size() == kWindows) {
     add(windows_.front(), before_);
+    add(windows_.front(), retired_);
     windows_.pop_front();
   }
   windows_.emplace_back();

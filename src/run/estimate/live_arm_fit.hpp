@@ -30,8 +30,8 @@ class LiveArmFit {
 
   /// As far as it is known now.
   const FamilyMember& member() const { return member_; }
-  /// What that tells of the arm's physics, beside what was believed at first.
-  std::vector<TraitEstimate> traits_since_start() const;
+  /// What of the arm's physics has changed since the start, as far as its motion tells.
+  std::vector<TraitEstimate> changed_traits() const;
   /// Of the plates' places, by the e of its time, over the window that was fitted last, and the
   /// largest of all; 0 before the first. [m]
   double last_error_m() const { return last_error_m_; }
@@ -68,7 +68,8 @@ class LiveArmFit {
   CompensationModel family_;  // its network alone
   FamilyMember at_start_;
   FamilyMember member_;
-  Knowledge before_;  // the windows
+  Knowledge before_;   // the windows
+  Knowledge retired_;  // windows, by themselves
   std::deque<Frame> recent_;
   std::deque<Window> windows_;
   std::size_t turn_ = 0;  // the window that is rolled out

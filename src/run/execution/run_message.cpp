@@ -60,11 +60,11 @@ std::string hint(const ExecutionResult& run, const Environment& environment, con
   if (run.replans == 0) {
     return ": no plan from where it rests leads nearer";
   }
-  const std::string changes = differences_text(run.arm_traits);
+  const std::string changes = differences_text(run.arm_changes);
   return fmt::format(": {} {} from rest, none came into it; {}", run.replans,
                      run.replans == 1 ? "plan" : "plans",
                      changes.empty() ? "friction or load may have changed"
-                                     : "the arm has come to be like arms with: " + changes);
+                                     : "what has changed of the arm: " + changes);
 }
 
 }  // namespace

@@ -69,6 +69,7 @@ struct PhysicalTrait {
   float middle = 0.0F;    ///< of the family's middle
   float left = 0.0F;      ///< standard deviation of what e does not tell
   Eigen::VectorXf slope;  ///< k
+  Eigen::VectorXf along;  ///< k: how e changes with it, when nothing else of the arm does
 };
 
 /// What is believed of one.

@@ -10,10 +10,13 @@ namespace limber {
 /// What an arm's e tells of its physics, as in docs/families.md; of a family of real arms, nothing.
 std::vector<TraitEstimate> physical_traits(const ArmFamily& family, const FamilyMember& member);
 
-/// The same of what the arm is now, in place of the arm's file beside what was believed before.
-std::vector<TraitEstimate> physical_traits_since(const ArmFamily& family,
-                                                 const FamilyMember& before,
-                                                 const FamilyMember& now);
+/// What of an arm has changed, as its motion since tells: as few traits as may be, at most two.
+/// Each beside what was believed before. Empty: nothing that it tells of, or nothing surely.
+/// @param precision, pull  of e − before.e, by the motion since alone: e's likelihood is that of a
+/// normal distribution with this precision, and this is precision · mean
+std::vector<TraitEstimate> changed_traits(const ArmFamily& family, const FamilyMember& before,
+                                          const Eigen::MatrixXd& precision,
+                                          const Eigen::VectorXd& pull);
 
 /// Those that differ, the surest first: "load at the tip 52 ± 9 g (0), …"; empty: none.
 std::string differences_text(std::vector<TraitEstimate> traits);
@@ -25,10 +28,6 @@ struct TraitWords {
   double per_si = 1.0;  ///< of that unit
 };
 TraitWords words_of_trait(const std::string& name);
-
-/// A column per trait: how e of an arm changes whose trait is larger by 1, and whose other traits
-/// stay. With more traits than numbers in e, as nearly as may be. k × traits
-Eigen::MatrixXf trait_directions(const ArmFamily& family);
 
 /// The name of a trait that compares a segment's sides: its left side's strength less its right's,
 /// as a share of their mean. @param segment  from 0

@@ -122,8 +122,8 @@ struct ExecutionResult {
   AdviceTimes advice;
   /// Which arm of the model's family this is, as a closed loop that adapts has it at the end.
   std::optional<FamilyMember> arm;
-  /// … what that tells of its physics, beside what was believed when the run began,
-  std::vector<TraitEstimate> arm_traits;
+  /// … what of its physics has changed since the run began, as far as its motion tells,
+  std::vector<TraitEstimate> arm_changes;
   /// … and what that was worth: over the windows of frames that it was fitted to, the largest error
   /// of the plates' places before, and the last one. [m]
   double largest_window_error_m = 0.0;
