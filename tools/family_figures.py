@@ -10,6 +10,7 @@ Parts, each kept in OUT and not measured twice:
           plans in limber's own eight environments, executed open loop
   unseen  plans on unseen arms, each in random environments that the arm itself has moved through: executed open
           loop, and in closed loop
+  traits  what a minute tells of an arm's physics beside what it is: friction, load, the table's fall, …
   tube    coverage of the family's tube on unseen arms, ten plans each in random environments
   stranger  arms that no family holds, as another simulator has them: other tension curves, strengths, friction
           and valves; 60 s and five minutes
@@ -78,6 +79,15 @@ def piece(episode, first, last):
                           episode.tracked[first:last], lifted=episode.lifted)
 
 
+def physics_of(episode):
+    """By the names of traits, as far as the recording says it: not the sides' strengths, which a seed draws."""
+    physics = json.loads(episode.physics)
+    if "table_tilt_rad" in physics:
+        tilt, downhill = physics["table_tilt_rad"], physics["table_downhill_rad"]
+        physics |= {"table_fall_x_rad": tilt * np.cos(downhill), "table_fall_y_rad": tilt * np.sin(downhill)}
+    return physics
+
+
 class Family:
     def __init__(self, options):
         self.options = options
@@ -127,6 +137,30 @@ class Family:
         tests = [piece(test, int(np.argmax(np.asarray(test.motion_index) >= spent)), 10**9)
                  for test in tests]
         return zip(minutes, tests, strict=True)
+
+    def traits(self):
+        print("| arms | quantity | spread of the arms | error, root mean square | told deviation | beyond two of it |\n"
+              "|---|---|---|---|---|---|")
+        for variation in ("1.5", "wide"):
+            rows = self.parts.kept(f"traits_{variation}", lambda variation=variation: self.told_of(variation))
+            for name in rows[0]:
+                true, told, deviation = np.transpose([row[name] for row in rows])
+                off = told - true
+                print(f"| {variation} | {name} | {true.std():.3g} | {np.sqrt((off**2).mean()):.3g} | {deviation.mean():.3g}"
+                      f" | {int((abs(off) > 2 * deviation).sum())} of {len(off)} |", flush=True)
+
+    def told_of(self, variation):
+        """Of each arm: truth, what its minute tells, and how surely."""
+        name = f"open_{variation}_minute.h5"
+        minutes = self.record(name, self.options.seed, *self.identify, "--episodes", self.options.arms,
+                              "--arm", self.options.arm, "--vary-physics", variation)
+        rows = []
+        for minute, whole in zip(minutes, limber.read_recording(self.options.out / name).episodes, strict=True):
+            true = physics_of(whole)
+            told = limber.adapt(self.arm, self.family, [piece(minute, 0, 60 * FRAME_RATE_HZ)]).traits
+            rows.append({trait.name: (true[trait.name], trait.value, trait.deviation) for trait in told
+                         if trait.name in true})
+        return rows
 
     def open(self):
         print("| arms | 0 s | 20 s | 60 s | the same minute, from nothing |\n|---|---|---|---|---|")

@@ -217,6 +217,11 @@ void bind_execution(py::module_& module) {
           },
           "Which arm of the model's family it is, as a closed loop that adapts has it at the end: "
           "e, float32 (k,), or None.")
+      .def_readonly("arm_changed_s", &ExecutionResult::arm_changed_s,
+                    "When that arm first moved far from what was predicted [s], or None.")
+      .def_readonly("arm_changes", &ExecutionResult::arm_changes,
+                    "What may have changed of it, the likeliest first: lists of TraitEstimate that "
+                    "changed together, beside what was believed before.")
       .def_readonly("largest_window_error_m", &ExecutionResult::largest_window_error_m,
                     "Largest error of the plates' places over the windows that arm was fitted to, "
                     "each before its fit [m].")

@@ -14,6 +14,18 @@ namespace py = pybind11;
 
 namespace {
 
+void bind_trait(py::module_& module) {
+  using T = TraitEstimate;
+  Record<T>(module, "TraitEstimate", "What is believed of a quantity of an arm's physics.")
+      .read_only("name", &T::name, "With its unit: tip_load_kg, friction_coefficient, …")
+      .read_only("value", &T::value, "In that unit.")
+      .read_only("deviation", &T::deviation, "Standard, of value - reference.")
+      .read_only("reference", &T::reference,
+                 "What the arm's file says, or what was believed before.")
+      .property("differs", &T::differs, "Whether value is more than two deviations away from it.")
+      .done();
+}
+
 void bind_adaptation(py::module_& module) {
   using A = Adaptation;
   Record<A>(module, "Adaptation",
@@ -43,12 +55,16 @@ void bind_adaptation(py::module_& module) {
       .property("tells_too_little", &A::tells_too_little,
                 "Whether the recording moved too little to tell.")
       .done()
-      .def_readonly("model", &A::model, "CompensationModel of the arm, an ordinary one.");
+      .def_readonly("model", &A::model, "CompensationModel of the arm, an ordinary one.")
+      .def_readonly("traits", &A::traits,
+                    "What the arm's vector tells of its physics: a list of TraitEstimate, beside "
+                    "what the arm's file says.");
 }
 
 }  // namespace
 
 void bind_families(py::module_& module) {
+  bind_trait(module);
   bind_adaptation(module);
   module.def("is_family", &is_family, py::arg("model"),
              "Whether a model is a family's, which adapt makes one arm's.");

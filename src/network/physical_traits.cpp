@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include <fmt/ranges.h>
-#include <Eigen/Cholesky>
 #include <Eigen/QR>
 
 #include "limber/common/units.hpp"
@@ -17,9 +15,10 @@ namespace {
 
 constexpr double kGramsPerKg = 1000.0;
 constexpr double kPercent = 100.0;
-constexpr std::size_t kMostCauses = 2;
-constexpr double kSureBy = 9.0;        // three standard deviations
-constexpr double kShareOfCause = 0.2;  // of all that some change of e explains
+constexpr double kSureBy = 25.0;  // five standard deviations
+constexpr double kEnough = 0.8;   // of all that some change of e explains
+constexpr double kAsGood = 0.95;  // of the best: then nothing says which of them it is
+constexpr std::size_t kMostExplanations = 3;
 constexpr const char* kSides = "left_over_right_";
 
 struct Named {
@@ -63,66 +62,54 @@ double value_of(const PhysicalTrait& trait, const FamilyMember& member) {
   return double(trait.middle + trait.slope.dot(member.e));
 }
 
-/// What one trait, or some together, explain of e's change.
-class Changes {
- public:
-  Changes(const ArmFamily& family, const Eigen::MatrixXd& precision, const Eigen::VectorXd& pull)
-      : family_(family), precision_(precision), pull_(pull) {}
-
-  /// Twice the logarithm of how much likelier the motion is with that trait's change beside those.
-  std::pair<Eigen::Index, double> best_with(std::vector<Eigen::Index> causes) const {
-    std::pair<Eigen::Index, double> best{-1, 0.0};
-    for (Eigen::Index i = 0; i < std::ssize(family_.traits); ++i) {
-      if (std::ranges::find(causes, i) == causes.end()) {
-        causes.push_back(i);
-        const Fit fit = fit_of(causes);
-        if (const double told = fit.pull.dot(fit.change); told > best.second) {
-          best = {i, told};
-        }
-        causes.pop_back();
-      }
-    }
-    return best;
-  }
-
-  std::vector<TraitEstimate> of(const std::vector<Eigen::Index>& causes,
-                                const FamilyMember& before) const {
-    const Fit fit = fit_of(causes);
-    std::vector<TraitEstimate> traits;
-    for (Eigen::Index i = 0; i < std::ssize(causes); ++i) {
-      const PhysicalTrait& trait = family_.traits[static_cast<std::size_t>(causes[i])];
-      const double reference = value_of(trait, before);
-      traits.push_back({trait.name, reference + fit.change(i),
-                        std::sqrt(std::max(0.0, fit.covariance(i, i))), reference});
-    }
-    return traits;
-  }
-
-  double told_by(Eigen::Index i) const { const Fit f = fit_of({i}); return f.pull.dot(f.change); }
- private:
-  struct Fit {
-    Eigen::VectorXd pull;
-    Eigen::VectorXd change;
-    Eigen::MatrixXd covariance;
-  };
-
-  Fit fit_of(const std::vector<Eigen::Index>& causes) const {
-    Eigen::MatrixXd along(pull_.size(), std::ssize(causes));
-    for (Eigen::Index i = 0; i < along.cols(); ++i) {
-      along.col(i) = family_.traits[static_cast<std::size_t>(causes[i])].along.cast<double>();
-    }
-    Fit fit;
-    fit.pull = along.transpose() * pull_;
-    fit.covariance =
-        (along.transpose() * precision_ * along).completeOrthogonalDecomposition().pseudoInverse();
-    fit.change = fit.covariance * fit.pull;
-    return fit;
-  }
-
-  const ArmFamily& family_;
-  const Eigen::MatrixXd& precision_;
-  const Eigen::VectorXd& pull_;
+/// Traits that changed together, and how well that explains the motion.
+struct Explanation {
+  std::vector<std::size_t> traits;
+  Eigen::VectorXd change;
+  Eigen::MatrixXd covariance;
+  double told = 0.0;  ///< twice the logarithm of how much likelier it makes the motion
 };
+
+Explanation explanation(const ArmFamily& family, const ToldOfE& told,
+                        const std::vector<std::size_t>& traits) {
+  Eigen::MatrixXd along(told.pull.size(), std::ssize(traits));
+  for (Eigen::Index i = 0; i < along.cols(); ++i) {
+    along.col(i) = family.traits[traits[static_cast<std::size_t>(i)]].along.cast<double>();
+  }
+  Explanation found{traits, {}, {}, 0.0};
+  const Eigen::VectorXd pull = along.transpose() * told.pull;
+  found.covariance = (along.transpose() * told.precision * along)
+                         .completeOrthogonalDecomposition()
+                         .pseudoInverse();
+  found.change = found.covariance * pull;
+  found.told = pull.dot(found.change);
+  return found;
+}
+
+/// The best first.
+void sort(std::vector<Explanation>& explanations) {
+  std::ranges::stable_sort(explanations, std::ranges::greater(), &Explanation::told);
+}
+
+/// One trait each; two, where one does not explain enough.
+std::vector<Explanation> explanations(const ArmFamily& family, const ToldOfE& told, double enough) {
+  std::vector<Explanation> found;
+  for (std::size_t i = 0; i < family.traits.size(); ++i) {
+    found.push_back(explanation(family, told, {i}));
+  }
+  sort(found);
+  if (found.empty() || found.front().told >= enough) {
+    return found;
+  }
+  found.clear();
+  for (std::size_t i = 0; i < family.traits.size(); ++i) {
+    for (std::size_t j = i + 1; j < family.traits.size(); ++j) {
+      found.push_back(explanation(family, told, {i, j}));
+    }
+  }
+  sort(found);
+  return found;
+}
 
 }  // namespace
 
@@ -151,23 +138,40 @@ std::vector<TraitEstimate> physical_traits(const ArmFamily& family, const Family
   return traits;
 }
 
-std::vector<TraitEstimate> changed_traits(const ArmFamily& family, const FamilyMember& before,
-                                          const Eigen::MatrixXd& precision,
-                                          const Eigen::VectorXd& pull) {
-  const Changes changes(family, precision, pull);
-  const double most = pull.dot(precision.ldlt().solve(pull));  // were every number of e free
-  std::vector<Eigen::Index> causes;
-  double explained = 0.0;
-  for (Eigen::Index i = 0; i < std::ssize(family.traits); ++i) { fprintf(stderr, "DBG %s %.1f of %.1f\n", family.traits[i].name.c_str(), changes.told_by(i), most); }
-  while (causes.size() < kMostCauses) {
-    const auto [next, by_then] = changes.best_with(causes);
-    if (!(by_then - explained > std::max(kSureBy, kShareOfCause * most))) {
+std::vector<ArmChange> explained_changes(const ArmFamily& family, const FamilyMember& before,
+                                         const ToldOfE& told) {
+  // Were every number of e free.
+  const double most =
+      told.pull.dot(told.precision.completeOrthogonalDecomposition().pseudoInverse() * told.pull);
+  const double enough = kEnough * most;
+  std::vector<ArmChange> changes;
+  double best = 0.0;
+  for (const Explanation& one : explanations(family, told, enough)) {
+    best = std::max(best, one.told);
+    if (changes.size() == kMostExplanations || one.told < std::max(enough, kAsGood * best) ||
+        one.told < kSureBy) {
       break;
     }
-    causes.push_back(next);
-    explained = by_then;
+    ArmChange& change = changes.emplace_back();
+    for (std::size_t i = 0; i < one.traits.size(); ++i) {
+      const auto at = static_cast<Eigen::Index>(i);
+      const PhysicalTrait& trait = family.traits[one.traits[i]];
+      const double reference = value_of(trait, before);
+      change.push_back({trait.name, reference + one.change(at),
+                        std::sqrt(std::max(0.0, one.covariance(at, at))), reference});
+    }
   }
-  return causes.empty() ? std::vector<TraitEstimate>() : changes.of(causes, before);
+  return changes;
+}
+
+std::string changes_text(const std::vector<ArmChange>& changes) {
+  std::vector<std::string> texts;
+  for (const ArmChange& change : changes) {
+    std::vector<std::string> together;
+    std::ranges::transform(change, std::back_inserter(together), text_of);
+    texts.push_back(fmt::format("{}", fmt::join(together, " and ")));
+  }
+  return fmt::format("{}", fmt::join(texts, ", or "));
 }
 
 std::string differences_text(std::vector<TraitEstimate> traits) {

@@ -86,6 +86,14 @@ Json to_json(const std::vector<TraitEstimate>& traits) {
   return list;
 }
 
+Json to_json(const std::vector<ArmChange>& changes) {
+  Json list = Json::array();
+  for (const ArmChange& change : changes) {
+    list.push_back(to_json(change));
+  }
+  return list;
+}
+
 Json to_json(const TipErrors& value) {
   return {{"position_error_cm", to_json(value.position_cm)},
           {"orientation_error_rad", to_json(value.orientation_rad)},

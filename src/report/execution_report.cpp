@@ -137,6 +137,7 @@ Json to_json(const ExecutionResult& result, const Environment& before) {
     json["arm"] = {{"e", std::vector<float>(result.arm->e.begin(), result.arm->e.end())},
                    {"sd", std::vector<float>(deviation.begin(), deviation.end())},
                    {"distance_from_family", result.arm->distance()},
+                   {"changed_s", optional_json(result.arm_changed_s)},
                    {"changes", to_json(result.arm_changes)},
                    {"largest_window_error_cm", kCmPerM * result.largest_window_error_m},
                    {"last_window_error_cm", kCmPerM * result.last_window_error_m}};
@@ -209,9 +210,11 @@ std::string to_text(const ExecutionResult& result, const Environment& before) {
         kCmPerM * result.largest_window_error_m, kCmPerM * result.last_window_error_m,
         result.arm->distance() >= FamilyMember::kFar ? "; no arm of the family is like this one"
                                                      : "");
-    if (const std::string changes = differences_text(result.arm_changes); !changes.empty()) {
+    if (result.arm_changed_s) {
       text += fmt::format(
-          "\n  what has changed of the arm: {} (in brackets what was believed before)", changes);
+          "\n  after {:.1f} s it did not move as it was known to: {}", *result.arm_changed_s,
+          result.arm_changes.empty() ? "what has changed, can't be told"
+                                     : changes_text(result.arm_changes) + " (in brackets, before)");
     }
   }
   if (result.frames_not_seen > 0 && result.final_backbone) {

@@ -37,21 +37,27 @@ TEST(PhysicalTraits, AreKnownNoBetterThanEAndThanETellsThem) {
 }
 
 /// By motion alone: this is what e has become, known with this deviation in every number.
-std::string changes_text(const ArmFamily& family, const FamilyMember& before, Eigen::Vector2d e,
-                         double deviation) {
+std::string told_by_motion(const ArmFamily& family, const FamilyMember& before, Eigen::Vector2d e,
+                           double deviation) {
   const Eigen::Matrix2d precision = Eigen::Matrix2d::Identity() / (deviation * deviation);
-  return differences_text(
-      changed_traits(family, before, precision, precision * (e - before.e.cast<double>())));
+  return changes_text(
+      explained_changes(family, before, {precision, precision * (e - before.e.cast<double>())}));
 }
 
-TEST(PhysicalTraits, AChangeIsExplainedByAsFewAsMayBe) {
-  const ArmFamily family = family_of_two_traits();
+TEST(PhysicalTraits, AChangeIsExplainedByOneIfOneIsEnough) {
+  ArmFamily family = family_of_two_traits();
   const FamilyMember before = member(-18.0F, 0.0F, 4.0F);
-  EXPECT_EQ(changes_text(family, before, {32.0, 1.0}, 4.0), "load at the tip 52.0 ± 4.0 g (2.0)");
-  EXPECT_EQ(changes_text(family, before, {32.0, -40.0}, 4.0),
-            "load at the tip 52.0 ± 4.0 g (2.0), strength of segment 2's left side over its right "
-            "-40.0 ± 4.0 % (0.0)");
-  EXPECT_EQ(changes_text(family, before, {-10.0, 4.0}, 4.0), "") << "which may be chance";
+  EXPECT_EQ(told_by_motion(family, before, {32.0, 1.0}, 4.0), "load at the tip 52.0 ± 4.0 g (2.0)");
+  EXPECT_EQ(told_by_motion(family, before, {32.0, -40.0}, 4.0),
+            "load at the tip 52.0 ± 4.0 g (2.0) and strength of segment 2's left side over its "
+            "right -40.0 ± 4.0 % (0.0)");
+  EXPECT_EQ(told_by_motion(family, before, {-3.0, 4.0}, 4.0), "") << "which may be chance";
+  // Another quantity that moves e nearly as load does.
+  family.traits.push_back(family.traits[0]);
+  family.traits[2].name = "friction_coefficient";
+  family.traits[2].along.y() = 100.0F;
+  EXPECT_THAT(told_by_motion(family, before, {32.0, 0.0}, 4.0),
+              ::testing::MatchesRegex("load at the tip .*, or friction on the table .*"));
 }
 
 }  // namespace

@@ -127,9 +127,10 @@ struct ClosedLoop::Motion {
   std::unique_ptr<ForwardModel> own;
   MotionModel model;
   std::optional<LiveArmFit> fit;
-  int seen = -1;              // ArmEstimate::frames: a frame may be asked about twice
-  Eigen::VectorXf missed_by;  // e of the model whose misses the estimate holds
-  bool is_refitted = false;   // since `own` was changed last
+  int seen = -1;                    // ArmEstimate::frames: a frame may be asked about twice
+  Eigen::VectorXf missed_by;        // e of the model whose misses the estimate holds
+  std::optional<double> changed_s;  // when the fit was first surprised
+  bool is_refitted = false;         // since `own` was changed last
   ErrorRoom room;
   ClosedLoopSettings settings;
   std::uint64_t seed;
@@ -184,6 +185,9 @@ void ClosedLoop::observe(const Moment& now) {
       shape = now.arm.shown_state().backbone;
     }
     motion.is_refitted |= motion.fit->observe(now.arm.measured().pressure_kpa, shape);
+    if (!motion.changed_s && motion.fit->is_surprised()) {
+      motion.changed_s = motion.seen * motion.arm.frame_period_s();
+    }
   }
   if (motion.is_refitted && !now.is_thinking) {
     motion.is_refitted = false;
@@ -333,7 +337,8 @@ void ClosedLoop::report(ExecutionResult& result) const {
   PlanController::report(result);
   if (const auto& fit = motion_->fit) {
     result.arm = fit->member();
-    result.arm_changes = fit->changed_traits();
+    result.arm_changed_s = motion_->changed_s;
+    result.arm_changes = fit->explained_changes();
     result.largest_window_error_m = fit->largest_error_m();
     result.last_window_error_m = fit->last_error_m();
   }

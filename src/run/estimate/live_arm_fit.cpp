@@ -20,6 +20,7 @@ constexpr std::size_t kWindows = 6;
 constexpr int kRolloutsPerFrame = 4;
 /// Of the arm's length: what a model of a minute leaves over a window.
 constexpr double kUsualErrorShare = 0.003;
+constexpr double kSurprising = 4.0;  // times as much
 /// Of the arm's length: a window in which no plate came farther tells nothing.
 constexpr double kMovedShare = 0.015;
 constexpr float kLostM = 1.0F;        // of a prediction that is no number
@@ -70,7 +71,7 @@ bool LiveArmFit::observe(const Pressures& pressure_kpa, const std::optional<Back
   return has_changed;
 }
 
-std::vector<TraitEstimate> LiveArmFit::changed_traits() const {
+std::vector<ArmChange> LiveArmFit::explained_changes() const {
   Knowledge told = retired_;
   for (const Window& window : windows_) {
     if (window.is_fitted) {
@@ -78,7 +79,11 @@ std::vector<TraitEstimate> LiveArmFit::changed_traits() const {
     }
   }
   told.pull -= told.precision * at_start_.e.cast<double>();
-  return limber::changed_traits(*family_.family, at_start_, told.precision, told.pull);
+  return limber::explained_changes(*family_.family, at_start_, {told.precision, told.pull});
+}
+
+bool LiveArmFit::is_surprised() const {
+  return last_error_m_ > kSurprising * kUsualErrorShare * arm_.length_m();
 }
 
 /// The oldest window becomes part of what was known before.

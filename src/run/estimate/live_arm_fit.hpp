@@ -30,8 +30,10 @@ class LiveArmFit {
 
   /// As far as it is known now.
   const FamilyMember& member() const { return member_; }
-  /// What of the arm's physics has changed since the start, as far as its motion tells.
-  std::vector<TraitEstimate> changed_traits() const;
+  /// What of the arm's physics may have changed since the start, as far as its motion tells.
+  std::vector<ArmChange> explained_changes() const;
+  /// Whether the last window was off by far more than is usual.
+  bool is_surprised() const;
   /// Of the plates' places, by the e of its time, over the window that was fitted last, and the
   /// largest of all; 0 before the first. [m]
   double last_error_m() const { return last_error_m_; }

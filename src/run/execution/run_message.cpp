@@ -60,7 +60,7 @@ std::string hint(const ExecutionResult& run, const Environment& environment, con
   if (run.replans == 0) {
     return ": no plan from where it rests leads nearer";
   }
-  const std::string changes = differences_text(run.arm_changes);
+  const std::string changes = changes_text(run.arm_changes);
   return fmt::format(": {} {} from rest, none came into it; {}", run.replans,
                      run.replans == 1 ? "plan" : "plans",
                      changes.empty() ? "friction or load may have changed"

@@ -82,6 +82,9 @@ struct TraitEstimate {
   bool differs() const { return std::abs(value - reference) > 2.0 * deviation; }
 };
 
+/// Traits that have changed together.
+using ArmChange = std::vector<TraitEstimate>;
+
 /// What makes a network one for a family of arms: its first layer reads, beside its other inputs,
 /// k numbers e that say which arm it is (docs/families.md). They are in the family's own scale:
 /// over the arms that it learnt from, e has mean 0 and unit covariance, so that the origin is the

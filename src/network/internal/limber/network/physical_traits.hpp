@@ -10,13 +10,21 @@ namespace limber {
 /// What an arm's e tells of its physics, as in docs/families.md; of a family of real arms, nothing.
 std::vector<TraitEstimate> physical_traits(const ArmFamily& family, const FamilyMember& member);
 
-/// What of an arm has changed, as its motion since tells: as few traits as may be, at most two.
-/// Each beside what was believed before. Empty: nothing that it tells of, or nothing surely.
-/// @param precision, pull  of e − before.e, by the motion since alone: e's likelihood is that of a
-/// normal distribution with this precision, and this is precision · mean
-std::vector<TraitEstimate> changed_traits(const ArmFamily& family, const FamilyMember& before,
-                                          const Eigen::MatrixXd& precision,
-                                          const Eigen::VectorXd& pull);
+/// What motion alone tells of how far e has moved: a normal distribution's precision, and that by
+/// its mean.
+struct ToldOfE {
+  Eigen::MatrixXd precision;
+  Eigen::VectorXd pull;
+};
+
+/// What may have changed of an arm, the likeliest first, beside what was believed before: one trait
+/// or, where none explains the motion, two. More than one: the motion does not tell which. Empty:
+/// nothing has surely changed, or nothing that e tells of.
+std::vector<ArmChange> explained_changes(const ArmFamily& family, const FamilyMember& before,
+                                         const ToldOfE& told);
+
+/// "load at the tip 52 ± 4 g (2), or friction on the table 0.33 ± 0.02 (0.25)"
+std::string changes_text(const std::vector<ArmChange>& changes);
 
 /// Those that differ, the surest first: "load at the tip 52 ± 9 g (0), …"; empty: none.
 std::string differences_text(std::vector<TraitEstimate> traits);

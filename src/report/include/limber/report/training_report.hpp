@@ -19,6 +19,7 @@ struct TrainingSpeed;
 nlohmann::ordered_json to_json(const TipErrors& errors);
 /// A list of {name, value, sd, reference}, in the units of their names.
 nlohmann::ordered_json to_json(const std::vector<TraitEstimate>& traits);
+nlohmann::ordered_json to_json(const std::vector<ArmChange>& changes);
 /// The object `network` of `evaluate --json`, without `open_loop_from_setpoints`.
 nlohmann::ordered_json to_json(const RolloutErrors& errors);
 /// The object `long_rollout` of `train` and `evaluate` with --json.

@@ -122,8 +122,10 @@ struct ExecutionResult {
   AdviceTimes advice;
   /// Which arm of the model's family this is, as a closed loop that adapts has it at the end.
   std::optional<FamilyMember> arm;
-  /// … what of its physics has changed since the run began, as far as its motion tells,
-  std::vector<TraitEstimate> arm_changes;
+  /// … when it first moved far from what was predicted; what of its physics may have changed since
+  /// the run began, the likeliest first,
+  std::optional<double> arm_changed_s;
+  std::vector<ArmChange> arm_changes;
   /// … and what that was worth: over the windows of frames that it was fitted to, the largest error
   /// of the plates' places before, and the last one. [m]
   double largest_window_error_m = 0.0;
