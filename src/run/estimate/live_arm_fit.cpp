@@ -20,7 +20,7 @@ constexpr std::size_t kWindows = 6;
 constexpr int kRolloutsPerFrame = 4;
 /// Of the arm's length: what a model of a minute leaves over a window.
 constexpr double kUsualErrorShare = 0.003;
-constexpr double kSurprising = 4.0;  // times as much
+constexpr double kSurprising = 8.0;  // times as much, in one frame
 /// Of the arm's length: a window in which no plate came farther tells nothing.
 constexpr double kMovedShare = 0.015;
 constexpr float kLostM = 1.0F;        // of a prediction that is no number
@@ -56,6 +56,7 @@ bool LiveArmFit::has_moved() const {
 
 bool LiveArmFit::observe(const Pressures& pressure_kpa, const std::optional<Backbone>& shape) {
   recent_.push_back({pressure_kpa, shape});
+  look_ahead();
   while (recent_.size() > kWindowFrames + 2 ||
          (recent_.size() >= 2 && !(recent_[0].shape && recent_[1].shape))) {
     recent_.pop_front();
@@ -82,8 +83,31 @@ std::vector<ArmChange> LiveArmFit::explained_changes() const {
   return limber::explained_changes(*family_.family, at_start_, {told.precision, told.pull});
 }
 
-bool LiveArmFit::is_surprised() const {
-  return last_error_m_ > kSurprising * kUsualErrorShare * arm_.length_m();
+/// One step per frame, with today's e.
+void LiveArmFit::look_ahead() {
+  if (recent_.size() < 2 || !recent_.back().shape) {
+    ahead_.reset();
+    return;
+  }
+  const Frame& last = recent_[recent_.size() - 2];
+  const Backbone& seen = *recent_.back().shape;
+  if (!ahead_ || ahead_->frames == kWindowFrames) {
+    ahead_ = last.shape ? std::optional(Ahead{*last.shape, seen}) : std::nullopt;
+    return;
+  }
+  Backbone next = ahead_->now;
+  ForwardModel(arm_, model_of_arm(family_, member_))
+      .step(last.pressure_kpa, recent_.back().pressure_kpa, ahead_->before, ahead_->now, next,
+            workspace_);
+  ahead_ = Ahead{ahead_->now, next, ahead_->frames + 1};
+  const double off_m =
+      (next - seen).bottomRows(next.rows() - 1).leftCols<2>().rowwise().norm().mean();
+  {
+    static double m = 0;
+    m = std::max(m, off_m);
+    fprintf(stderr, "AHEAD %.4f %.4f\n", off_m, m);
+  }
+  is_surprised_ = is_surprised_ || !(off_m <= kSurprising * kUsualErrorShare * arm_.length_m());
 }
 
 /// The oldest window becomes part of what was known before.

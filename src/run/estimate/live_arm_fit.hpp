@@ -32,8 +32,8 @@ class LiveArmFit {
   const FamilyMember& member() const { return member_; }
   /// What of the arm's physics may have changed since the start, as far as its motion tells.
   std::vector<ArmChange> explained_changes() const;
-  /// Whether the last window was off by far more than is usual.
-  bool is_surprised() const;
+  /// Whether the arm is far from where it was predicted within a window: at once, not at its end.
+  bool is_surprised() const { return is_surprised_; }
   /// Of the plates' places, by the e of its time, over the window that was fitted last, and the
   /// largest of all; 0 before the first. [m]
   double last_error_m() const { return last_error_m_; }
@@ -58,6 +58,14 @@ class LiveArmFit {
     Eigen::VectorXd pull;  ///< precision · mean
   };
 
+  /// A prediction without correction, as far as it has come.
+  struct Ahead {
+    Backbone before;
+    Backbone now;
+    int frames = 0;
+  };
+
+  void look_ahead();
   bool has_moved() const;
   void take_window();
   bool roll_out();
@@ -77,6 +85,8 @@ class LiveArmFit {
   std::size_t turn_ = 0;  // the window that is rolled out
   int rolled_out_ = 0;    // of its rollouts: that of e, then one for each number of e
   Window next_;           // it, about today's e
+  std::optional<Ahead> ahead_;
+  bool is_surprised_ = false;
   double last_error_m_ = 0.0;
   double largest_error_m_ = 0.0;
   ForwardModel::Workspace workspace_;
