@@ -160,8 +160,8 @@ def drawn(count, seed):
 class Tree:
     """A copy of the working tree, built on its own."""
 
-    def __init__(self, work, jobs):
-        self.source, self.build, self.jobs = work / "source", work / "build", jobs
+    def __init__(self, work, jobs, programs):
+        self.source, self.build, self.jobs, self.programs = work / "source", work / "build", jobs, programs
         self.times_s = {}
         self.sync()
         alone = ["unshare", "--pid", "--fork", "--kill-child", "--mount-proc"]
@@ -194,8 +194,7 @@ class Tree:
 
     def programs_for(self, module):
         """Its own, then those above it."""
-        above = [p for p in PROGRAMS if module in self.below[p]]
-        return [module] * (module in PROGRAMS) + above
+        return [p for p in self.programs if p == module or module in self.below[p]]
 
     def test(self, program, max_s=None):
         """None if all tests pass, else the first that does not."""
@@ -226,21 +225,21 @@ class Tree:
         return max(MIN_TIME_S, SLOWER * self.times_s[program])
 
     def outcome(self, mutation):
-        limits_s = {program: self.measure(program) for program in self.programs_for(mutation.module)}
         file = self.source / mutation.file
         text = file.read_text(encoding="utf-8")
-        try:
-            file.write_text(mutation.applied_to(text), encoding="utf-8")
-            if not self.ninja(f"limber_{mutation.module}"):
-                return "not compiled", ""
-            for program, max_s in limits_s.items():
+        for program in self.programs_for(mutation.module):
+            max_s = self.measure(program)
+            try:
+                file.write_text(mutation.applied_to(text), encoding="utf-8")
+                if not self.ninja(f"limber_{mutation.module}"):
+                    return "not compiled", ""
                 # A build that fails here is a program that can't even list its tests.
                 failed = self.test(program, max_s) if self.ninja(f"{program}_test") else "listing its tests"
-                if failed:
-                    return "caught", f"{program}_test: {failed}"
-            return "survived", ""
-        finally:
-            file.write_text(text, encoding="utf-8")
+            finally:
+                file.write_text(text, encoding="utf-8")
+            if failed:
+                return "caught", f"{program}_test: {failed}"
+        return "survived", ""
 
 
 def last_test(output):
@@ -273,7 +272,8 @@ def main():
     parser.add_argument("--by-hand", action="store_true")
     parser.add_argument("--draw", type=int, default=0)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--modules", nargs="+", default=MODULES, help="of those that are drawn")
+    parser.add_argument("--modules", nargs="+", help="of what is broken by hand or drawn, these alone")
+    parser.add_argument("--programs", nargs="+", default=PROGRAMS, help="whose tests run, low modules first")
     parser.add_argument("--list", action="store_true", help="shows the changes, and makes none")
     parser.add_argument("--work", type=pathlib.Path, default=ROOT / "build" / "mutations")
     parser.add_argument("--out", type=pathlib.Path, help="default: mutations.jsonl under --work")
@@ -283,8 +283,8 @@ def main():
     faults = list(self_check())
     if faults or options.self_check:
         sys.exit("\n".join(faults) or 0)
-    mutations = [m for m in drawn(options.draw, options.seed) if m.module in options.modules]
-    mutations = list(BY_HAND) * options.by_hand + mutations
+    mutations = [m for m in list(BY_HAND) * options.by_hand + drawn(options.draw, options.seed)
+                 if not options.modules or m.module in options.modules]
     if options.list:
         print("\n".join(m.name for m in mutations))
         return
@@ -292,7 +292,7 @@ def main():
     known = {}
     if options.resume and out.exists():
         known = {r["name"]: r for r in map(json.loads, out.read_text(encoding="utf-8").splitlines())}
-    tree = Tree(options.work.resolve(), options.jobs)
+    tree = Tree(options.work.resolve(), options.jobs, options.programs)
     results = []
     for mutation in mutations:
         if mutation.name not in known:
