@@ -152,6 +152,7 @@ TEST(BrokenArmCommands, EverySegmentHasToBeMovedByItself) {
                 ThrowsMessage<InputError>(HasSubstr(part)));
   };
   refused("  - {name: a, acts_on: {0: 1, 2: 1}}\n", "no command acts on segment 1");
+  refused("  - {name: a, acts_on: {1: 1, 2: 1}}\n", "no command acts on segment 0");
   refused("  - {name: a, acts_on: {0: 1}}\n  - {name: b, acts_on: {1: 1, 2: 0.5}}\n",
           "2 commands can't move segment 2 apart from the segments before it. Where one command "
           "bends several discs, make them one segment with all their plates");

@@ -88,6 +88,15 @@ TEST(StrainFit, ReportsResidualsAsFractionsOfFullStrain) {
   EXPECT_GE(fit.max_residual, fit.rms_residual);
 }
 
+TEST(StrainFit, NotesALargeResidualInPercentOfFullStrain) {
+  int k = 0;
+  const auto points = bench([&](double p) { return 0.002 * p + (k++ % 2 == 0 ? 0.02 : -0.02); });
+  const StrainFit fit = fit_strain_polynomial(points, kLimit);
+  ASSERT_EQ(fit.warnings.size(), 1U);
+  EXPECT_THAT(fit.warnings[0],
+              HasSubstr(fmt::format("the residual is {:.1f} %", fit.rms_residual * 1e2)));
+}
+
 TEST(StrainFit, CoefficientsHaveSevenDigits) {
   RandomStream random(42, 0);
   const StrainFit fit = fit_strain_polynomial(

@@ -98,6 +98,21 @@ TEST_P(JacobianOfArm, IsSmoothThroughTheSwitchFromSeriesToClosedForm) {
 
 INSTANTIATE_TEST_SUITE_P(Segments, JacobianOfArm, ::testing::Values(1, 2, 3, 5));
 
+// What the series leaves out is below rounding, as the closed form of (7) in more digits says.
+TEST(SegmentTwist, HasEveryDigitWhereItsSeriesEnds) {
+  const NoLoadModel model(curvature_arm_of(1));  // its length stays: (7) is the arc's alone
+  const long double length = model.segment(0).length_m;
+  constexpr double kSeriesError = 1e-13;  // relative
+  for (const long double angle : {-0.0999L, -0.08L, 0.09L, 0.0999L}) {
+    const Eigen::Vector3d twist = segment_twist(model, 0, static_cast<double>(angle / length));
+    const long double size = length * length / (angle * angle);
+    EXPECT_NEAR(static_cast<double>(twist[0] / (size * (angle - std::sin(angle)))), 1.0,
+                kSeriesError);
+    EXPECT_NEAR(static_cast<double>(twist[1] / (size * (std::cos(angle) - 1.0L))), 1.0,
+                kSeriesError);
+  }
+}
+
 // (6): the slope of (3) in (4), on both sides of zero and away from it.
 TEST(LengthSlope, IsTheDerivativeOfLength) {
   const NoLoadModel model(arm_of(2));

@@ -59,6 +59,34 @@ TEST(SweptClearance, AgreesWithDenseSamplingInSpaceAndTime) {
   EXPECT_LT(touching, 17);
 }
 
+// Beside the middle of a gap, where no plate is near, while a plate is near another obstacle: that
+// one the search starts from.
+TEST(SweptClearance, LooksAtEveryGapAndNotAtPlatesAlone) {
+  constexpr double kToleranceM = 1e-5;
+  constexpr double kNearM = 0.001;
+  constexpr double kLessNearM = 0.002;
+  constexpr double kCircleM = 0.003;
+  ArmDescription arm = three_segment_arm();
+  for (Segment& segment : arm.segments) {
+    segment.width_m = 0.03;
+  }
+  const double height_m = 0.015 + arm.actuator_radius_m + kCircleM;
+  const Backbone straight = no_load_backbone(NoLoadModel(arm), Pressures::Zero(3));
+  const int gaps = arm.point_count() - 1;
+  for (int gap = 0; gap < gaps; ++gap) {
+    const double middle_m = 0.5 * double(straight(gap, 0) + straight(gap + 1, 0));
+    const int far = (gap + gaps / 2) % gaps;
+    const std::vector<Obstacle> obstacles{
+        Circle{middle_m, height_m + kNearM, kCircleM},
+        Circle{double(straight(far, 0)), height_m + kLessNearM, kCircleM}};
+    const SweptClearance::Result found =
+        SweptClearance(arm, obstacles, kToleranceM).over({shape_of(straight)});
+    EXPECT_NEAR(found.value_m, kNearM, 2.0 * kToleranceM) << gap;
+    EXPECT_EQ(found.gap, gap);
+    EXPECT_EQ(found.obstacle, 0);
+  }
+}
+
 /// A star about the origin, whose outline the ray from a point meets many times.
 Polygon star(int corners, double inner_m, double outer_m) {
   Polygon polygon;

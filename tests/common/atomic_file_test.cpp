@@ -1,11 +1,14 @@
 #include "limber/common/atomic_file.hpp"
 
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
 #include <fstream>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 
@@ -14,6 +17,25 @@
 #include "src/common/temporary_file.hpp"
 #include "support/file_size_limit.hpp"
 #include "support/temporary_folder.hpp"
+
+namespace {
+
+/// What this program has had put on disk, where anybody asks: its path and its size then.
+std::vector<std::pair<std::filesystem::path, std::int64_t>>* synced = nullptr;
+
+}  // namespace
+
+/// In place of the C library's, which tells nobody that it was called.
+extern "C" int fsync(int descriptor) {
+  if (synced != nullptr) {
+    struct stat found {};
+    ::fstat(descriptor, &found);
+    synced->emplace_back(
+        std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(descriptor)),
+        S_ISDIR(found.st_mode) ? -1 : std::int64_t{found.st_size});
+  }
+  return static_cast<int>(::syscall(SYS_fsync, descriptor));
+}
 
 namespace limber {
 namespace {
@@ -41,6 +63,23 @@ TEST(AtomicFile, WritesMakesFoldersAndLeavesNothingElse) {
   write_file_atomically(path, "hello");
   EXPECT_EQ(read_file(path), "hello");
   EXPECT_EQ(count_entries(path.parent_path()), 1);
+}
+
+// Else a power cut after the rename leaves an empty file, and one before the folder is on disk the
+// old one, though the new one was reported.
+TEST(AtomicFile, IsOnDiskBeforeItHasItsNameAndItsNameIsOnDiskAtTheEnd) {
+  const TemporaryFolder temporary;
+  const fs::path folder = fs::canonical(temporary.path());
+  const fs::path path = folder / "c.txt";
+  std::vector<std::pair<fs::path, std::int64_t>> calls;
+  synced = &calls;
+  write_file_atomically(path, "hello");
+  synced = nullptr;
+  ASSERT_EQ(calls.size(), 2U);
+  EXPECT_EQ(calls[0].first.parent_path(), folder);
+  EXPECT_NE(calls[0].first, path);
+  EXPECT_EQ(calls[0].second, 5) << "all of it";
+  EXPECT_EQ(calls[1], std::pair(folder, std::int64_t{-1}));
 }
 
 TEST(AtomicFile, KeepsTheOldFileWhereTheDiskIsFull) {

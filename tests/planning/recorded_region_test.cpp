@@ -54,6 +54,15 @@ TEST(RecordedRegion, SaysInNumbersWhereAPlanLeavesIt) {
       excursions_beyond(recorded(-wide, wide, 1.0F), *result.plan, Command{});
   ASSERT_FALSE(fast.empty());
   EXPECT_THAT(fast.front(), HasSubstr("kPa per second; recorded up to 1.0"));
+  float fastest = 0.0F;
+  for (std::size_t k = 1; k < result.plan->frames.size(); ++k) {
+    const PlanFrame& before = result.plan->frames[k - 1];
+    fastest = std::max(
+        fastest, (result.plan->frames[k].pressure_kpa - before.pressure_kpa).cwiseAbs().maxCoeff() *
+                     float(result.plan->frame_rate_hz));
+  }
+  EXPECT_THAT(fast,
+              ::testing::Contains(HasSubstr(fmt::format("by {:.1f} kPa per second", fastest))));
 }
 
 TEST(RecordedRegion, PlansAskedToStayInsideDo) {

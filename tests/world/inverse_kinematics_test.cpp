@@ -214,11 +214,16 @@ TEST(InverseKinematics, RefusesGoalsThatAreNoNumbersAndSettingsThatCannotWork) {
         solve({0.1, 0.0, {}, -0.01});
       },
       ThrowsMessage<InputError>(HasSubstr("goal tolerances -0.01 m")));
-  EXPECT_THAT(
-      [&] {
-        solve({0.1, 0.0}, {.starts = 0});
-      },
-      ThrowsMessage<InputError>(HasSubstr("must be positive")));
+  for (const InverseKinematicsSettings& settings :
+       {InverseKinematicsSettings{.starts = 0}, InverseKinematicsSettings{.max_solutions = 0},
+        InverseKinematicsSettings{.iterations = 0}, InverseKinematicsSettings{.convergence_m = 0.0},
+        InverseKinematicsSettings{.distinct_pressure_kpa = -1.0}}) {
+    EXPECT_THAT(
+        [&] {
+          solve({0.1, 0.0}, settings);
+        },
+        ThrowsMessage<InputError>(HasSubstr("must be positive")));
+  }
 }
 
 }  // namespace

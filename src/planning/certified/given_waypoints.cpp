@@ -170,6 +170,7 @@ PlanResult certified_along(const PlanningProblem& problem, AskedProblem& asked,
 PlanResult plan_along(const PlanningProblem& given, const std::vector<Pressures>& waypoints_kpa,
                       const std::string& planner, std::uint64_t seed) {
   const auto start = std::chrono::steady_clock::now();
+  require_planar(given.arm, "plan_along");
   require_margin(given.margin_m);
   require_goal_margin(given.goal_margin);
   require_limits(given.limits, given.arm);

@@ -144,8 +144,9 @@ struct PlanResult {
   std::vector<std::string> warnings;
   std::optional<PlanLimit> limit;  ///< the limit that ended the search; none at the cost threshold
   std::optional<Plan> plan;        ///< set if and only if solved
-  /// If there is no plan, the motion that came nearest to the goal. It is free of collision but
-  /// does not end in the goal: never execute it as a solution. Its clearance is not measured.
+  /// If there is no plan, the motion that came nearest to the goal. It is free of collision until
+  /// its hold, in which valves and the arm still move, and does not end in the goal: never execute
+  /// it as a solution. Its clearance is not measured.
   std::optional<Plan> best_partial;
   std::optional<Certificate> certificate;  ///< of the plan that was found
   /// If no plan keeps the clearance asked for: the clearance of a plan that was found with less.
@@ -171,7 +172,7 @@ class Planner {
  public:
   virtual ~Planner() = default;
   virtual const char* name() const = 0;
-  /// @throws InputError if no limit is set or one is not positive.
+  /// @throws InputError if no limit is set or one is not positive, or of an arm in space.
   [[nodiscard]] virtual PlanResult plan(const PlanningProblem& problem, const PlannerLimits& limits,
                                         std::uint64_t seed,
                                         const PlannerCallback& callback = {}) = 0;
