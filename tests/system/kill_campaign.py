@@ -68,8 +68,8 @@ class Campaign:
                  if p.is_file() and not re.search(r"\.driver\.\d+\.jsonl$", p.name)]
         return {name: comparable(self.folder, name) for name in names}
 
-    def start(self, flags):
-        with open(self.messages, "w", encoding="utf-8") as messages:
+    def start(self, flags, messages=None):
+        with open(messages or self.messages, "w", encoding="utf-8") as messages:
             return subprocess.Popen([*self.verb.command, *flags], cwd=self.folder, stdin=subprocess.DEVNULL,
                                     stdout=messages, stderr=messages, start_new_session=True)
 

@@ -57,13 +57,15 @@ class Surroundings(Campaign):
 
     def two_writers(self):
         self.begin()
-        first = self.start(["--force"])
+        processes = [self.start(["--force"])]
         time.sleep(self.chance.uniform(0.0, self.duration_s))
-        second = self.start(["--force"])
-        codes = {first.wait(timeout=LONGEST_S), second.wait(timeout=LONGEST_S)}
+        processes.append(self.start(["--force"], self.folder.with_suffix(".second")))
+        codes = [process.wait(timeout=LONGEST_S) for process in processes]
+        if codes[1] != DONE:
+            self.messages.write_bytes(self.folder.with_suffix(".second").read_bytes())
         where = self.expect("two writers", max(codes), (DONE, REFUSED, SOME_LEFT))
         if max(codes) != DONE and "another limber" not in self.messages.read_text():
-            self.other.append(f"{where}: {self.messages.read_text()}")
+            self.other.append(f"{where}: exit codes {codes}: {self.messages.read_text()}")
         self.compare(where)
 
     def closed(self):
