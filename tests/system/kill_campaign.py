@@ -20,7 +20,7 @@ import tempfile
 import time
 
 from program import temporary_files
-from writing_verbs import all_verbs, comparable
+from writing_verbs import add_choice, chosen_verbs, comparable
 
 AGAIN = 0.5  # probability that the run that goes on is killed as well
 OVER_OLD = 0.5  # probability that a verb without --resume replaces what was there before
@@ -164,9 +164,7 @@ class Campaign:
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--kills", type=int, default=100, help="in each verb")
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--only", help="verbs, separated by commas")
-    parser.add_argument("--without", default="", help="verbs to leave out, separated by commas")
+    add_choice(parser)
     arguments = parser.parse_args()
     failures = []
     print("| verb | takes | kills | runs | temporary files left by kills | lost | bytes differ | other failures |\n"
@@ -175,10 +173,7 @@ def main():
         folder = pathlib.Path(temporary)
         inputs = folder / "inputs"
         inputs.mkdir()
-        for number, verb in enumerate(all_verbs(inputs)):
-            if arguments.only and verb.name not in arguments.only.split(",") or \
-                    verb.name in arguments.without.split(","):
-                continue
+        for number, verb in enumerate(chosen_verbs(inputs, arguments)):
             campaign = Campaign(verb, folder / f"work_{number}", random.Random(f"{arguments.seed} {verb.name}"))
             failures += campaign.run(arguments.kills)
             print(campaign.row(), flush=True)

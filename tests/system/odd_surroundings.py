@@ -1,5 +1,5 @@
-"""Every verb that writes, where something around it is not as usual: whole files with the bytes of an undisturbed run, or
-a message and nothing written; no temporary files, and no signal ends the program.
+"""Every verb that writes, where something around it is not as usual: whole files with the bytes of an undisturbed run,
+or a message and nothing written; no temporary files, and no signal ends the program.
 
     odd_surroundings.py                    each verb 100 times in each of the surroundings: hours
     odd_surroundings.py --times 1 --seed 7 once each, with a chance drawn with this seed; what the ordinary tests run
@@ -24,7 +24,7 @@ import time
 
 from disk_full import may_mount
 from kill_campaign import LONGEST_S, Campaign
-from writing_verbs import all_verbs
+from writing_verbs import add_choice, chosen_verbs
 
 DONE, SOME_LEFT, REFUSED, FAULT = 0, 1, 2, 3  # a campaign leaves to the other what that one is doing
 OWN = ("LIMBER_DATA_DIR", "LIMBER_PROGRAM")
@@ -122,9 +122,7 @@ class Surroundings(Campaign):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--times", type=int, default=100, help="each verb in each of the surroundings")
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--only", help="verbs, separated by commas")
-    parser.add_argument("--without", default="", help="verbs to leave out, separated by commas")
+    add_choice(parser)
     arguments = parser.parse_args()
     mounting = may_mount()
     failures = []
@@ -133,15 +131,14 @@ def main():
         folder = pathlib.Path(temporary)
         inputs = folder / "inputs"
         inputs.mkdir()
-        for number, verb in enumerate(all_verbs(inputs)):
-            if arguments.only and verb.name not in arguments.only.split(",") or \
-                    verb.name in arguments.without.split(","):
-                continue
+        for number, verb in enumerate(chosen_verbs(inputs, arguments)):
             odd = Surroundings(verb, folder / f"work_{number}", random.Random(f"{arguments.seed} {verb.name}"))
             failures += odd.run(arguments.times, mounting)
             print(odd.row(), flush=True)
     print("\n".join(failures))
-    print(f"{len(failures)} failures, seed {arguments.seed}" + ("" if mounting else "; read-only: left out, no mounts here"))
+    if not mounting:
+        print("read-only: left out, nothing may be mounted here")
+    print(f"{len(failures)} failures, seed {arguments.seed}")
     return 1 if failures else 0
 
 

@@ -1,5 +1,6 @@
-"""Every verb that writes: its command, what it leaves, and how it goes on; for the campaigns of full disks and of kills."""
+"""Every verb that writes: its command, what it leaves, and how it goes on; for campaigns of full disks and of kills."""
 
+import contextlib
 import fnmatch
 import json
 import pathlib
@@ -23,10 +24,13 @@ grid:
   episodes: [1, 2]
 repeat: 2
 """
-# What a clock decides: keys in JSON, and files as a whole.
+# What a clock decides, or where an arm was left when a driver was killed: keys in JSON, and files as a whole.
 TIMES = {"wall_time_s", "time_s", "first_candidate_s", "first_certificate_s", "first_solution_s",
-         "first_solution_s_median", "late_ms", "round_trip_ms"}
-TIMED_FILES = ("*driver.jsonl", "*/log.txt", "*/report.html", "x/table.md", "x/planner_arena/*", "b.svg", "plans/p.json")
+         "first_solution_s_median", "late_ms", "round_trip_ms", "episodes_kept_from_before"}
+TIMED_FILES = ("*driver.jsonl", "*/log.txt", "*/report.html", "x/table.md", "x/planner_arena/*", "b.svg",
+               "plans/p.json", "d.h5")
+EPISODES = 3  # of the recording that verbs read
+FAULT = 3
 READ_ONLY = {"inspect", "verify", "doctor"}  # the verbs that write nothing
 STUDIO = (sys.executable, str(pathlib.Path(__file__).resolve().parent / "studio_saves.py"))
 
@@ -35,25 +39,32 @@ class Verb:
     """One command, and the files that it writes: `outputs` are replaced by --force, `folders` filled."""
 
     def __init__(self, name, arguments, outputs=(), folders=(), old=b"what was there before\n", levels=LEVELS,
-                 peak=1.0, unfinished=None, starts=(PROGRAM,)):
+                 peak=1.0, unfinished=None, goes_on="--resume", fault=FAULT, starts=(PROGRAM,)):
         self.name = name
         self.command = [*starts, *map(str, arguments)]
         self.starts_others = starts != (PROGRAM,)  # they are killed with it
         self.outputs = outputs
         self.folders = folders
-        self.old = old
+        self.old_content = old
         self.levels = levels
         self.peak = peak  # room taken on the way, over that of what stays
-        self.unfinished = unfinished  # pattern of what --resume goes on from
+        self.unfinished = unfinished  # pattern of what `goes_on` goes on from
+        self.goes_on = goes_on
+        self.fault = fault  # exit code where something can't be written
+
+    @property
+    def old(self):
+        """What was there before."""
+        return self.old_content if isinstance(self.old_content, bytes) else self.old_content.read_bytes()
 
     def flags(self, folder):
         """What makes the same command go on, or begin again."""
-        resumes = ["--resume"] if self.unfinished and list(folder.glob(self.unfinished)) else []
+        resumes = [self.goes_on] if self.unfinished and list(folder.glob(self.unfinished)) else []
         begun = any((folder / name).exists() for name in self.outputs) or not resumes
         return resumes + ["--force"] * begun
 
 
-def make_inputs(folder):
+def make_inputs(folder, has_tube):
     """What the verbs read, made by the program itself."""
 
     def run(*arguments):
@@ -65,15 +76,16 @@ def make_inputs(folder):
     (folder / "wide.yaml").write_text(WIDE, encoding="utf-8")
     (folder / "line.csv").write_text(LINE, encoding="utf-8")
     (folder / "campaign.yaml").write_text(CAMPAIGN, encoding="utf-8")
-    run("collect", *ARM, "--schedule", "random", "--count", 8, "--episodes", 3, "--hold-s", 0.5, "--out", "r.h5")
+    run("collect", *ARM, "--schedule", "random", "--count", 8, "--episodes", EPISODES, "--hold-s", 0.5,
+        "--out", "r.h5")
     run("export", "r.h5", "--csv", "csv")
     run("train", *ARM, "--data", "r.h5", "--epochs", 3, "--hidden", 8, "--out", "m.safetensors")
     # Enough for some of its plans to be certified, which collect --schedule plans asks for.
     run("collect", *ARM, "--schedule", "random", "--count", 10, "--episodes", 6, "--out", "t.h5")
     run("train", *ARM, "--data", "t.h5", "--epochs", 20, "--out", "plans.safetensors")
-    # Enough for plans about which limber calibrate can draw a tube.
-    run("collect", *ARM, "--schedule", "random", "--count", 400, "--out", "tube.h5")
-    run("train", *ARM, "--data", "tube.h5", "--epochs", 60, "--windows", 8, "--out", "tube.safetensors")
+    if has_tube:  # plans enough for limber calibrate to draw a tube around
+        run("collect", *ARM, "--schedule", "random", "--count", 400, "--out", "tube.h5")
+        run("train", *ARM, "--data", "tube.h5", "--epochs", 60, "--windows", 8, "--out", "tube.safetensors")
     run("family", *ARM, "--hours", 0.02, "--epochs", 3, "--hidden", 8, "--family-size", 3, "--vary-physics", 1.5,
         "--tube-runs", 0, "--out", "family.safetensors")
     run("environment", *ARM, "--random", "--count", 1, "--out", "envs")
@@ -82,16 +94,35 @@ def make_inputs(folder):
     run("plan", *ARM, "--no-load", "--build-forest", "--forest-nodes", 20, "--forest", "old.forest")
 
 
+def add_choice(parser):
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--only", default="", help="verbs, separated by commas")
+    parser.add_argument("--without", default="", help="verbs to leave out, separated by commas")
+
+
+def chosen_verbs(inputs, arguments):
+    """Those of add_choice, whose inputs are made; a verb of the program that is missing here is an error."""
+    verbs = all_verbs(inputs)
+    forgotten = {verb.name.split()[0] for verb in verbs} ^ (set(verb_names()) - READ_ONLY)
+    if forgotten:
+        sys.exit(f"writing_verbs.py does not know, or the program does not have: {', '.join(sorted(forgotten))}")
+    names = {verb.name for verb in verbs}
+    only, without = ({*text.split(",")} - {""} for text in (arguments.only, arguments.without))
+    if unknown := (only | without) - names:
+        sys.exit(f"no such verbs: {', '.join(sorted(unknown))}; there are {', '.join(sorted(names))}")
+    wanted = (only or names) - without
+    make_inputs(inputs, "calibrate" in wanted)
+    return [verb for verb in verbs if verb.name in wanted]
+
+
 def all_verbs(inputs):
-    make_inputs(inputs)
-    environment = next((inputs / "envs").iterdir())
     recording, model, plan = inputs / "r.h5", inputs / "m.safetensors", inputs / "p.json"
     planner, wide = inputs / "plans.safetensors", inputs / "wide.yaml"
-    logs = sorted((inputs / "csv").glob("episode_*.csv"))
+    logs = [inputs / "csv" / f"episode_{k:03d}.csv" for k in range(EPISODES)]
     served = f"exec:'{PROGRAM}' virtual-arm --serve --arm two_segment --fast"
     driver = ("--simulated", "--driver", served)
     short = ("--hold-s", 0.3, "--hold-min-s", 0.2)
-    verbs = [
+    return [
         Verb("collect", ["collect", *ARM, "--schedule", "random", "--count", 3, "--episodes", 3, "--hold-s", 0.3,
                          "--out", "c.h5"], ["c.h5"], peak=2.0, unfinished="*.parts"),
         Verb("collect --driver", ["collect", *ARM, "--schedule", "random", "--count", 3, "--episodes", 3, *short,
@@ -118,12 +149,12 @@ def all_verbs(inputs):
              levels=SLOW_LEVELS, unfinished="*.calibration"),
         Verb("evaluate --plots", ["evaluate", *ARM, "--model", model, "--data", recording, "--plots", "."],
              ["error_over_time.svg", "position_distribution.svg", "orientation_distribution.svg", "backbones.svg"]),
-        Verb("plan", ["plan", *ARM, "--no-load", "--environment", environment, "--max-queries", 20000,
-                      "--out", "p.json", "--svg", "p.svg", "--animation", "p.html", "--csv", "p.csv"],
+        Verb("plan", ["plan", *ARM, "--no-load", "--environment", inputs / "envs/random_1_001.yaml", "--max-queries",
+                      20000, "--out", "p.json", "--svg", "p.svg", "--animation", "p.html", "--csv", "p.csv"],
              ["p.json", "p.svg", "p.html", "p.csv"]),
         Verb("plan --build-forest", ["plan", *ARM, "--no-load", "--build-forest", "--forest-nodes", 200,
                                      "--forest", "f.forest"],
-             ["f.forest"], old=(inputs / "old.forest").read_bytes()),
+             ["f.forest"], old=inputs / "old.forest"),
         Verb("execute", ["execute", *ARM, "--plan", plan, "--environment", wide, "--out", "e.h5",
                          "--svg", "e.svg", "--animation", "e.html"], ["e.h5", "e.svg", "e.html"]),
         Verb("execute --driver", ["execute", *ARM, "--plan", plan, "--environment", wide, *driver, "--out", "e.h5",
@@ -132,7 +163,8 @@ def all_verbs(inputs):
                                  "--track-queries", 1000, "--out", "k.h5", "--svg", "k.svg"], ["k.h5", "k.svg"]),
         Verb("experiment", ["experiment", *ARM, "--model", model, "--environments", inputs / "envs", "--trials", 1,
                             "--max-queries", 3000, "--out", "x"], folders=["x"], unfinished="x/experiment.json"),
-        Verb("campaign", ["campaign", inputs / "campaign.yaml", "--out", "many"], folders=["many"]),
+        Verb("campaign", ["campaign", inputs / "campaign.yaml", "--out", "many"], folders=["many"],
+             unfinished="many/*", goes_on="--force", fault=1),
         Verb("export --csv", ["export", recording, "--csv", "csv"], folders=["csv"]),
         Verb("export --motive", ["export", recording, "--motive", "motive"], folders=["motive"]),
         Verb("export --onnx", ["export", model, "--onnx", "m.onnx"], ["m.onnx"]),
@@ -152,10 +184,6 @@ def all_verbs(inputs):
         Verb("studio", [*ARM], folders=["environments", "plans"], starts=STUDIO),
         Verb("demo --quick", ["demo", *ARM, "--quick", "--out", "demo"], folders=["demo"], levels=SLOW_LEVELS),
     ]
-    forgotten = {verb.name.split()[0] for verb in verbs} ^ (set(verb_names()) - READ_ONLY)
-    if forgotten:
-        sys.exit(f"of these verbs no campaign of full disks and of kills knows: {', '.join(sorted(forgotten))}")
-    return verbs
 
 
 def is_whole(path):
@@ -164,8 +192,9 @@ def is_whole(path):
         return limber("inspect", path).returncode == 0
     text = path.read_bytes()
     if path.suffix == ".json":
-        json.loads(text)
-        return True
+        with contextlib.suppress(ValueError):
+            return isinstance(json.loads(text), (dict, list))
+        return False
     ends = {".svg": b"</svg>", ".html": b"</html>", ".xml": b"</mujoco>"}
     if path.suffix in ends:
         return text.rstrip().endswith(ends[path.suffix])
@@ -188,4 +217,4 @@ def comparable(folder, name):
         return b"\n".join(line.rsplit(b",", 1)[0] for line in text.splitlines())
     if path.name.startswith(".limber-"):  # hashes of files with times in them
         return sorted(json.loads(text)["files"])
-    return without_times(json.loads(text)) if path.suffix == ".json" else text
+    return without_times(json.loads(text)) if path.suffix == ".json" and is_whole(path) else text
