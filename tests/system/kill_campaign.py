@@ -63,9 +63,9 @@ class Campaign:
         self.folder.mkdir()
 
     def bytes(self):
-        """Of what is there; logs of killed runs are kept beside those of later ones, and not counted."""
+        """Of what is there, but logs of killed runs beside those of later ones, and who began a campaign's unit."""
         names = [str(p.relative_to(self.folder)) for p in self.folder.rglob("*")
-                 if p.is_file() and not re.search(r"\.driver\.\d+\.jsonl$", p.name)]
+                 if p.is_file() and not re.search(r"\.driver\.\d+\.jsonl$|^started_\w+\.json$", p.name)]
         return {name: comparable(self.folder, name) for name in names}
 
     def start(self, flags, messages=None):
