@@ -17,6 +17,7 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/file_error.hpp"
+#include "limber/common/folder_lock.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/json_reader.hpp"
 #include "limber/lab/campaign_report.hpp"
@@ -225,6 +226,10 @@ bool run_unit(const Campaign& campaign, const CampaignUnit& unit, CampaignFolder
   const fs::path own = folder.unit_folder(unit.index);
   const fs::path output = own / "result.json";
   int code = kExitFault;
+  const FolderLock lock(own, "limber campaign");  // of the same command, given twice
+  if (folder.state(unit) == UnitState::done) {
+    return true;  // meanwhile, by the other
+  }
   folder.begin(unit);
   {
     const Redirected redirected(output, own / "log.txt");

@@ -184,6 +184,7 @@ void require_writable(const fs::path& path) {
                       path.string(), part.string().size(), longest));
     }
   }
+  remove_abandoned_files_once(folder);  // a run that was killed here may write elsewhere now
   const fs::path probe = folder / temporary_name(path.filename().string());
   Descriptor file(probe, O_WRONLY | O_CREAT | O_EXCL);
   if (!file.is_open()) {

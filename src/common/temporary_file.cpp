@@ -48,7 +48,8 @@ std::string host() {
   return fmt::format("{}-{}", text, space);
 }
 
-/// When a process began, in the kernel's ticks since boot; none if that can't be read.
+/// When a process began, in the kernel's ticks since boot, or "ended" where only its parent has not
+/// heard of its end, which some containers' first process never does; none if that can't be read.
 std::optional<std::string> start_of(const std::string& process) {
   constexpr int kFieldsBefore =
       20;  // proc(5): the start is field 22; the name, field 2, ends at ')'
@@ -59,6 +60,9 @@ std::optional<std::string> start_of(const std::string& process) {
     return std::nullopt;
   }
   std::size_t position = text.rfind(')');
+  if (position != text.npos && text.substr(position).starts_with(") Z")) {
+    return "ended";
+  }
   for (int i = 0; i < kFieldsBefore && position != text.npos; ++i) {
     position = text.find(' ', position + 1);
   }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 

@@ -161,6 +161,34 @@ TEST(AtomicFile, TellsAProcessFromALaterOneOfTheSameNumber) {
   EXPECT_FALSE(fs::exists(folder.path() / name));
 }
 
+// Of a process that has ended, as in a container whose first process waits for nobody.
+TEST(AtomicFile, WhoseParentHasNotHeardOfItsEndLeavesNothing) {
+  const TemporaryFolder folder;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    std::ofstream(folder.path() / temporary_name("c.txt")) << "half";
+    ::_exit(0);
+  }
+  siginfo_t ended;
+  ASSERT_EQ(::waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOWAIT), 0);
+  EXPECT_EQ(count_entries(folder.path()), 1);
+  remove_abandoned_files(folder.path());
+  EXPECT_EQ(count_entries(folder.path()), 0);
+  ::waitpid(child, nullptr, 0);
+}
+
+TEST(AtomicFile, LooksForWhatWasLeftWhereItTriesAName) {
+  const TemporaryFolder folder;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    std::ofstream(folder.path() / temporary_name("x")) << "half";
+    ::_exit(0);
+  }
+  ::waitpid(child, nullptr, 0);
+  refuse_to_overwrite(folder.path() / "csv" / "x", false);
+  EXPECT_EQ(count_entries(folder.path()), 0);
+}
+
 TEST(AtomicFile, RefusesToOverwriteUnlessForced) {
   const TemporaryFolder folder;
   const fs::path path = folder.path() / "c.txt";

@@ -11,7 +11,6 @@ largest one written (ulimit -f)."""
 
 import argparse
 import contextlib
-import json
 import os
 import pathlib
 import random
@@ -21,110 +20,14 @@ import subprocess
 import sys
 import tempfile
 
-from program import PROGRAM, limber, temporary_files
+from program import temporary_files
+from writing_verbs import LEVELS, add_choice, chosen_verbs, is_whole
 
-LEVELS = 16  # shares of the room needed: 0/16, 1/16 … 16/16, and one above
-SLOW_LEVELS = 4  # for verbs that take a minute
 PAGE = 4096
-FAULT = 3
-
-# A goal that the no-load model's plans reach on the virtual arm.
-WIDE = json.dumps({"schema": "limber/environment/1", "name": "wide", "obstacles": [], "start": "rest",
-                   "goal": {"x_m": 0.38, "y_m": 0.2, "position_tolerance_m": 0.15}})
+# Unfinished work; a driver's log, which never stops an arm; what a unit of a campaign said.
+MAY_END_EARLY = (".checkpoint", ".driver.jsonl", "result.json", "log.txt")
 
 IN_NAMESPACE = "LIMBER_TEST_MAY_MOUNT"
-
-
-class Verb:
-    """One command, and the files that it writes: `outputs` are replaced by --force, `folders` filled."""
-
-    def __init__(self, name, arguments, outputs=(), folders=(), old=b"what was there before\n", levels=LEVELS,
-                 peak=1.0):
-        self.name = name
-        self.arguments = arguments
-        self.outputs = outputs
-        self.folders = folders
-        self.old = old
-        self.levels = levels
-        self.peak = peak  # room taken on the way, over that of what stays
-
-
-def make_inputs(folder):
-    """What the verbs read, made by the program itself."""
-
-    def run(*arguments):
-        result = limber(*arguments, folder=folder)
-        if result.returncode != 0:
-            sys.exit(f"limber {' '.join(map(str, arguments))}: {result.stderr}")
-
-    arm = ("--arm", "two_segment")
-    run("collect", *arm, "--schedule", "random", "--count", 8, "--episodes", 3, "--hold-s", 0.5, "--out", "r.h5")
-    run("export", "r.h5", "--csv", "csv")
-    run("train", *arm, "--data", "r.h5", "--epochs", 3, "--hidden", 8, "--out", "m.safetensors")
-    # Enough for some of its plans to be certified, which collect --schedule plans asks for.
-    run("collect", *arm, "--schedule", "random", "--count", 10, "--episodes", 6, "--out", "t.h5")
-    run("train", *arm, "--data", "t.h5", "--epochs", 20, "--out", "plans.safetensors")
-    run("environment", *arm, "--random", "--count", 1, "--out", "envs")
-    environment = next((folder / "envs").iterdir())
-    (folder / "wide.yaml").write_text(WIDE, encoding="utf-8")
-    run("plan", *arm, "--no-load", "--environment", "wide.yaml", "--goal-margin-m", 0.12, "--max-queries", 20000,
-        "--out", "p.json")
-    run("plan", *arm, "--no-load", "--build-forest", "--forest-nodes", 20, "--forest", "old.forest")
-    return environment
-
-
-def all_verbs(inputs):
-    environment = make_inputs(inputs)
-    arm = ("--arm", "two_segment")
-    recording, model, plan = inputs / "r.h5", inputs / "m.safetensors", inputs / "p.json"
-    logs = sorted((inputs / "csv").glob("episode_*.csv"))
-    return [
-        Verb("collect", ["collect", *arm, "--schedule", "random", "--count", 3, "--episodes", 3, "--hold-s", 0.3,
-                         "--out", "c.h5"], ["c.h5"], peak=2.0),
-        Verb("import", ["import", "csv", *logs, "--mapping", inputs / "csv" / "mapping.yaml", *arm, "--out", "i.h5"],
-             ["i.h5"]),
-        Verb("train", ["train", *arm, "--data", recording, "--epochs", 3, "--hidden", 8, "--checkpoint-interval-s", 0,
-                       "--out", "m.safetensors"], ["m.safetensors", "m.curve.csv", "m.curve.svg"],
-             peak=6.0),
-        Verb("evaluate --plots", ["evaluate", *arm, "--model", model, "--data", recording, "--plots", "."],
-             ["error_over_time.svg", "position_distribution.svg", "orientation_distribution.svg", "backbones.svg"]),
-        Verb("plan", ["plan", *arm, "--no-load", "--environment", environment, "--max-queries", 20000,
-                      "--out", "p.json", "--svg", "p.svg", "--animation", "p.html", "--csv", "p.csv"],
-             ["p.json", "p.svg", "p.html", "p.csv"]),
-        Verb("plan --build-forest", ["plan", *arm, "--no-load", "--build-forest", "--forest-nodes", 200,
-                                     "--forest", "f.forest"],
-             ["f.forest"], old=(inputs / "old.forest").read_bytes()),
-        Verb("execute", ["execute", *arm, "--plan", plan, "--environment", inputs / "wide.yaml", "--out", "e.h5",
-                         "--svg", "e.svg", "--animation", "e.html"], ["e.h5", "e.svg", "e.html"]),
-        Verb("experiment", ["experiment", *arm, "--model", model, "--environments", inputs / "envs", "--trials", 1,
-                            "--max-queries", 3000, "--out", "x"], folders=["x"]),
-        Verb("collect --schedule plans", ["collect", *arm, "--schedule", "plans", "--model",
-                                          inputs / "plans.safetensors", "--count", 2, "--max-queries", 3000,
-                                          "--out", "v.h5"]),
-        Verb("export --csv", ["export", recording, "--csv", "csv"], folders=["csv"]),
-        Verb("export --motive", ["export", recording, "--motive", "motive"], folders=["motive"]),
-        Verb("export --onnx", ["export", model, "--onnx", "m.onnx"], ["m.onnx"]),
-        Verb("export --mjcf", ["export", inputs / "arm.yaml", "--mjcf", "arm.xml"], ["arm.xml"]),
-        Verb("characterize --out", ["characterize", "--arm", inputs / "arm.yaml", "--steps", 5, "--out", "arm.yaml",
-                                    "--plot", "arm.svg"], ["arm.yaml", "arm.svg"]),
-        Verb("environment --random", ["environment", *arm, "--random", "--count", 2, "--out", "envs"],
-             folders=["envs"]),
-        Verb("demo --quick", ["demo", *arm, "--quick", "--out", "demo"], folders=["demo"], levels=SLOW_LEVELS),
-    ]
-
-
-def is_whole(path):
-    """Whether a file can be read to its end by what reads such files."""
-    if path.suffix in (".h5", ".safetensors", ".forest") or path.name == "p.json":
-        return limber("inspect", path).returncode == 0
-    text = path.read_bytes()
-    if path.suffix == ".json":
-        json.loads(text)
-        return True
-    ends = {".svg": b"</svg>", ".html": b"</html>", ".xml": b"</mujoco>"}
-    if path.suffix in ends:
-        return text.rstrip().endswith(ends[path.suffix])
-    return len(text) > 0 and (path.suffix == ".onnx" or text.endswith(b"\n"))
 
 
 class SmallDisk:
@@ -202,7 +105,7 @@ class Campaign:
         self.rows = {}
 
     def run(self, verb, *more):
-        return subprocess.run([PROGRAM, *map(str, verb.arguments), *more], cwd=self.disk.folder,
+        return subprocess.run([*verb.command, *more], cwd=self.disk.folder,
                               preexec_fn=self.disk.preparation(), stdin=subprocess.DEVNULL, capture_output=True,
                               encoding="utf-8", check=False)
 
@@ -222,7 +125,7 @@ class Campaign:
             result = self.run(verb, "--force")
             problems = self.problems(verb, folder, result, written)
             text = str(result.returncode)
-            if result.returncode == FAULT and verb.name in ("collect", "train") and not problems:
+            if result.returncode == verb.fault and verb.unfinished and not problems:
                 problems = self.resume(verb, folder)
                 text += "r"
         if problems:
@@ -234,7 +137,7 @@ class Campaign:
     def problems(self, verb, folder, result, written):
         """What is wrong after a run."""
         found = []
-        if result.returncode not in (0, FAULT):
+        if result.returncode not in (0, verb.fault):
             found.append(f"exit code {result.returncode}")
         if result.returncode != 0 and "error: " not in result.stderr:
             found.append("no message")
@@ -249,7 +152,7 @@ class Campaign:
                 found.append(f"{name} is broken")
         for path in folder.rglob("*"):
             if path.is_file() and not path.name.startswith(".limber") and path.read_bytes() != verb.old:
-                if path.suffix != ".checkpoint" and not is_whole(path):
+                if not path.name.endswith(MAY_END_EARLY) and not is_whole(path):
                     found.append(f"{path.name} is broken")
         if result.returncode == 0:
             found += [f"{path} was not written" for path in written if not (folder / path).exists()]
@@ -258,10 +161,7 @@ class Campaign:
     def resume(self, verb, folder):
         """With room again, the work that was done before goes on to its end."""
         self.disk.unlimit()
-        flags = ["--force"]
-        if verb.name == "collect" or list(folder.glob("*.checkpoint")):
-            flags.append("--resume")
-        result = self.run(verb, *flags)
+        result = self.run(verb, *verb.flags(folder))
         left = [p for p in folder.iterdir() if p.name.endswith((".parts", ".checkpoint"))]
         found = self.problems(verb, folder, result, set())
         return found + [f"{path.name} stays" for path in left] + (
@@ -301,9 +201,7 @@ def may_mount():
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--levels", type=int, help="so many fill levels a verb, drawn by chance")
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--only", help="verbs, separated by commas")
-    parser.add_argument("--without", default="", help="verbs to leave out, separated by commas")
+    add_choice(parser)
     arguments = parser.parse_args()
     mounting = may_mount()
     chance = random.Random(arguments.seed)
@@ -312,9 +210,7 @@ def main():
         folder = pathlib.Path(temporary)
         inputs = folder / "inputs"
         inputs.mkdir()
-        (inputs / "arm.yaml").write_bytes((pathlib.Path(__file__).parents[2] / "arms/two_segment.yaml").read_bytes())
-        verbs = [v for v in all_verbs(inputs) if (not arguments.only or v.name in arguments.only.split(","))
-                 and v.name not in arguments.without.split(",")]
+        verbs = chosen_verbs(inputs, arguments)
         disks = [SmallFiles(folder)] + ([SmallDisk(folder)] if mounting else [])
         for disk in disks:
             campaign = Campaign(disk)

@@ -1,13 +1,17 @@
 """kill -9 at random moments, then the same command again (with --resume where there is something to go on from) until
-it is done: whole files, the same bytes as an undisturbed run, no temporary files.
+it is done: whole files, the same bytes as an undisturbed run, no temporary files. After each kill a file that was there
+before is there still, as it was or as it is to be.
 
-    kill_campaign.py                    100 kills in each of collect, import and train: about ten minutes
+    kill_campaign.py                    100 kills in each verb that writes: hours
     kill_campaign.py --kills 1 --seed 7 one of each, at a moment drawn with this seed; what the ordinary tests run
+    kill_campaign.py --kills 0          none: whether two undisturbed runs write the same bytes
 """
 
 import argparse
+import os
 import pathlib
 import random
+import re
 import shutil
 import signal
 import subprocess
@@ -15,83 +19,59 @@ import sys
 import tempfile
 import time
 
-from program import PROGRAM, limber, temporary_files
+from program import temporary_files
+from writing_verbs import add_choice, chosen_verbs, comparable
 
 AGAIN = 0.5  # probability that the run that goes on is killed as well
+OVER_OLD = 0.5  # probability that a verb without --resume replaces what was there before
 WHILE_WRITING = 0.5  # probability that the moment is just after a file began to be written; else any moment
-LONGEST_S = 300.0  # no run takes so long
-
-ARM = ("--arm", "two_segment")
-
-
-class Work:
-    def __init__(self, name, arguments, outputs, end):
-        self.name = name
-        self.arguments = [str(a) for a in arguments]
-        self.outputs = outputs
-        self.end = end  # of the names of what stands for unfinished work
-
-    def flags(self, folder):
-        """What makes the same command go on."""
-        if self.end is None:
-            return ["--force"]
-        if list(folder.glob("*" + self.end)):
-            return ["--resume"]
-        # Killed after its last file: nothing is left to do, which --force repeats.
-        return ["--force"] if (folder / self.outputs[0]).exists() else []
-
-    def bytes(self, folder):
-        """All that it wrote, but for the times of day in learning curves."""
-        found = {}
-        for name in self.outputs:
-            text = (folder / name).read_bytes()
-            if name.endswith(".curve.csv"):
-                text = b"\n".join(line.rsplit(b",", 1)[0] for line in text.splitlines())
-            found[name] = text
-        return found
+LONGEST_S = 600.0  # no run takes so long
+MOST_IDLE = 20  # runs in a row that ended before the blow
 
 
-def make_works(inputs):
-    def run(*arguments):
-        result = limber(*arguments, folder=inputs)
-        if result.returncode != 0:
-            sys.exit(f"limber {' '.join(map(str, arguments))}: {result.stderr}")
+def children_of(pid):
+    return pathlib.Path(f"/proc/{pid}/task/{pid}/children").read_text(encoding="ascii").split()
 
-    run("collect", *ARM, "--schedule", "random", "--count", 60, "--episodes", 6, "--hold-s", 1, "--out", "r.h5")
-    run("export", "r.h5", "--csv", "csv")
-    logs = sorted((inputs / "csv").glob("episode_*.csv"))
-    return [
-        Work("collect", ["collect", *ARM, "--schedule", "random", "--count", 8, "--episodes", 24, "--hold-s", 0.5,
-                         "--out", "c.h5"], ["c.h5"], ".parts"),
-        Work("import", ["import", "csv", *(logs * 6), "--mapping", inputs / "csv" / "mapping.yaml", *ARM,
-                        "--out", "i.h5"], ["i.h5"], None),
-        Work("train", ["train", *ARM, "--data", inputs / "r.h5", "--epochs", 24, "--hidden", 32,
-                       "--checkpoint-interval-s", 0, "--out", "m.safetensors"],
-             ["m.safetensors", "m.curve.csv", "m.curve.svg"], ".checkpoint"),
-    ]
+
+def runs(pid):
+    try:
+        return pathlib.Path(f"/proc/{pid}/stat").read_text(encoding="utf-8").rsplit(")", 1)[1].split()[0] not in "ZX"
+    except OSError:
+        return False
 
 
 class Campaign:
-    def __init__(self, work, folder, chance):
-        self.work = work
+    def __init__(self, verb, folder, chance):
+        self.verb = verb
         self.folder = folder
+        self.messages = folder.with_suffix(".messages")
         self.chance = chance
-        self.failures = []
-        self.kills = 0
-        self.rounds = 0
-        self.left_behind = 0
-        folder.mkdir()
+        self.kills, self.rounds, self.left_behind = 0, 0, 0
+        self.lost, self.differ, self.other = [], [], []
         start = time.monotonic()
-        result = self.start([]).wait(timeout=LONGEST_S)
+        self.expected = self.undisturbed()
         self.duration_s = time.monotonic() - start
-        if result != 0:
-            sys.exit(f"{work.name}: {(folder / 'messages').read_text()}")
-        self.expected = work.bytes(folder)
 
-    def start(self, flags):
-        with open(self.folder / "messages", "w", encoding="utf-8") as messages:
-            return subprocess.Popen([PROGRAM, *self.work.arguments, *flags], cwd=self.folder, stdin=subprocess.DEVNULL,
-                                    stdout=messages, stderr=messages)
+    def undisturbed(self):
+        self.begin()
+        if self.start(["--force"]).wait(timeout=LONGEST_S) != 0:
+            sys.exit(f"{self.verb.name}: {self.messages.read_text()}")
+        return self.bytes()
+
+    def begin(self):
+        shutil.rmtree(self.folder, ignore_errors=True)
+        self.folder.mkdir()
+
+    def bytes(self):
+        """Of what is there, but logs of killed runs beside those of later ones, and who began a campaign's unit."""
+        names = [str(p.relative_to(self.folder)) for p in self.folder.rglob("*")
+                 if p.is_file() and not re.search(r"\.driver\.\d+\.jsonl$|^started_\w+\.json$", p.name)]
+        return {name: comparable(self.folder, name) for name in names}
+
+    def start(self, flags, messages=None):
+        with open(messages or self.messages, "w", encoding="utf-8") as messages:
+            return subprocess.Popen([*self.verb.command, *flags], cwd=self.folder, stdin=subprocess.DEVNULL,
+                                    stdout=messages, stderr=messages, start_new_session=True)
 
     def wait_for_a_write(self, process):
         """Until one of the next files begins to be written."""
@@ -104,14 +84,19 @@ class Campaign:
                     break
         time.sleep(self.chance.choice([0.0, 0.0, 0.0005, 0.003]))
 
-    def kill_one(self):
+    def kill_one(self, flags):
         """@return whether the run was killed before its end."""
         before = {*temporary_files(self.folder)}
-        process = self.start(self.work.flags(self.folder))
+        process = self.start(flags)
         if self.chance.random() < WHILE_WRITING:
             self.wait_for_a_write(process)
         else:
             time.sleep(self.chance.uniform(0.0, self.duration_s))
+        if self.verb.starts_others and process.poll() is None:
+            others = children_of(process.pid)
+            os.killpg(process.pid, signal.SIGKILL)
+            while any(runs(other) for other in others):
+                time.sleep(0.001)
         process.send_signal(signal.SIGKILL)
         killed = process.wait(timeout=LONGEST_S) == -signal.SIGKILL
         self.kills += killed
@@ -119,51 +104,79 @@ class Campaign:
         return killed
 
     def round(self, kills):
-        shutil.rmtree(self.folder)
-        self.folder.mkdir()
+        self.begin()
         self.rounds += 1
+        old = self.verb.unfinished is None and self.chance.random() < OVER_OLD
+        if old:
+            for name in self.verb.outputs:
+                (self.folder / name).write_bytes(self.verb.old)
         before = self.kills
-        while self.kills < kills and self.kill_one():
+        while self.kills < kills and self.kill_one(self.verb.flags(self.folder)):
+            self.check_what_stays(old)
             if self.chance.random() >= AGAIN:
                 break
-        if self.kills == before:
-            return  # it was done before the blow
-        flags = self.work.flags(self.folder)
-        code = self.start(flags).wait(timeout=LONGEST_S)
-        self.check(code, flags)
+        if self.kills > before:  # else it was done before the blow
+            flags = self.verb.flags(self.folder)
+            self.check_end(self.start(flags).wait(timeout=LONGEST_S), flags)
+        return self.kills > before
 
-    def check(self, code, flags):
-        problems = [] if code == 0 else [f"exit code {code}: {(self.folder / 'messages').read_text()}"]
-        if code == 0 and self.work.bytes(self.folder) != self.expected:
-            problems.append("other bytes than an undisturbed run")
-        allowed = {*self.work.outputs, "messages"}
-        problems += [f"{p.name} stays" for p in self.folder.iterdir() if p.name not in allowed]
-        if problems:
-            self.failures.append(f"{self.work.name}, round {self.rounds}, {' '.join(flags)}: {'; '.join(problems)}")
+    def where(self):
+        return f"{self.verb.name}, run {self.rounds}"
+
+    def check_what_stays(self, old):
+        """Between a kill and the run that goes on."""
+        for name in self.verb.outputs:
+            path = self.folder / name
+            if path.exists():
+                if path.read_bytes() != self.verb.old and comparable(self.folder, name) != self.expected[name]:
+                    self.lost.append(f"{self.where()}: {name} is neither what was there nor what is to be")
+            elif old:
+                self.lost.append(f"{self.where()}: {name} is gone")
+
+    def check_end(self, code, flags):
+        where = f"{self.where()}, {' '.join(flags)}"
+        if code != 0:
+            self.other.append(f"{where}: exit code {code}: {self.messages.read_text()}")
+            return
+        self.compare(where)
+
+    def compare(self, where):
+        found = self.bytes()
+        self.lost += [f"{where}: {name} is missing" for name in sorted(self.expected.keys() - found.keys())]
+        self.other += [f"{where}: {name} stays" for name in sorted(found.keys() - self.expected.keys())]
+        self.differ += [f"{where}: {name}: other bytes than an undisturbed run"
+                        for name in sorted(found) if found[name] != self.expected.get(name, found[name])]
 
     def run(self, kills):
-        while self.kills < kills:
-            self.round(kills)
-        print(f"{self.work.name}: {self.kills} kills in {self.rounds} runs of {self.duration_s:.1f} s, "
-              f"{self.left_behind} temporary files that they left were removed; {len(self.failures)} failures", flush=True)
-        return self.failures
+        if kills == 0:
+            self.undisturbed()
+            self.compare(f"{self.verb.name}, again")
+        idle = 0
+        while self.kills < kills and idle < MOST_IDLE:
+            idle = 0 if self.round(kills) else idle + 1
+        return [*self.lost, *self.differ, *self.other]
+
+    def row(self):
+        return (f"| `{self.verb.name}` | {self.duration_s:.1f} s | {self.kills} | {self.rounds} | {self.left_behind} | "
+                f"{len(self.lost)} | {len(self.differ)} | {len(self.other)} |")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--kills", type=int, default=100, help="in each verb")
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--only", help="verbs, separated by commas")
+    add_choice(parser)
     arguments = parser.parse_args()
     failures = []
+    print("| verb | takes | kills | runs | temporary files left by kills | lost | bytes differ | other failures |\n"
+          "|---|---|---|---|---|---|---|---|", flush=True)
     with tempfile.TemporaryDirectory(prefix="limber_kills_") as temporary:
         folder = pathlib.Path(temporary)
         inputs = folder / "inputs"
         inputs.mkdir()
-        for work in make_works(inputs):
-            if not arguments.only or work.name in arguments.only.split(","):
-                chance = random.Random(f"{arguments.seed} {work.name}")
-                failures += Campaign(work, folder / work.name, chance).run(arguments.kills)
+        for number, verb in enumerate(chosen_verbs(inputs, arguments)):
+            campaign = Campaign(verb, folder / f"work_{number}", random.Random(f"{arguments.seed} {verb.name}"))
+            failures += campaign.run(arguments.kills)
+            print(campaign.row(), flush=True)
     print("\n".join(failures))
     print(f"{len(failures)} failures, seed {arguments.seed}")
     return 1 if failures else 0

@@ -128,8 +128,10 @@ void CampaignFolder::begin(const CampaignUnit& unit) {
   const fs::path folder = unit_folder(unit.index);
   const bool goes_on = campaign_.verb == "train" && fs::exists(folder / kCheckpoint) &&
                        fs::exists(marker(unit, "started"));
-  if (!goes_on) {
-    fs::remove_all(folder);
+  if (!goes_on && fs::exists(folder)) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+      fs::remove_all(entry.path());  // not the folder itself, which may be locked
+    }
   }
   fs::remove(marker(unit, "failed"));
   const Json json = {{"host", host_name()}, {"process", ::getpid()}};

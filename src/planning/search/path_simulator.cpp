@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <atomic>
 
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/parallel_for.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
 
 #include "kernels/job_arena.hpp"
 

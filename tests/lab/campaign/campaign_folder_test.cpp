@@ -4,6 +4,7 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/folder_lock.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace limber {
@@ -59,8 +60,10 @@ TEST_F(CampaignFolderTest, AUnitBeginsInAnEmptyFolder) {
   folder.begin(unit(0));
   const std::filesystem::path left = folder.unit_folder(0) / "recording.h5";
   write_file_atomically(left, "half of it");
+  const FolderLock lock(folder.unit_folder(0), "limber campaign");
   folder.begin(unit(0));
   EXPECT_FALSE(std::filesystem::exists(left));
+  EXPECT_THROW(FolderLock(folder.unit_folder(0), "limber campaign"), InputError);
 }
 
 TEST_F(CampaignFolderTest, AnotherCommandOrInputIsAnotherUnit) {

@@ -13,8 +13,8 @@ namespace limber {
 
 enum class UnitState { waiting, started, failed, done };
 
-/// What a campaign leaves behind, made for file systems that many machines share: no locks, and no
-/// folder with more than 1000 entries.
+/// What a campaign leaves behind, made for file systems that many machines share: it needs no
+/// locks, and no folder has more than 1000 entries.
 ///
 ///   campaign.json                     what the campaign is
 ///   units/KKK/NNN/                    of unit KKKNNN:
@@ -36,7 +36,8 @@ class CampaignFolder {
   std::filesystem::path unit_folder(std::size_t index) const;
   UnitState state(const CampaignUnit& unit);
 
-  /// An empty folder, but that a training goes on from its checkpoint.
+  /// An empty folder, but that a training goes on from its checkpoint. The folder stays the same,
+  /// which the caller may have locked.
   void begin(const CampaignUnit& unit);
   /// Its last file.
   void finish(const CampaignUnit& unit, const nlohmann::ordered_json& result, double wall_time_s);
