@@ -63,14 +63,17 @@ pageTest('a family is fitted to the virtual arm, and plans', async (page) => {
   assert.match(await page.textContent('#notice'), /cm off on seconds that it had not seen/);
 });
 
-pageTest('a family’s numbers move its network at once; it is not planned with', async (page) => {
+pageTest('what a family’s arms differ in moves its network at once; it is not planned with', async (page) => {
   await page.getByLabel('Model').selectOption('limber:three_segment_small');
   await page.locator('.status', { hasText: 'A family of arms' }).waitFor();
   await page.getByRole('tab', { name: 'Drive' }).click();
   await page.waitForSelector('#family');
-  assert.equal(await page.locator('#family input').count(), 6);
-  await page.getByRole('button', { name: /More/ }).press('Enter');
+  assert.equal(await page.locator('#family input').count(), 8);
+  await page.getByRole('slider', { name: /friction on the table, of the arm file 0\.250/ }).waitFor();
+  const numbers = page.getByRole('button', { name: 'The numbers behind it: 12' });
+  await numbers.press('Enter');
   assert.equal(await page.locator('#family input').count(), 12);
+  await page.getByRole('button', { name: 'What they tell of' }).press('Enter');
   await page.getByRole('slider', { name: /Segment 0/ }).press('End');
   const away = () => page.evaluate(() => {
     const names = [...document.querySelectorAll('#readout dt')];
@@ -85,10 +88,14 @@ pageTest('a family’s numbers move its network at once; it is not planned with'
     return away();
   };
   const middle = await settled();
-  await page.getByRole('slider', { name: /Number 0 / }).press('PageUp');
+  await page.getByRole('slider', { name: /friction on the table/ }).press('PageUp');
+  const rougher = await settled();
+  assert.notEqual(rougher, middle, 'on a rougher table it stands elsewhere');
+  await numbers.press('Enter');
+  assert.notEqual(await page.getByRole('slider', { name: /Number 0 / }).inputValue(), '0');
   await page.getByRole('slider', { name: /Number 0 / }).press('End');
   await page.getByRole('slider', { name: /Number 1 / }).press('End');
-  assert.notEqual(await settled(), middle, 'another arm stands elsewhere');
+  assert.notEqual(await settled(), rougher, 'and another arm elsewhere again');
   await page.getByRole('button', { name: 'The family’s middle' }).click();
   assert.equal(await settled(), middle, 'and the middle where it was');
 });

@@ -77,7 +77,7 @@ for (const [look, options] of Object.entries(looks)) {
   await page.getByRole('tab', { name: 'Drive' }).click();
   await page.waitForSelector('#family');
   await slide(0, 'End');
-  await page.getByRole('slider', { name: /Number 0 / }).press('Home');
+  await page.getByRole('slider', { name: /friction on the table/ }).press('Home');
   await page.waitForTimeout(2500);
   await shot('family');
   if (look === '') {
