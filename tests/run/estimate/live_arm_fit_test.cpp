@@ -1,6 +1,7 @@
 #include "estimate/live_arm_fit.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -96,6 +97,26 @@ TEST_F(LiveFit, OfAnArmThatDoesAsPredictedStaysAndBecomesSurer) {
   watch(fit, truth);
   EXPECT_LT((fit.member().e - truth.member_of_family->e).norm(), 1e-3F);
   EXPECT_LT(fit.member().covariance.trace(), unsure);
+  EXPECT_FALSE(fit.is_surprised());
+  EXPECT_TRUE(fit.explained_changes().empty());
+}
+
+TEST_F(LiveFit, SaysWhichOneQuantityHasChanged) {
+  const CompensationModel before = arm_at(7);
+  for (const auto& [index, change] : {std::pair(0, 0.1), {5, -0.2}}) {  // friction, uneven sides
+    const PhysicalTrait& trait = family.family->traits.at(static_cast<std::size_t>(index));
+    FamilyMember now = *before.member_of_family;
+    now.e += static_cast<float>(change) * trait.along;
+    LiveArmFit fit(arm, before);
+    watch(fit, model_of_arm(family, now));
+    EXPECT_TRUE(fit.is_surprised());
+    const std::vector<ArmChange> changes = fit.explained_changes();
+    ASSERT_FALSE(changes.empty());
+    ASSERT_EQ(changes.front().size(), 1U);
+    EXPECT_EQ(changes.front().front().name, trait.name);
+    EXPECT_NEAR(changes.front().front().value - changes.front().front().reference, change,
+                0.15 * std::abs(change));
+  }
 }
 
 // A round of rollouts then takes longer than a window does.
