@@ -6,7 +6,7 @@ import subprocess
 import time
 import unittest
 
-from program import PROGRAM, InFolder
+from program import PROGRAM, ROOT, InFolder
 from test_plan import PILLAR
 
 ARM = ("--arm", "two_segment")
@@ -83,6 +83,19 @@ class Family(InFolder):
                                 "--out", "x.safetensors", code=2).stderr
         self.assertIn("--model six_segment: no such file, and none of limber's own families", error)
 
+    def test_a_minute_tells_what_the_arm_bears(self):
+        text = (ROOT / "arms/two_segment.yaml").read_text(encoding="utf-8")
+        self.write("loaded.yaml", text + "\n  tip_load_kg: 0.06\n")  # its last section is the virtual arm
+        self.run_limber("collect", "--arm", "loaded.yaml", "--schedule", "identify", "--seed", 6, "--out", "loaded.h5")
+        adapt = ("adapt", *ARM, "--model", "two_segment", "--out", "mine.safetensors", "--force", "--recording")
+        load = next(trait for trait in self.run_json(*adapt, "loaded.h5")["traits"] if trait["name"] == "tip_load_kg")
+        self.assertEqual(load["reference"], 0.0)
+        self.assertAlmostEqual(load["value"], 0.06, delta=3 * load["sd"])
+        self.assertGreater(load["value"], 3 * load["sd"])
+        self.assertRegex(self.run_limber(*adapt, "loaded.h5").stdout, r"moves like arms with: .*load at the tip \d+\.?\d* ± ")
+        for trait in self.run_json(*adapt, "minute.h5")["traits"]:
+            self.assertLess(abs(trait["value"] - trait["reference"]), 3 * trait["sd"], trait)
+
     def test_in_closed_loop_which_arm_it_is_is_fitted_again_while_it_moves(self):
         self.run_json("adapt", *ARM, "--model", "two_segment", "--recording", "minute.h5", "--out", "mine.safetensors")
         environment = self.write("e.yaml", json.dumps({**PILLAR, "obstacles": []}))
@@ -92,6 +105,10 @@ class Family(InFolder):
                "--margin-m", 0, "--disturbance", "friction=1", "--motion-queries", 500)
         found = self.run_json(*run, "--replan", "--adapted-out", "now.safetensors")
         self.assertLess(found["arm"]["last_window_error_cm"], 0.5 * found["arm"]["largest_window_error_cm"])
+        self.assertLess(found["arm"]["changed_s"], found["frames"] / 20)
+        friction = [trait for change in found["arm"]["changes"] for trait in change
+                    if trait["name"] == "friction_coefficient"]
+        self.assertAlmostEqual(friction[0]["value"] - friction[0]["reference"], 0.25, delta=0.1)
         before = self.run_json("inspect", "mine.safetensors")["family"]
         now = self.run_json("inspect", "now.safetensors")["family"]
         self.assertEqual(now["e"], found["arm"]["e"])
