@@ -163,4 +163,17 @@ std::vector<PhysicalTrait> fit_traits(const ArmDescription& arm,
   return traits;
 }
 
+std::vector<TraitEstimate> beside_truth(const ArmDescription& virtual_arm,
+                                        std::vector<TraitEstimate> traits) {
+  const Parameters own = virtual_arm_parameters(virtual_arm);
+  const std::vector<Quantity> quantities = quantities_of(virtual_arm);
+  for (TraitEstimate& trait : traits) {
+    const auto quantity = std::ranges::find(quantities, trait.name, &Quantity::name);
+    if (quantity != quantities.end()) {
+      trait.reference = quantity->value(own);
+    }
+  }
+  return traits;
+}
+
 }  // namespace limber

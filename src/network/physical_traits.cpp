@@ -164,12 +164,16 @@ std::vector<ArmChange> explained_changes(const ArmFamily& family, const FamilyMe
   return changes;
 }
 
+std::vector<std::string> trait_texts(const std::vector<TraitEstimate>& traits) {
+  std::vector<std::string> texts;
+  std::ranges::transform(traits, std::back_inserter(texts), text_of);
+  return texts;
+}
+
 std::string changes_text(const std::vector<ArmChange>& changes) {
   std::vector<std::string> texts;
   for (const ArmChange& change : changes) {
-    std::vector<std::string> together;
-    std::ranges::transform(change, std::back_inserter(together), text_of);
-    texts.push_back(fmt::format("{}", fmt::join(together, " and ")));
+    texts.push_back(fmt::format("{}", fmt::join(trait_texts(change), " and ")));
   }
   return fmt::format("{}", fmt::join(texts, ", or "));
 }
@@ -179,9 +183,7 @@ std::string differences_text(std::vector<TraitEstimate> traits) {
   std::ranges::stable_sort(traits, std::ranges::greater(), [](const TraitEstimate& trait) {
     return std::abs(trait.value - trait.reference) / trait.deviation;
   });
-  std::vector<std::string> texts;
-  std::ranges::transform(traits, std::back_inserter(texts), text_of);
-  return fmt::format("{}", fmt::join(texts, ", "));
+  return fmt::format("{}", fmt::join(trait_texts(traits), ", "));
 }
 
 }  // namespace limber

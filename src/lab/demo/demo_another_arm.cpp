@@ -8,8 +8,10 @@
 #include "demo_stages.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/units.hpp"
+#include "limber/lab/family_traits.hpp"
 #include "limber/lab/trial_run.hpp"
 #include "limber/lab/unseen_arm.hpp"
+#include "limber/report/training_report.hpp"
 #include "limber/sim/virtual_arm.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
 
@@ -93,13 +95,14 @@ OtherArmFigures other_arm_figures(const DemoResults& results, const Compensation
   const auto fitted_to = [&](double seconds) {
     AdaptationSettings settings;
     settings.jobs = jobs;
-    return adapt(arm, family, {first_seconds(arm, other.minute, seconds)}, settings).model;
+    return adapt(arm, family, {first_seconds(arm, other.minute, seconds)}, settings);
   };
   figures.own_network_cm = open_loop_cm(results.arm(), results.training.model, other.test, jobs);
-  figures.after_20_s_cm = open_loop_cm(arm, fitted_to(kShortS), other.test, jobs);
-  const CompensationModel adapted = fitted_to(kMinuteS);
-  figures.after_60_s_cm = open_loop_cm(arm, adapted, other.test, jobs);
-  plan_and_execute(results, other, number, adapted, figures);
+  figures.after_20_s_cm = open_loop_cm(arm, fitted_to(kShortS).model, other.test, jobs);
+  const Adaptation adapted = fitted_to(kMinuteS);
+  figures.after_60_s_cm = open_loop_cm(arm, adapted.model, other.test, jobs);
+  figures.traits = beside_truth(other.arm, adapted.traits);
+  plan_and_execute(results, other, number, adapted.model, figures);
   return figures;
 }
 
@@ -136,7 +139,8 @@ nlohmann::ordered_json to_json(const OtherArmFigures& figures) {
           {"arrived", figures.arrived},
           {"collided", figures.collided},
           {"arrived_closed_loop", figures.arrived_closed_loop},
-          {"collided_closed_loop", figures.collided_closed_loop}};
+          {"collided_closed_loop", figures.collided_closed_loop},
+          {"traits", to_json(figures.traits)}};
 }
 
 }  // namespace limber

@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "demo_arrivals.hpp"
@@ -8,6 +8,7 @@
 #include "limber/common/progress.hpp"
 #include "limber/common/units.hpp"
 #include "limber/common/version.hpp"
+#include "limber/network/physical_traits.hpp"
 #include "limber/report/planning_table.hpp"
 #include "limber/report/report_page.hpp"
 #include "limber/report/speed_report.hpp"
@@ -245,6 +246,15 @@ void other_arms(ReportPage& page, const DemoResults& results) {
          fmt::format("{}/{}", arm.collided_closed_loop, arm.solved)});
   }
   page.table(table);
+  ReportTable told;
+  told.caption =
+      "What the minute told of each arm's physics, and how surely; in brackets what it is";
+  told.header = {"arm", "moves like arms with"};
+  for (const OtherArmFigures& arm : results.other_arms) {
+    told.rows.push_back({std::to_string(told.rows.size() + 1),
+                         fmt::format("{}", fmt::join(trait_texts(arm.traits), "; "))});
+  }
+  page.table(told);
 }
 
 ReportTable speed_table(const SpeedReport& speed) {

@@ -65,6 +65,7 @@ struct OtherArmFigures {
   int collided = 0;
   int arrived_closed_loop = 0;  ///< the same plans
   int collided_closed_loop = 0;
+  std::vector<TraitEstimate> traits;  ///< what 60 s told of its physics, beside what that is
 };
 nlohmann::ordered_json to_json(const OtherArmFigures& figures);
 

@@ -17,4 +17,8 @@ std::vector<PhysicalTrait> fit_traits(const ArmDescription& arm,
                                       const std::vector<std::string>& physics,
                                       const ArmFamily& family);
 
+/// The same beside what the virtual arm really is, in place of what the family's arm file says.
+std::vector<TraitEstimate> beside_truth(const ArmDescription& virtual_arm,
+                                        std::vector<TraitEstimate> traits);
+
 }  // namespace limber

@@ -26,7 +26,10 @@ std::vector<ArmChange> explained_changes(const ArmFamily& family, const FamilyMe
 /// "load at the tip 52 ± 4 g (2), or friction on the table 0.33 ± 0.02 (0.25)"
 std::string changes_text(const std::vector<ArmChange>& changes);
 
-/// Those that differ, the surest first: "load at the tip 52 ± 9 g (0), …"; empty: none.
+/// Each beside its reference: "load at the tip 52 ± 9 g (0)".
+std::vector<std::string> trait_texts(const std::vector<TraitEstimate>& traits);
+
+/// Those that differ, the surest first, with commas between; empty: none.
 std::string differences_text(std::vector<TraitEstimate> traits);
 
 /// A trait's name for people, and the unit that they know it by.
