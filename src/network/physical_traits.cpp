@@ -148,8 +148,8 @@ std::vector<ArmChange> explained_changes(const ArmFamily& family, const FamilyMe
   double best = 0.0;
   for (const Explanation& one : explanations(family, told, enough)) {
     best = std::max(best, one.told);
-    if (changes.size() == kMostExplanations || one.told < std::max(enough, kAsGood * best) ||
-        one.told < kSureBy) {
+    if (changes.size() == kMostExplanations ||
+        !(one.told >= std::max({enough, kAsGood * best, kSureBy}))) {
       break;
     }
     ArmChange& change = changes.emplace_back();
