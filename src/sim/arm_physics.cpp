@@ -23,10 +23,8 @@ ArmPhysics::ArmPhysics(const ArmDescription& arm, const VirtualArmParameters& pa
       loads_(links_.size()) {
   for (const ChainLink& link : links_) {
     for (std::size_t side = 0; side < kSides.size(); ++side) {
-      const int number = 2 * link.segment + static_cast<int>(side);
-      const double left = number == parameters_.weak_side ? 1.0 - parameters_.weak_side_loss : 1.0;
-      const double strength =
-          parameters_.actuators_per_side * side_strength(parameters_, number) * left;
+      const double strength = parameters_.actuators_per_side *
+                              side_strength(parameters_, 2 * link.segment + static_cast<int>(side));
       sides_.push_back({kSides[side] * 0.5 * link.width_m,
                         side_law_.side(link.length_m, strength, false,
                                        arm.limits_of_channel(link.segment).largest_kpa())});

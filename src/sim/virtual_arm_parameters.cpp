@@ -256,7 +256,8 @@ VirtualArmParameters with_differences(const VirtualArmParameters& of,
 
 double side_strength(const VirtualArmParameters& parameters, int side) {
   RandomStream stream(parameters.strength_seed, static_cast<std::uint64_t>(side));
-  return 1.0 + parameters.strength_spread * stream.uniform(-1.0, 1.0);
+  const double left = side == parameters.weak_side ? 1.0 - parameters.weak_side_loss : 1.0;
+  return (1.0 + parameters.strength_spread * stream.uniform(-1.0, 1.0)) * left;
 }
 
 std::string virtual_arm_to_yaml(const ArmDescription& arm) {

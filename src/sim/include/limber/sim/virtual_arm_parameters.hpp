@@ -111,8 +111,8 @@ VirtualArmParameters with_differences(const VirtualArmParameters& of,
                                       const std::string& differences, Dimension dimension,
                                       const std::string& where);
 
-/// What strength_seed makes of one side's strength, about 1. @param side  2 × segment, + 1 for its
-/// right side; in space the chamber
+/// What strength_seed and wear make of one side's strength, 1 of an even one. @param side  2 ×
+/// segment, + 1 for its right side; in space the chamber
 double side_strength(const VirtualArmParameters& parameters, int side);
 
 /// change(parameters), and puts them back.
