@@ -307,7 +307,7 @@ def main():
     options = parser.parse_args()
     family = Family(options)
     parts = {"open": family.open, "arms": family.arms_named, "unseen": family.unseen,
-             "stranger": family.strangers, "tube": family.tube}
+             "stranger": family.strangers, "traits": family.traits, "tube": family.tube}
     if unknown := [part for part in options.parts if part not in parts]:
         sys.exit(f"{unknown[0]}: expected {', '.join(parts)}")
     for part in options.parts:

@@ -129,7 +129,7 @@ class AdaptVerb final : public Verb {
         "nearest; {:.0f} % of the family's spread are left (at most {:.0f} % in a direction)",
         done.distance, done.distance_to_nearest, 100.0 * done.uncertainty,
         100.0 * done.largest_uncertainty);
-    if (!done.traits.empty()) {
+    if (!done.traits.empty() && done.is_of_family()) {
       const std::string differences = differences_text(done.traits);
       text +=
           differences.empty()
