@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include <fmt/ranges.h>
 #include <Eigen/QR>
 
+#include "limber/arm/names.hpp"
+#include "limber/common/number_text.hpp"
 #include "limber/common/units.hpp"
 
 namespace limber {
@@ -114,14 +117,15 @@ std::vector<Explanation> explanations(const ArmFamily& family, const ToldOfE& to
 }  // namespace
 
 std::string sides_trait(int segment) {
-  return kSides + std::to_string(segment + 1);
+  return kSides + std::to_string(segment);
 }
 
 TraitWords words_of_trait(const std::string& name) {
   if (name.starts_with(kSides)) {
-    return {fmt::format("strength of segment {}'s left side over its right",
-                        name.substr(std::string(kSides).size())),
-            " %", kPercent};
+    const std::optional<int> segment = number_in<int>(name.substr(std::string(kSides).size()));
+    return {
+        fmt::format("{}: left side's strength over the right's", segment_name(segment.value_or(0))),
+        " %", kPercent};
   }
   const auto* found = std::ranges::find(kNamed, name, &Named::name);
   return found == kNamed.end() ? TraitWords{name, "", 1.0}

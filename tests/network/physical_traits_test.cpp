@@ -8,7 +8,7 @@ namespace limber {
 namespace {
 
 /// e's first number is the load at the tip in grams, its second how much stronger the left side of
-/// the second segment is, in per cent.
+/// segment 1 is, in per cent.
 ArmFamily family_of_two_traits() {
   ArmFamily family{Eigen::MatrixXf::Zero(4, 2), Eigen::MatrixXf::Zero(2, 1), {}};
   family.traits = {{"tip_load_kg", 0.0F, 0.02F, 0.003F, Eigen::Vector2f(0.001F, 0.0F),
@@ -32,8 +32,8 @@ TEST(PhysicalTraits, AreKnownNoBetterThanEAndThanETellsThem) {
   EXPECT_NEAR(told[1].value, -0.2, 1e-6);
   EXPECT_TRUE(told[1].differs());
   EXPECT_EQ(differences_text(told),
-            "load at the tip 50.0 ± 5.0 g (0.0), strength of segment 2's left side over its right "
-            "-20.0 ± 5.7 % (0.0)");
+            "load at the tip 50.0 ± 5.0 g (0.0), segment 1: left side's strength over the "
+            "right's -20.0 ± 5.7 % (0.0)");
 }
 
 /// By motion alone: this is what e has become, known with this deviation in every number.
@@ -49,8 +49,8 @@ TEST(PhysicalTraits, AChangeIsExplainedByOneIfOneIsEnough) {
   const FamilyMember before = member(-18.0F, 0.0F, 4.0F);
   EXPECT_EQ(told_by_motion(family, before, {32.0, 1.0}, 4.0), "load at the tip 52.0 ± 4.0 g (2.0)");
   EXPECT_EQ(told_by_motion(family, before, {32.0, -40.0}, 4.0),
-            "load at the tip 52.0 ± 4.0 g (2.0) and strength of segment 2's left side over its "
-            "right -40.0 ± 4.0 % (0.0)");
+            "load at the tip 52.0 ± 4.0 g (2.0) and segment 1: left side's strength over the "
+            "right's -40.0 ± 4.0 % (0.0)");
   EXPECT_EQ(told_by_motion(family, before, {-3.0, 4.0}, 4.0), "") << "which may be chance";
   // Another quantity that moves e nearly as load does.
   family.traits.push_back(family.traits[0]);

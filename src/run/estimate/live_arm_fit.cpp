@@ -102,11 +102,6 @@ void LiveArmFit::look_ahead() {
   ahead_ = Ahead{ahead_->now, next, ahead_->frames + 1};
   const double off_m =
       (next - seen).bottomRows(next.rows() - 1).leftCols<2>().rowwise().norm().mean();
-  {
-    static double m = 0;
-    m = std::max(m, off_m);
-    fprintf(stderr, "AHEAD %.4f %.4f\n", off_m, m);
-  }
   is_surprised_ = is_surprised_ || !(off_m <= kSurprising * kUsualErrorShare * arm_.length_m());
 }
 

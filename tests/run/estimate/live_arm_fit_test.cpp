@@ -103,7 +103,7 @@ TEST_F(LiveFit, OfAnArmThatDoesAsPredictedStaysAndBecomesSurer) {
 
 TEST_F(LiveFit, SaysWhichOneQuantityHasChanged) {
   const CompensationModel before = arm_at(7);
-  for (const auto& [index, change] : {std::pair(0, 0.1), {5, -0.2}}) {  // friction, uneven sides
+  for (const auto& [index, change] : {std::pair(0, 0.2), {5, -0.4}}) {  // friction, uneven sides
     const PhysicalTrait& trait = family.family->traits.at(static_cast<std::size_t>(index));
     FamilyMember now = *before.member_of_family;
     now.e += static_cast<float>(change) * trait.along;
@@ -122,6 +122,7 @@ TEST_F(LiveFit, SaysWhichOneQuantityHasChanged) {
 // A round of rollouts then takes longer than a window does.
 TEST_F(LiveFit, OfTheLargestFamilyFindsItsArmToo) {
   const Eigen::Index own = family.family->size();
+  family.family->traits.clear();  // of fewer numbers
   family.family->columns.conservativeResize(Eigen::NoChange, ArmFamily::kMaxSize);
   family.family->columns.rightCols(ArmFamily::kMaxSize - own).setZero();
   family.family->arms.conservativeResize(ArmFamily::kMaxSize, Eigen::NoChange);
