@@ -57,9 +57,9 @@ PYBIND11_MODULE(_limber, module) {
   bind_virtual_arm(module);
   bind_process_driver(module);
   bind_collection(module);
-  bind_execution(module);
   bind_training(module);
-  bind_families(module);
+  bind_families(module);  // names what execution tells of an arm
+  bind_execution(module);
   bind_evaluation(module);
   bind_pictures(module);
   bind_json(module);
