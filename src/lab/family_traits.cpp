@@ -64,12 +64,13 @@ struct KnownArms {
 };
 
 /// None of arms of whom something else is noted: recordings may say what they like.
-std::optional<Parameters> parameters_of(const ArmDescription& arm, const std::string& physics) {
+std::optional<Parameters> parameters_of(const Parameters& of_file, const std::string& physics,
+                                        Dimension dimension) {
   if (physics.empty()) {
     return std::nullopt;
   }
   try {
-    return with_differences(virtual_arm_parameters(arm), physics, arm.dimension, "physics");
+    return with_differences(of_file, physics, dimension, "physics");
   } catch (const InputError&) {
     return std::nullopt;
   }
@@ -77,10 +78,12 @@ std::optional<Parameters> parameters_of(const ArmDescription& arm, const std::st
 
 KnownArms known_arms(const ArmDescription& arm, const std::vector<std::string>& physics,
                      const ArmFamily& family) {
+  const Parameters of_file = virtual_arm_parameters(arm);
   KnownArms known;
   known.rows.resize(family.arms.cols(), 1 + family.size());
   for (Eigen::Index i = 0; i < std::min(std::ssize(physics), family.arms.cols()); ++i) {
-    if (const auto parameters = parameters_of(arm, physics[static_cast<std::size_t>(i)])) {
+    if (const auto parameters =
+            parameters_of(of_file, physics[static_cast<std::size_t>(i)], arm.dimension)) {
       known.rows.row(std::ssize(known.physics)) << 1.0,
           family.arms.col(i).cast<double>().transpose();
       known.physics.push_back(*parameters);

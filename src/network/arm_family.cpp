@@ -31,7 +31,7 @@ void validate(const PhysicalTrait& trait, int size, const std::string& where) {
   if (!is_trait_name(trait.name)) {
     refuse(where, fmt::format("metadata family_traits: {}; expected names of at most {} small "
                               "letters, digits and _",
-                              printable(trait.name), kMaxTraitName));
+                              printable(in_one_line(trait.name)), kMaxTraitName));
   }
   const std::string what = "family.traits, " + trait.name;
   require_finite(where, what, trait.slope);

@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "family_tensors.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/arm/valve_parameters.hpp"
 #include "limber/common/atomic_file.hpp"
@@ -35,10 +35,6 @@ constexpr const char* kDimensionKey = "dimension";
 constexpr const char* kChamberCountKey = "chamber_count";
 constexpr const char* kLearntPrefix = "learnt.";
 constexpr const char* kBoundsPrefix = "bounds.";
-constexpr const char* kFamilyPrefix = "family.";
-constexpr const char* kFamilyKey = "family";
-constexpr const char* kTraitsKey = "family_traits";
-constexpr Eigen::Index kTraitColumns = 3;  // before slope and direction
 
 std::string member_prefix(std::size_t member) {
   return fmt::format("members.{}.layers.", member);
@@ -49,14 +45,6 @@ void add_layers(Safetensors& content, const std::string& prefix, const std::vect
     content.tensors[fmt::format("{}{}.weight", prefix, l)] = matrix_tensor(layers[l].weight);
     content.tensors[fmt::format("{}{}.bias", prefix, l)] = vector_tensor(layers[l].bias);
   }
-}
-
-std::string text_at(const Safetensors& content, const std::string& key, const std::string& where) {
-  const auto found = content.metadata.find(key);
-  if (found == content.metadata.end()) {
-    refuse(where, fmt::format("no metadata key {}", key));
-  }
-  return found->second;
 }
 
 int count_at(const Safetensors& content, const std::string& key, const std::string& where) {
@@ -232,77 +220,6 @@ GapBounds read_bounds(TensorReader& tensors) {
   return bounds;
 }
 
-/// A row each: of the arm's file, of the middle, what is left, slope, direction.
-void add_traits(Safetensors& content, const std::vector<PhysicalTrait>& traits) {
-  Eigen::MatrixXf rows(std::ssize(traits), kTraitColumns + 2 * traits.front().slope.size());
-  std::vector<std::string> names;
-  for (const PhysicalTrait& trait : traits) {
-    rows.row(std::ssize(names)) << trait.of_file, trait.middle, trait.left, trait.slope.transpose(),
-        trait.along.transpose();
-    names.push_back(trait.name);
-  }
-  content.tensors[std::string(kFamilyPrefix) + "traits"] = matrix_tensor(rows);
-  content.metadata[kTraitsKey] = fmt::format("{}", fmt::join(names, ","));
-}
-
-std::vector<PhysicalTrait> read_traits(const Safetensors& content, TensorReader& tensors,
-                                       const std::string& where) {
-  const std::string tensor = std::string(kFamilyPrefix) + "traits";
-  if (!tensors.has(tensor)) {
-    return {};
-  }
-  const Eigen::MatrixXf rows = tensors.matrix(tensor);
-  std::istringstream names(text_at(content, kTraitsKey, where));
-  std::vector<PhysicalTrait> traits;
-  for (std::string name; std::getline(names, name, ',');) {
-    traits.emplace_back().name = name;
-  }
-  const Eigen::Index size = (rows.cols() - kTraitColumns) / 2;
-  if (std::ssize(traits) != rows.rows() || size < 1) {
-    refuse(where,
-           fmt::format("tensor {} is {} by {}, and metadata {} has {} names; expected a row "
-                       "for each, of {} numbers, a slope and a direction",
-                       tensor, rows.rows(), rows.cols(), kTraitsKey, traits.size(), kTraitColumns));
-  }
-  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-    PhysicalTrait& trait = traits[static_cast<std::size_t>(i)];
-    trait.of_file = rows(i, 0);
-    trait.middle = rows(i, 1);
-    trait.left = rows(i, 2);
-    trait.slope = rows.row(i).segment(kTraitColumns, size).transpose();
-    trait.along = rows.row(i).tail(rows.cols() - kTraitColumns - size).transpose();
-  }
-  return traits;
-}
-
-void add_family(Safetensors& content, const CompensationModel& model) {
-  const std::string prefix = kFamilyPrefix;
-  content.tensors[prefix + "columns"] = matrix_tensor(model.family->columns);
-  content.tensors[prefix + "arms"] = matrix_tensor(model.family->arms);
-  if (!model.family->traits.empty()) {
-    add_traits(content, model.family->traits);
-  }
-  if (model.member_of_family) {
-    const FamilyMember& member = *model.member_of_family;
-    content.metadata[kFamilyKey] = member.family_hash;
-    content.metadata["e"] = fmt::format("[{}]", fmt::join(member.e, ", "));
-    content.tensors[prefix + "e"] = vector_tensor(member.e);
-    content.tensors[prefix + "covariance"] = matrix_tensor(member.covariance);
-  }
-}
-
-void read_family_into(CompensationModel& model, const Safetensors& content, TensorReader& tensors,
-                      const std::string& where) {
-  const std::string prefix = kFamilyPrefix;
-  model.family = {tensors.matrix(prefix + "columns"), tensors.matrix(prefix + "arms"),
-                  read_traits(content, tensors, where)};
-  if (tensors.has(prefix + "e")) {
-    const auto hash = content.metadata.find(kFamilyKey);
-    model.member_of_family = {hash == content.metadata.end() ? "" : hash->second,
-                              tensors.vector(prefix + "e"), tensors.matrix(prefix + "covariance")};
-  }
-}
-
 }  // namespace
 
 void write_model(const std::filesystem::path& path, const CompensationModel& model) {
@@ -409,7 +326,7 @@ CompensationModel read_model(const std::filesystem::path& path) {
   if (tensors.has_any(kBoundsPrefix)) {
     model.bounds = read_bounds(tensors);
   }
-  if (tensors.has_any(kFamilyPrefix)) {
+  if (tensors.has_any(kFamilyTensors)) {
     read_family_into(model, content, tensors, where);
   }
   tensors.require_all_taken();

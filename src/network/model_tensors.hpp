@@ -26,6 +26,15 @@ inline Tensor vector_tensor(const Eigen::VectorXf& vector) {
           {vector.data(), vector.data() + vector.size()}};
 }
 
+inline std::string text_at(const Safetensors& content, const std::string& key,
+                           const std::string& where) {
+  const auto found = content.metadata.find(key);
+  if (found == content.metadata.end()) {
+    refuse(where, fmt::format("no metadata key {}", key));
+  }
+  return found->second;
+}
+
 // The file's tensors, each to be read once; a tensor that was not read is a mistake.
 class TensorReader {
  public:

@@ -161,14 +161,20 @@ TEST(AtomicFile, TellsAProcessFromALaterOneOfTheSameNumber) {
   EXPECT_FALSE(fs::exists(folder.path() / name));
 }
 
+/// It has not been waited for.
+pid_t child_that_leaves_half(const fs::path& folder) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    std::ofstream(folder / temporary_name("c.txt")) << "half";
+    ::_exit(0);
+  }
+  return child;
+}
+
 // Of a process that has ended, as in a container whose first process waits for nobody.
 TEST(AtomicFile, WhoseParentHasNotHeardOfItsEndLeavesNothing) {
   const TemporaryFolder folder;
-  const pid_t child = ::fork();
-  if (child == 0) {
-    std::ofstream(folder.path() / temporary_name("c.txt")) << "half";
-    ::_exit(0);
-  }
+  const pid_t child = child_that_leaves_half(folder.path());
   siginfo_t ended;
   ASSERT_EQ(::waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOWAIT), 0);
   EXPECT_EQ(count_entries(folder.path()), 1);
@@ -179,11 +185,7 @@ TEST(AtomicFile, WhoseParentHasNotHeardOfItsEndLeavesNothing) {
 
 TEST(AtomicFile, LooksForWhatWasLeftWhereItTriesAName) {
   const TemporaryFolder folder;
-  const pid_t child = ::fork();
-  if (child == 0) {
-    std::ofstream(folder.path() / temporary_name("x")) << "half";
-    ::_exit(0);
-  }
+  const pid_t child = child_that_leaves_half(folder.path());
   ::waitpid(child, nullptr, 0);
   refuse_to_overwrite(folder.path() / "csv" / "x", false);
   EXPECT_EQ(count_entries(folder.path()), 0);

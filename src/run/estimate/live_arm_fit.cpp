@@ -96,9 +96,11 @@ void LiveArmFit::look_ahead() {
     return;
   }
   Backbone next = ahead_->now;
-  ForwardModel(arm_, model_of_arm(family_, member_))
-      .step(last.pressure_kpa, recent_.back().pressure_kpa, ahead_->before, ahead_->now, next,
-            workspace_);
+  if (!model_) {
+    model_.emplace(arm_, model_of_arm(family_, member_));
+  }
+  model_->step(last.pressure_kpa, recent_.back().pressure_kpa, ahead_->before, ahead_->now, next,
+               workspace_);
   ahead_ = Ahead{ahead_->now, next, ahead_->frames + 1};
   const double off_m =
       (next - seen).bottomRows(next.rows() - 1).leftCols<2>().rowwise().norm().mean();
@@ -194,6 +196,7 @@ void LiveArmFit::forget(double wrong) {
 }
 
 void LiveArmFit::solve() {
+  model_.reset();
   Knowledge known = before_;
   for (const Window& window : windows_) {
     if (window.is_fitted) {

@@ -82,9 +82,10 @@ class LiveArmFit {
   Knowledge retired_;  // windows, by themselves
   std::deque<Frame> recent_;
   std::deque<Window> windows_;
-  std::size_t turn_ = 0;  // the window that is rolled out
-  int rolled_out_ = 0;    // of its rollouts: that of e, then one for each number of e
-  Window next_;           // it, about today's e
+  std::size_t turn_ = 0;               // the window that is rolled out
+  int rolled_out_ = 0;                 // of its rollouts: that of e, then one for each number of e
+  Window next_;                        // it, about today's e
+  std::optional<ForwardModel> model_;  // of member_, for what is ahead; none since e has changed
   std::optional<Ahead> ahead_;
   bool is_surprised_ = false;
   double last_error_m_ = 0.0;
