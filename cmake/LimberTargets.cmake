@@ -53,11 +53,11 @@ function(limber_add_library module)
   set_property(GLOBAL APPEND PROPERTY LIMBER_LIBRARIES limber_${module})
 endfunction()
 
-# limber_add_test(<module> SOURCES … [DEPENDS …] [LABEL unit|system] [ALONE <filter>])
+# limber_add_test(<module> SOURCES … [DEPENDS …] [LABEL unit|system] [ALONE <filter>] [TOGETHER suite…])
 # One GoogleTest program a module, <module>_test; each of its tests is known to ctest on its own. Those
-# that measure the machine run alone.
+# that measure the machine run alone, those of a suite that trains a network first run together.
 function(limber_add_test module)
-  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT;ALONE" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT;ALONE" "SOURCES;DEPENDS;TOGETHER" ${ARGN})
   if(NOT ARG_LABEL)
     set(ARG_LABEL unit)
   endif()
@@ -78,13 +78,18 @@ function(limber_add_test module)
   target_link_libraries(${module}_test PRIVATE
     ${ARG_DEPENDS} GTest::gmock GTest::gtest_main limber_private_settings)
   limber_reuse_headers(${module}_test limber_test_precompiled)
-  set(others "*")
+  list(TRANSFORM ARG_TOGETHER APPEND ".*")
+  foreach(suite IN LISTS ARG_TOGETHER)
+    add_test(NAME ${suite} COMMAND ${module}_test --gtest_filter=${suite})
+    set_tests_properties(${suite} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT})
+  endforeach()
+  list(JOIN ARG_TOGETHER ":" others)
   if(ARG_ALONE)
-    set(others "-${ARG_ALONE}")
+    string(JOIN ":" others ${others} "${ARG_ALONE}")
     gtest_discover_tests(${module}_test DISCOVERY_TIMEOUT 60 TEST_FILTER "${ARG_ALONE}"
       TEST_LIST ${module}_tests_alone
       PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT} RUN_SERIAL ON)
   endif()
-  gtest_discover_tests(${module}_test DISCOVERY_TIMEOUT 60 TEST_FILTER "${others}"
+  gtest_discover_tests(${module}_test DISCOVERY_TIMEOUT 60 TEST_FILTER "-${others}"
     PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT})
 endfunction()

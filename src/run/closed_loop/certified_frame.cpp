@@ -1,6 +1,7 @@
 #include "certified_frame.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "limber/run/arm_estimate.hpp"
 #include "limber/run/replanner.hpp"
@@ -10,6 +11,8 @@ namespace limber {
 
 namespace {
 
+/// Of its plan, that an arm goes back where neither going on nor standing is certified. [s]
+constexpr std::array kBackS = {1.0, 0.5, 0.25};
 constexpr double kWholeArm = 3.0;  // of its length: a goal that the end of any motion is in
 
 /// The set points that are wanted, then the rest of the plan, as far off it as these are.
@@ -54,6 +57,14 @@ CertifiedFrame::Sent CertifiedFrame::next(const MotionState& now, const PlanProg
     if (std::optional<Plan> found = motion_from(now, {one.kpa})) {
       last_ = Motion{std::move(*found), 1, std::nullopt, &plan};
       return {last_->plan.frames[1].setpoint_kpa, one.frame};
+    }
+  }
+  for (const double back_s : kBackS) {
+    const auto back = static_cast<std::size_t>(arm_.frames_in(back_s));
+    const Pressures& back_kpa = plan.frames[at.frame - std::min(at.frame, back)].setpoint_kpa;
+    if (std::optional<Plan> found = motion_from(now, {back_kpa})) {
+      last_ = Motion{std::move(*found), 1, std::nullopt, &plan};
+      return {last_->plan.frames[1].setpoint_kpa, std::nullopt};
     }
   }
   if (!last_ || last_->frame + 1 >= last_->plan.frames.size()) {

@@ -7,37 +7,22 @@
 
 #include "certified_frame.hpp"
 #include "estimate/live_arm_fit.hpp"
-#include "goal_lengths.hpp"
 #include "limber/common/error.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/planning/planner_factory.hpp"
 #include "limber/run/controller.hpp"
 #include "motion_guide.hpp"
+#include "shape_feedback.hpp"
 
 namespace limber {
 
 namespace {
 
 constexpr double kSettleS = 0.25;       // of a hold: the arm comes to where its plan ends
-constexpr double kWellInside = 0.05;    // of the tolerance: left alone
-constexpr double kStillS = 0.5;         // at a hold's end, for the arm to come to rest
-constexpr double kRoomOfLeading = 1.0;  // of the room for the model's error: kept from obstacles
 constexpr double kRoomOfFrames = 0.25;  // of the room for the model's error: kept in every frame
 constexpr double kLongestWaitS = 0.5;   // in mid-motion; then the plan is left …
 constexpr double kStandsAfterS = 2.0;   // … at last also where the model has a held arm strike
 constexpr float kOtherArm = 0.1F;       // e moved by so much of the family's spread
-constexpr int kLedOn = 3;               // times that an arm short of its goal is led on
-
-/// The hold of a plan, once more.
-Plan held_on(const Plan& ended, const Pressures& held_kpa) {
-  Plan plan = ended;
-  PlanFrame end = plan.frames.back();
-  end.setpoint_kpa = held_kpa;
-  plan.frames.assign(static_cast<std::size_t>(plan.hold_frame_count) + 1, end);
-  plan.waypoints_kpa = {held_kpa, held_kpa};
-  plan.certified.reset();
-  return plan;
-}
 
 }  // namespace
 
@@ -53,7 +38,7 @@ struct ClosedLoop::Motion {
         seed(the_seed),
         planner(make_planner("default", settings.corrections.planner_jobs)),
         start(start_of(PlanningProblem{arm, model, environment, 0.0}).backbone),
-        follower(the_arm, model) {
+        feedback(the_arm, model.no_load(), model.valves()) {
     if (own) {
       fit.emplace(arm, own->compensation());
       missed_by = fit->member().e;
@@ -76,7 +61,7 @@ struct ClosedLoop::Motion {
                                       settings.corrections.limits},
                   *planner, certificate_check(arm, model), seed);
     gate.emplace(arm, model, now, kRoomOfFrames * room.margin_m, settings.corrections.limits);
-    aim = goal = now.goal;
+    aim = now.goal;
   }
 
   /// Corrections are short and their goals shifted. Led, an arm swings about its plan; where that
@@ -84,26 +69,6 @@ struct ClosedLoop::Motion {
   bool is_led(const Plan& plan, const ArmEstimate& estimate) const {
     const bool has_room = plan.tube || plan.clearance_m >= room.margin_m;
     return settings.motion_queries > 0 && !is_correction && has_room && estimate.has_state();
-  }
-
-  bool is_in_goal(const Backbone& shape) const {
-    return is_within(goal, pose_error(goal, tip_pose(shape)));
-  }
-
-  /// Where a plan ends in the goal, and there is room for what the way there may miss.
-  bool may_be_led_to_goal(const Plan& plan, const Backbone& shape) const {
-    const double error_m = as_length_m(goal, pose_error(goal, tip_pose(shape)));
-    return error_m >= kWellInside * goal.position_tolerance_m &&
-           is_in_goal(plan.frames.back().backbone) &&
-           corrections->clearance_m(shape) >= kRoomOfLeading * room.margin_m;
-  }
-
-  /// An arm that rests short of the goal where its plan has it inside.
-  bool is_led_on(const PlanProgress& at, const ArmEstimate& estimate) const {
-    const std::optional<Backbone>& shape = estimate.measured().backbone;
-    return shape && is_led(at.plan, estimate) && settings.corrections.max_replans > 0 &&
-           times_led_on < kLedOn && at.frame + 1 == at.plan.frames.size() && !is_in_goal(*shape) &&
-           may_be_led_to_goal(at.plan, *shape);
   }
 
   /// Whether the arm, if it is halted now, comes to rest free.
@@ -136,17 +101,14 @@ struct ClosedLoop::Motion {
   std::uint64_t seed;
   std::unique_ptr<Planner> planner;
   Backbone start;
-  PlanFollower follower;
-  const Plan* followed = nullptr;  // by the follower
-  int times_led_on = 0;
-  bool was_led_on = false;  // as the last answer to `next` has it
+  ShapeFeedback feedback;
+  const Plan* followed = nullptr;  // by the feedback
   std::optional<Replanner> corrections;
   std::optional<MotionGuide> guide;
   std::optional<CertifiedFrame> gate;
   const Plan* sent_of = nullptr;  // what was sent last; compared, never read
   int waited = 0;                 // frames of that in a row in which the arm was held in mid-motion
   PoseGoal aim;                   // of the plan that is followed
-  PoseGoal goal;                  // of the environment
   PoseGoal next_aim;              // of the last answer to `next`, and whether that corrects
   bool next_is_correction = false;
   RestMiss next_missed;
@@ -229,8 +191,7 @@ FrameSetpoint ClosedLoop::setpoint(const PlanProgress& at, std::size_t next,
   return {sent.kpa, reached, sent.is_certified};
 }
 
-/// Along the plan's shapes; when it has ended, into the goal. An arm that waits is left alone, and
-/// so is one that is well inside, or has to come to rest before corrections begin.
+/// Along the plan's shapes, until the arm has come to rest after the plan's end.
 Pressures ClosedLoop::led_setpoint(const PlanProgress& at, std::size_t next,
                                    const ArmEstimate& arm) {
   Motion& motion = *motion_;
@@ -241,23 +202,16 @@ Pressures ClosedLoop::led_setpoint(const PlanProgress& at, std::size_t next,
   }
   if (motion.followed != &plan) {
     motion.followed = &plan;
-    motion.follower.forget();
+    motion.feedback.forget();
   }
-  const Backbone& shape = arm.state().backbone;
   const int held = static_cast<int>(next) + plan.hold_frame_count - plan.frame_count();
-  const int settles = motion.times_led_on > 0 ? 0 : motion.arm.frames_in(kSettleS);
-  const bool is_seen = arm.frames_unseen() == 0;
-  if (held < settles || arm.is_moving()) {
-    if (is_seen) {
-      motion.follower.learn(plan.frames[at.frame].backbone, shape);
-    }
-  } else if (!is_seen || !motion.may_be_led_to_goal(plan, shape) ||
-             held >= plan.hold_frame_count - motion.arm.frames_in(kStillS)) {
+  if (held >= motion.arm.frames_in(kSettleS) && !arm.is_moving()) {
     return held_kpa;
-  } else {
-    motion.follower.learn_from_goal(motion.goal, shape);
   }
-  return motion.follower.setpoint(plan.frames[next].setpoint_kpa, held_kpa,
+  if (arm.frames_unseen() == 0) {
+    motion.feedback.learn(plan.frames[at.frame].backbone, arm.state().backbone);
+  }
+  return motion.feedback.setpoint(plan.frames[next].setpoint_kpa, held_kpa,
                                   limits_after(plan, motion.settings.corrections.limits));
 }
 
@@ -282,9 +236,9 @@ std::function<MotionAdvice()> ClosedLoop::advise(const PlanProgress& at, const A
   // What is measured and sent meanwhile is the next question's.
   return [&motion, &plan, frame = at.frame, sent_kpa = at.sent_kpa, now = arm.state(),
           miss = motion.is_correction ? ModelMiss{} : arm.miss(),
-          follower = motion.is_led(plan, arm) ? std::optional(motion.follower) : std::nullopt] {
+          feedback = motion.is_led(plan, arm) ? std::optional(motion.feedback) : std::nullopt] {
     const PlanProgress sent{plan, frame, sent_kpa};
-    MotionAdvice advice = motion.guide->advise(sent, motion.aim, now, miss, follower);
+    MotionAdvice advice = motion.guide->advise(sent, motion.aim, now, miss, feedback);
     if (advice.kind == MotionAdvice::Kind::stop && motion.leads_on(sent, now)) {
       return MotionAdvice{.has_searched = true};
     }
@@ -303,10 +257,6 @@ bool ClosedLoop::may_go_on(const Plan& plan, std::size_t seen, const ArmEstimate
 
 PlanController::NextPlan ClosedLoop::next(const PlanProgress& at, const ArmEstimate& arm) {
   Motion& motion = *motion_;
-  motion.was_led_on = motion.is_led_on(at, arm);
-  if (motion.was_led_on) {
-    return [plan = held_on(at.plan, at.sent_kpa)] { return plan; };
-  }
   // Where it rests, free of most of the tracker's noise.
   const std::optional<Backbone> mean = arm.rest();
   const std::optional<Backbone> rest = mean ? mean : arm.measured().backbone;
@@ -321,13 +271,8 @@ PlanController::NextPlan ClosedLoop::next(const PlanProgress& at, const ArmEstim
 }
 
 void ClosedLoop::take_next(const Plan* /*found*/, ArmEstimate& arm) {
-  if (motion_->was_led_on) {
-    ++motion_->times_led_on;
-    return;
-  }
   motion_->aim = motion_->next_aim;
   motion_->is_correction = motion_->next_is_correction;
-  motion_->times_led_on = 0;
   motion_->followed = nullptr;
   arm.take(motion_->next_missed);
   arm.forget_miss();

@@ -26,12 +26,9 @@ constexpr double kOfPromised = 0.9;  // of a plan's own clearance, where that is
 /// that strays. Less is left to the corrections, which are predicted better.
 constexpr double kStrays = 0.5;
 constexpr double kSlowS = 1.0;  // to where the way is not free: from here on at half the speed
-/// Of the arm's length: a plate that is farther from where its plan has it holds the plan up. 3 cm
-/// of the arm of the paper.
-constexpr double kOffPlan = 0.043;
-/// Or of what the plan keeps from obstacles in its next second, where that is less: arms with more
-/// friction than the model knows slide off their plan by centimetres within a few frames.
-constexpr double kOfClearance = 0.25;
+/// Times as far off its plan as the arm is, it has to be free in the next second, or the plan waits:
+/// arms with more friction than the model knows slide off by centimetres within a few frames.
+constexpr float kTimesOff = 4.0F;
 /// From here on a forecast that strikes counts at once. What lies farther ahead counts from the
 /// second such forecast in a row on: a tracker's noise makes single ones, as networks that read
 /// velocities amplify it, and the way that avoids what is not there ends farther from the goal.
@@ -97,7 +94,6 @@ MotionGuide::MotionGuide(const ArmDescription& arm, const MotionModel& model,
     : arm_(arm),
       model_(model),
       environment_(environment),
-      checker_(arm, environment.obstacles),
       room_(room),
       settings_(settings),
       planner_(planner),
@@ -128,7 +124,7 @@ double MotionGuide::needed_m(const Plan& plan) const {
 
 MotionAdvice MotionGuide::advise(const PlanProgress& at, const PoseGoal& aim,
                                  const MotionState& now, const ModelMiss& miss,
-                                 const std::optional<PlanFollower>& follower) {
+                                 const std::optional<ShapeFeedback>& feedback) {
   const Plan& plan = at.plan;
   const std::size_t next = at.frame;
   const Pressures& next_kpa = at.sent_kpa;
@@ -137,8 +133,8 @@ MotionAdvice MotionGuide::advise(const PlanProgress& at, const PoseGoal& aim,
     return {};  // its hold: corrections follow it
   }
   ++seed_;
-  if (follower) {
-    if (std::optional<MotionAdvice> led = lead(plan, next, *follower)) {
+  if (feedback) {
+    if (std::optional<MotionAdvice> led = lead(plan, next, *feedback)) {
       strikes_ = false;
       return *std::move(led);
     }
@@ -152,9 +148,9 @@ MotionAdvice MotionGuide::advise(const PlanProgress& at, const PoseGoal& aim,
   const double kept_m = start_m > 0.0 ? kOfPromised * start_m : start_m / kOfPromised;
   const Ahead way{from, checker, std::min(needed_m(plan), kept_m)};
   const RestForecast rest =
-      follower ? led_forecast(plan, next, way, *follower) : way.forecast_of(model_, rest_kpa);
+      feedback ? led_forecast(plan, next, way, *feedback) : way.forecast_of(model_, rest_kpa);
   const Eigen::Vector3d ahead =
-      follower ? Eigen::Vector3d::Zero().eval() : miss_ahead(miss, rest_kpa, next_kpa);
+      feedback ? Eigen::Vector3d::Zero().eval() : miss_ahead(miss, rest_kpa, next_kpa);
   // The tip will be that much beside where the model has it, so the model is asked for as much
   // less.
   PoseGoal goal = aim;
@@ -181,7 +177,7 @@ MotionAdvice MotionGuide::advise(const PlanProgress& at, const PoseGoal& aim,
   if (rest.is_safe()) {
     return {.has_searched = true};
   }
-  std::optional<PlanFollower> leads = follower;
+  std::optional<ShapeFeedback> leads = feedback;
   const Pressures after_next_kpa =
       leads ? led_setpoint(plan, next, from, *leads) : rest_kpa.front();
   // Nearer than it may be, it does not come nearer frame by frame.
@@ -208,42 +204,31 @@ bool MotionGuide::is_free(const Plan& plan, std::size_t next, std::size_t frames
   return true;
 }
 
-double MotionGuide::clearance_m(const Plan& plan, std::size_t next, std::size_t frames) const {
-  double least_m = checker_.clearance(plan.frames[next].backbone).value_m;
-  for (std::size_t k = next + 1; k < next + frames; ++k) {
-    least_m = std::min(least_m, checker_.clearance(plan.frames[k].backbone).value_m);
-  }
-  return least_m;
-}
-
 std::optional<MotionAdvice> MotionGuide::lead(const Plan& plan, std::size_t next,
-                                              const PlanFollower& follower) {
+                                              const ShapeFeedback& feedback) {
   const std::size_t rest = plan.frames.size() - next;
   const std::size_t soon = std::min(rest, static_cast<std::size_t>(arm_.frames_in(kSlowS)));
   const Backbone on_plan = Backbone::Zero(arm_.point_count(), kPoseSize);
-  if (!is_free(plan, next, rest, on_plan) || !is_free(plan, next, soon, follower.off_plan())) {
+  if (!is_free(plan, next, rest, on_plan) || !is_free(plan, next, soon, feedback.off_plan())) {
     return std::nullopt;
   }
-  const double off_m =
-      std::min(kOffPlan * arm_.length_m(),
-               kOfClearance * std::max(clearance_m(plan, next, soon), room_.margin_m));
-  has_waited_ = !has_waited_ && follower.farthest_m() > off_m;
+  has_waited_ = !has_waited_ && !is_free(plan, next, soon, kTimesOff * feedback.off_plan());
   return MotionAdvice{has_waited_ ? MotionAdvice::Kind::wait : MotionAdvice::Kind::go_on};
 }
 
 Pressures MotionGuide::led_setpoint(const Plan& plan, std::size_t next, const MotionState& from,
-                                    PlanFollower& follower) const {
-  follower.learn(plan.frames[next].backbone, from.backbone);
-  return follower.setpoint(plan.frames[next + 1].setpoint_kpa, from.setpoint_kpa(),
+                                    ShapeFeedback& feedback) const {
+  feedback.learn(plan.frames[next].backbone, from.backbone);
+  return feedback.setpoint(plan.frames[next + 1].setpoint_kpa, from.setpoint_kpa(),
                            limits_after(plan, settings_.limits));
 }
 
 RestForecast MotionGuide::led_forecast(const Plan& plan, std::size_t next, const Ahead& way,
-                                       PlanFollower follower) const {
+                                       ShapeFeedback feedback) const {
   return forecast(
       model_, way.checker, way.from, plan.frames.size() - next - 1,
       [&](std::size_t k, const MotionState& before) {
-        return led_setpoint(plan, next + k, before, follower);
+        return led_setpoint(plan, next + k, before, feedback);
       },
       way.needed_m);
 }

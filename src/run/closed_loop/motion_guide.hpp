@@ -8,7 +8,7 @@
 #include "limber/planning/planner.hpp"
 #include "limber/run/arm_estimate.hpp"
 #include "limber/run/plan_controller.hpp"
-#include "plan_follower.hpp"
+#include "shape_feedback.hpp"
 #include "plan_repair.hpp"
 #include "repaired_plan.hpp"
 #include "rest_forecast.hpp"
@@ -25,7 +25,7 @@ struct MotionGuideSettings {
 
 /// Says what an arm in mid-motion does after its next frame (docs/planning.md, Closed loop). One
 /// that is led goes on where the plan is free, also for an arm as far beside it as this one is, and
-/// slower where that is far. Else what is left of the plan is simulated from the state that the
+/// slower where one several times as far beside it is not. Else what is left of the plan is simulated from the state that the
 /// next frame leads to. If that is safe and ends where the plan promised, or nearer to the goal,
 /// the arm goes on. If not, the guide looks for a plan that starts in that state: the rest of the
 /// present one with its end shifted, and then, if the rest is not safe or would miss the goal,
@@ -44,11 +44,11 @@ class MotionGuide {
   /// @param aim   the goal that the plan was made for
   /// @param now   after the last frame
   /// @param miss  of the model, since this motion began; none in corrections
-  /// @param follower  that leads the arm; it has said these set points. None: the arm has
+  /// @param feedback  that leads the arm; it has said these set points. None: the arm has
   ///   the plan's
   MotionAdvice advise(const PlanProgress& at, const PoseGoal& aim, const MotionState& now,
                       const ModelMiss& miss,
-                      const std::optional<PlanFollower>& follower = std::nullopt);
+                      const std::optional<ShapeFeedback>& feedback = std::nullopt);
 
  private:
   /// Of the plan's tube, if it has one, this share.
@@ -70,18 +70,16 @@ class MotionGuide {
   };
   /// Whether an arm that is led goes on or waits. None: it needs another way.
   std::optional<MotionAdvice> lead(const Plan& plan, std::size_t next,
-                                   const PlanFollower& follower);
+                                   const ShapeFeedback& feedback);
   /// Whether so many frames of a plan are, from `next` on.
   /// @param off  that the arm is beside the plan in all of them
   bool is_free(const Plan& plan, std::size_t next, std::size_t frames, const Backbone& off) const;
-  /// Smallest of so many frames of a plan.
-  double clearance_m(const Plan& plan, std::size_t next, std::size_t frames) const;
   /// Set points of the frame after `next`.
   Pressures led_setpoint(const Plan& plan, std::size_t next, const MotionState& from,
-                         PlanFollower& follower) const;
+                         ShapeFeedback& feedback) const;
   /// What becomes of an arm that is led along the rest of a plan.
   RestForecast led_forecast(const Plan& plan, std::size_t next, const Ahead& way,
-                            PlanFollower follower) const;
+                            ShapeFeedback feedback) const;
   /// The best of what is found that is free as the rest of a plan has to be, and better than it.
   std::optional<Plan> find(const PlanProgress& at, const Ahead& way, const PoseGoal& goal,
                            bool is_safe, double error_m);
@@ -92,7 +90,6 @@ class MotionGuide {
   const ArmDescription& arm_;
   MotionModel model_;
   const Environment& environment_;
-  CollisionChecker checker_;  // of its obstacles, without room
   ErrorRoom room_;
   MotionGuideSettings settings_;
   Planner& planner_;

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "goal_lengths.hpp"
-#include "limber/arm/damped_solve.hpp"
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/run/executor.hpp"
 
@@ -18,7 +16,6 @@ constexpr double kSlowIntegralPerS = 8.0;
 // modelled.
 constexpr double kProportional = 0.2;
 constexpr double kIntegralPerS = 4.0;
-constexpr double kDamping = 0.014;     // of the arm's length: 1 cm of the arm of the paper
 constexpr double kLeastBendRad = 0.1;  // between its limits: less is no bending
 
 double turn_rad(const NoLoadModel& model, int segment, double kpa) {
@@ -44,9 +41,9 @@ ShapeFeedback::ShapeFeedback(const ArmDescription& arm, const NoLoadModel& model
       kpa_per_rad_(Eigen::VectorXd::Zero(arm.segment_count())),
       proportional_(is_slow(valves) ? kSlowProportional : kProportional),
       integral_per_s_(is_slow(valves) ? kSlowIntegralPerS : kIntegralPerS),
-      arm_length_m_(arm.length_m()),
       step_limit_kpa_(arm.pressure_step_limit_kpa()),
-      frame_period_s_(arm.frame_period_s()) {
+      frame_period_s_(arm.frame_period_s()),
+      off_plan_(Backbone::Zero(arm.point_count(), kPoseSize)) {
   for (int i = 0; i < arm.segment_count(); ++i) {
     const Segment& segment = arm.segments[static_cast<std::size_t>(i)];
     const PressureLimits& limits = segment.pressure_limit_kpa;
@@ -63,6 +60,7 @@ ShapeFeedback::ShapeFeedback(const ArmDescription& arm, const NoLoadModel& model
 void ShapeFeedback::forget() {
   trim_kpa_ = Eigen::VectorXd::Zero(kpa_per_rad_.size());
   missed_rad_.resize(0);
+  off_plan_.setZero();
 }
 
 Eigen::VectorXd ShapeFeedback::bends_rad(const Backbone& backbone) const {
@@ -75,28 +73,8 @@ Eigen::VectorXd ShapeFeedback::bends_rad(const Backbone& backbone) const {
 }
 
 void ShapeFeedback::learn(const Backbone& planned, const Backbone& shape) {
-  learn_missed(bends_rad(planned) - bends_rad(shape));
-}
-
-void ShapeFeedback::learn_from_goal(const PoseGoal& goal, const Backbone& shape) {
-  const Pose tip = tip_pose(shape);
-  Eigen::Matrix3Xd turns = Eigen::Matrix3Xd::Zero(kPoseSize, kpa_per_rad_.size());
-  for (Eigen::Index i = 0; i < turns.cols(); ++i) {
-    if (kpa_per_rad_[i] == 0.0) {
-      continue;
-    }
-    const auto segment = static_cast<std::size_t>(i);
-    const Eigen::RowVector2d middle =
-        0.5 *
-        (shape.row(plates_[segment]) + shape.row(plates_[segment + 1])).head<2>().cast<double>();
-    turns.col(i) << middle[1] - tip.y_m, tip.x_m - middle[0], m_per_rad(goal);
-  }
-  const double damping_m = kDamping * arm_length_m_;
-  learn_missed(turns.transpose() * damped_solve(turns * turns.transpose(), missing_m(goal, tip),
-                                                damping_m * damping_m));
-}
-
-void ShapeFeedback::learn_missed(const Eigen::VectorXd& missed_rad) {
+  off_plan_ = shape - planned;
+  const Eigen::VectorXd missed_rad = bends_rad(planned) - bends_rad(shape);
   Eigen::VectorXd more_rad = integral_per_s_ * frame_period_s_ * missed_rad;
   if (missed_rad_.size() > 0) {
     more_rad += proportional_ * (missed_rad - missed_rad_);

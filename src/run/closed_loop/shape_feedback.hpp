@@ -8,7 +8,6 @@
 #include "limber/arm/backbone.hpp"
 #include "limber/arm/no_load_model.hpp"
 #include "limber/arm/valve_model.hpp"
-#include "limber/world/pose_goal.hpp"
 
 namespace limber {
 
@@ -34,28 +33,26 @@ class ShapeFeedback {
   void forget();
   /// The arm came to `shape` in a frame in which its plan has it at `planned`.
   void learn(const Backbone& planned, const Backbone& shape);
-  /// The arm came to `shape`, and its tip is to be at the goal. The bends that it misses are the
-  /// smallest turns, about the middles of the segments, that bring it there (damped least squares).
-  void learn_from_goal(const PoseGoal& goal, const Backbone& shape);
   /// In place of the plan's set points. Keeps the limits, and the frame rule after `before_kpa`.
   /// @param limits  one for each segment; empty: the arm's
   Pressures setpoint(const Pressures& planned_kpa, const Pressures& before_kpa,
                      const std::vector<PressureLimits>& limits);
+  /// Where the arm is beside where its plan has it: its shape less the plan's, as learnt last.
+  const Backbone& off_plan() const { return off_plan_; }
 
  private:
   Eigen::VectorXd bends_rad(const Backbone& backbone) const;
-  void learn_missed(const Eigen::VectorXd& missed_rad);
 
   std::vector<PressureLimits> limits_;
   std::vector<Eigen::Index> plates_;  // size n + 1: where segments begin and end
   Eigen::VectorXd kpa_per_rad_;       // size n; 0: left alone
   double proportional_;
   double integral_per_s_;
-  double arm_length_m_;
   double step_limit_kpa_;
   double frame_period_s_;
   Eigen::VectorXd trim_kpa_;    // size n
   Eigen::VectorXd missed_rad_;  // in the frame before; empty: none
+  Backbone off_plan_;
 };
 
 }  // namespace limber

@@ -100,6 +100,50 @@ TEST_P(CertifiedFrameTest, WhatIsSentComesToRestFreeAsTheModelHasIt) {
   EXPECT_GT(replayed.least_clearance_m, 0.0);
 }
 
+/// Something stands where the arm in mid-motion would come to rest.
+TEST(CertifiedFrame, WhereStandingStrikesAnArmGoesBackAlongItsPlan) {
+  const std::string name = kStruckRuns + "arm_019";
+  const ArmDescription arm = load_arm(LIMBER_SOURCE_DIR "/arms/three_segment.yaml");
+  const CompensationModel network = read_model(kStruckRuns + "ten_hours.safetensors");
+  const ForwardModel forward(arm, network);
+  const MotionModel model(forward, ValveModel(arm, network.valves.value()));
+  Environment environment = load_environment(name + ".yaml", arm);
+  const Plan plan = read_plan(name + ".plan.json");
+  constexpr std::size_t kMoving = 12;
+  const PlanFrame& start = plan.frames.front();
+  MotionState now = model.settled_state(start.pressure_kpa, start.backbone);
+  MotionModel::Workspace workspace;
+  for (std::size_t k = 1; k <= kMoving; ++k) {
+    model.step(plan.frames[k].setpoint_kpa, now, workspace);
+  }
+  const Pressures sent_kpa = now.setpoint_kpa();
+  MotionState held = now;
+  for (int k = 0; k < 40; ++k) {
+    model.step(sent_kpa, held, workspace);
+  }
+  const auto tip_of = [](const MotionState& state) {
+    return tip_position_m(state.backbone).cast<double>().eval();
+  };
+  const Eigen::Vector2d ahead = tip_of(held) - tip_of(now);
+  ASSERT_GT(ahead.norm(), 0.02) << "it moves";
+  constexpr double kRadiusM = 0.01;
+  constexpr double kStruckM = 0.002;
+  const double tip_radius_m = CollisionChecker(arm, {}).radius_m(arm.point_count() - 2);
+  const double reach_m = kRadiusM + tip_radius_m - kStruckM;
+  const Eigen::Vector2d centre = tip_of(held) + reach_m * ahead.normalized();
+  environment.obstacles = {Circle{centre.x(), centre.y(), kRadiusM}};
+
+  CertifiedFrame gate(arm, model, environment, 0.0, {});
+  ASSERT_FALSE(gate.may_stop(now));
+  const CertifiedFrame::Sent sent = gate.next(now, {plan, kMoving, sent_kpa}, {{sent_kpa, kMoving}});
+  EXPECT_TRUE(sent.is_certified);
+  EXPECT_FALSE(sent.frame.has_value());
+  EXPECT_GT((sent.kpa - sent_kpa).cwiseAbs().maxCoeff(), 1.0F);
+  model.step(sent.kpa, now, workspace);
+  EXPECT_TRUE(gate.may_stop(now) ||
+              gate.next(now, {plan, kMoving, sent.kpa}, {{sent.kpa, kMoving}}).is_certified);
+}
+
 INSTANTIATE_TEST_SUITE_P(Environments, CertifiedFrameTest,
                          ::testing::Values(std::pair("arm_019", 1), std::pair("hard_051", 3)));
 

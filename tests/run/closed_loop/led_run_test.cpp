@@ -1,4 +1,4 @@
-// Runs in which a network's plan is followed by its shapes (PlanFollower).
+// Runs in which a network's plan is followed by its shapes (ShapeFeedback).
 #include <gtest/gtest.h>
 
 #include "limber/planning/planner_factory.hpp"

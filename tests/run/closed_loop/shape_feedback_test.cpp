@@ -68,23 +68,6 @@ TEST_F(ShapeFeedbackTest, DoesNotSwingWhereAnArmFollowsAtOnceAndBendsMoreThanMod
   }
 }
 
-TEST_F(ShapeFeedbackTest, LeadsTheTipToTheGoal) {
-  ShapeFeedback feedback(known_, model_, ValveModel::ideal(2));
-  FakeArm arm(real_, kInstant_s);
-  const Pose aim = tip_pose(planned(there_kpa_));
-  const PoseGoal goal{aim.x_m, aim.y_m, std::nullopt, 0.02, 0.1};
-  arm.command(there_kpa_);
-  ASSERT_GT(pose_error(goal, tip_pose(*arm.state().backbone)).position_m, 0.01);
-  Pressures sent_kpa = there_kpa_;
-  for (int k = 0; k < 80; ++k) {
-    feedback.learn_from_goal(goal, *arm.state().backbone);
-    sent_kpa = feedback.setpoint(there_kpa_, sent_kpa, {});
-    arm.command(sent_kpa);
-  }
-  constexpr double kThereM = 0.002;
-  EXPECT_LT(pose_error(goal, tip_pose(*arm.state().backbone)).position_m, kThereM);
-}
-
 TEST_F(ShapeFeedbackTest, KeepsTheFrameRuleAndTheLimitsAndWindsNothingUp) {
   ShapeFeedback feedback(known_, model_, ValveModel::ideal(2));
   const Backbone straight = planned(Pressures::Zero(2));
