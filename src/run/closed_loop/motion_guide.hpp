@@ -8,10 +8,10 @@
 #include "limber/planning/planner.hpp"
 #include "limber/run/arm_estimate.hpp"
 #include "limber/run/plan_controller.hpp"
-#include "shape_feedback.hpp"
 #include "plan_repair.hpp"
 #include "repaired_plan.hpp"
 #include "rest_forecast.hpp"
+#include "shape_feedback.hpp"
 
 namespace limber {
 
@@ -30,8 +30,7 @@ struct MotionGuideSettings {
 /// the arm goes on. If not, the guide looks for a plan that starts in that state: the rest of the
 /// present one with its end shifted, and then, if the rest is not safe or would miss the goal,
 /// whatever a planner finds within its queries. It takes one that is certified and better. If there
-/// is none and the way is not free, the arm slows down, and is held in the last frame from which it
-/// comes to rest free.
+/// is none and the way is not free for a second, the arm is halted.
 ///
 /// Threads: one guide, one thread at a time. All arguments are borrowed.
 class MotionGuide {
@@ -51,10 +50,10 @@ class MotionGuide {
                       const std::optional<ShapeFeedback>& feedback = std::nullopt);
 
  private:
-  /// Of the plan's tube, if it has one, this share.
-  PlateRoom room_in_motion(const Plan& plan, double share) const;
+  /// A share of the plan's tube, if it has one.
+  PlateRoom room_in_motion(const Plan& plan) const;
   /// Obstacles and clearance that the rest of a plan is asked for.
-  CollisionChecker checker_for(const Plan& plan, const ModelMiss& miss, double share) const;
+  CollisionChecker checker_for(const Plan& plan, const ModelMiss& miss) const;
   double needed_m(const Plan& plan) const;
   PlanningProblem problem_from(const Environment& from_here, const Plan& plan) const;
   /// Where the next frame leads, and what is kept from obstacles from there on.
@@ -84,8 +83,6 @@ class MotionGuide {
   std::optional<Plan> find(const PlanProgress& at, const Ahead& way, const PoseGoal& goal,
                            bool is_safe, double error_m);
   std::optional<Plan> searched(const Plan& plan, const Environment& from_here);
-  /// @param held_kpa  of the frame after the next, where the arm would be held a frame later
-  MotionAdvice slow_down(const Ahead& way, const Pressures& held_kpa, const RestForecast& rest);
 
   const ArmDescription& arm_;
   MotionModel model_;

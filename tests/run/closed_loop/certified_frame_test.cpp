@@ -135,7 +135,8 @@ TEST(CertifiedFrame, WhereStandingStrikesAnArmGoesBackAlongItsPlan) {
 
   CertifiedFrame gate(arm, model, environment, 0.0, {});
   ASSERT_FALSE(gate.may_stop(now));
-  const CertifiedFrame::Sent sent = gate.next(now, {plan, kMoving, sent_kpa}, {{sent_kpa, kMoving}});
+  const CertifiedFrame::Sent sent =
+      gate.next(now, {plan, kMoving, sent_kpa}, {{sent_kpa, kMoving}});
   EXPECT_TRUE(sent.is_certified);
   EXPECT_FALSE(sent.frame.has_value());
   EXPECT_GT((sent.kpa - sent_kpa).cwiseAbs().maxCoeff(), 1.0F);

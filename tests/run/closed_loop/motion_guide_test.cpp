@@ -176,7 +176,7 @@ class HeldArmTest : public MotionGuideTest {
   }
 
   static ArmDescription slow(ArmDescription arm) {
-    arm.pressure_rate_limit_kpa_per_s = 100.0;
+    arm.pressure_rate_limit_kpa_per_s = 40.0;
     return arm;
   }
 
@@ -216,9 +216,14 @@ class HeldArmTest : public MotionGuideTest {
   std::size_t motion_ = 0;  // frames of it
 };
 
-TEST_F(HeldArmTest, StopsInTheLastFrameFromWhichItComesToRestFree) {
+TEST_F(HeldArmTest, IsHaltedWhereTheWayIsFreeForLessThanASecond) {
   const Pose end = tip_pose(plan_.frames.back().backbone);
   environment_.obstacles = {Circle{end.x_m, end.y_m, 0.005}};
+  const CollisionChecker checker(slow_, environment_.obstacles);
+  std::size_t struck = 0;  // its first frame
+  while (checker.clearance(plan_.frames[struck].backbone).value_m > 0.0) {
+    ++struck;
+  }
   MotionGuide one = refusing_guide();
   std::size_t next = 1;
   MotionAdvice advice;
@@ -230,15 +235,12 @@ TEST_F(HeldArmTest, StopsInTheLastFrameFromWhichItComesToRestFree) {
   EXPECT_THAT(advice.reason, HasSubstr("obstacle 0 (circle) is in the way"));
   EXPECT_EQ(planner_.asked_queries, 5000U);
   const std::size_t last = next - 1;  // whose set points are held
-  ASSERT_GT(last, 1U) << "far away it goes on";
+  ASSERT_GT(last, 2U) << "far away it goes on";
+  constexpr std::size_t kFramesOfMargin = 4;  // a margin is kept, which the plan comes into earlier
+  EXPECT_NEAR(double(struck - last), slow_.frames_in(1.0), kFramesOfMargin);
   const std::vector<double> held_m = clearances_held(last);
-  constexpr double kNeededM = kMarginM;  // all of the room
-  const auto least = std::min_element(held_m.begin(), held_m.end());
-  EXPECT_LT(*least, held_m.front() - 0.001) << "it comes nearer while it is held";
-  EXPECT_GE(*least, kNeededM - CollisionChecker::kToleranceM);
-  const std::vector<double> later_m = clearances_held(last + 1);
-  EXPECT_LT(*std::min_element(later_m.begin(), later_m.end()), kNeededM)
-      << "a frame later is too late";
+  EXPECT_LT(held_m.back(), held_m.front() - 0.001) << "it comes nearer while it is held";
+  EXPECT_GT(*std::min_element(held_m.begin(), held_m.end()), kMarginM);
 }
 
 TEST_F(HeldArmTest, KeepsAsFarAwayAsTheForecastsWereOff) {
@@ -259,38 +261,6 @@ TEST_F(HeldArmTest, KeepsAsFarAwayAsTheForecastsWereOff) {
   EXPECT_EQ(planner_.calls, 0) << "noise makes single forecasts that strike far ahead";
   ask(guide, motion_ / 2, now, off);
   EXPECT_EQ(planner_.calls, 1) << "the rest of the plan is not free any more";
-}
-
-TEST_F(MotionGuideTest, EverySecondFrameOfSlowingDownIsAFrameOfWaiting) {
-  planner_.searches = false;
-  ArmDescription slow = arm_;
-  slow.pressure_rate_limit_kpa_per_s = 100.0;  // 18 frames for 90 kPa
-  const ForwardModel forward(slow, play_network(slow, 0.0F));
-  const MotionModel model(forward);
-  PlannerLimits limits;
-  limits.queries = 20000;
-  const PlanResult result =
-      make_planner("default", 1)->plan({slow, model, environment_, 0.0}, limits, 1);
-  ASSERT_TRUE(result.plan);
-  const Plan& plan = *result.plan;
-  const std::size_t end = plan.frames.size() - 1 - std::size_t(plan.hold_frame_count);
-  ASSERT_GE(end, 16U);
-  const Pose tip = tip_pose(plan.frames[end].backbone);
-  environment_.obstacles = {Circle{tip.x_m, tip.y_m, 0.001}};
-  MotionGuide one(
-      slow, model, environment_, ErrorRoom{}, {100, 0.001, {}}, planner_,
-      [](Plan&, const Environment&) { return false; }, 1);
-  const MotionState now = state_of(start_state(Environment{}, slow), model);
-  const auto ask_it = [&] {
-    return one.advise({plan, 1, plan.frames[1].setpoint_kpa}, environment_.goal, now, {}).kind;
-  };
-  (void)ask_it();  // what strikes far ahead counts from the second forecast on
-  std::vector<MotionAdvice::Kind> kinds;
-  for (int k = 0; k < 4; ++k) {
-    kinds.push_back(ask_it());
-  }
-  using Kind = MotionAdvice::Kind;
-  EXPECT_EQ(kinds, (std::vector{Kind::wait, Kind::go_on, Kind::wait, Kind::go_on}));
 }
 
 TEST_F(MotionGuideTest, FindsAWayAroundWhatIsInTheWay) {
