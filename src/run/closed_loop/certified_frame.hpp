@@ -14,8 +14,8 @@ namespace limber {
 /// Decides what an arm in closed loop is sent next: only set points that begin a motion
 /// which comes to rest and is certified from where the arm is now. That motion is the rest of the
 /// plan, moved by what the set points are off it, or a stop: the set points held until the arm
-/// rests. An arm that would strike something all the same, as it is faster than predicted, goes back
-/// along its plan. Where nothing is certified, it keeps to the motion that was certified last.
+/// rests. An arm that would strike something all the same, as it moves faster than predicted, goes
+/// back along its plan. Where nothing is certified, it keeps to the motion that was certified last.
 ///
 /// Threads: what is constant may be called by any; the rest by one. All arguments are borrowed.
 class CertifiedFrame {
@@ -38,8 +38,8 @@ class CertifiedFrame {
     bool is_certified = true;
   };
 
-  /// The first of these that is certified; or a frame on the way back; or the next frame of what was
-  /// certified last, which the arm holds once that has ended.
+  /// The first of these that is certified; or a frame on the way back; or the next frame of what
+  /// was certified last, which the arm holds once that has ended.
   /// @param now   where the arm is, after all set points that were sent
   /// @param at    the plan that it follows, and the set points that it has
   Sent next(const MotionState& now, const PlanProgress& at, const std::vector<Wanted>& wanted);

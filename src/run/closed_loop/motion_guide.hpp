@@ -25,12 +25,12 @@ struct MotionGuideSettings {
 
 /// Says what an arm in mid-motion does after its next frame (docs/planning.md, Closed loop). One
 /// that is led goes on where the plan is free, also for an arm as far beside it as this one is, and
-/// slower where one several times as far beside it is not. Else what is left of the plan is simulated from the state that the
-/// next frame leads to. If that is safe and ends where the plan promised, or nearer to the goal,
-/// the arm goes on. If not, the guide looks for a plan that starts in that state: the rest of the
-/// present one with its end shifted, and then, if the rest is not safe or would miss the goal,
-/// whatever a planner finds within its queries. It takes one that is certified and better. If there
-/// is none and the way is not free for a second, the arm is halted.
+/// slower where one several times as far beside it is not. Else what is left of the plan is
+/// simulated from the state that the next frame leads to. If that is safe and ends where the plan
+/// promised, or nearer to the goal, the arm goes on. If not, the guide looks for a plan that starts
+/// in that state: the rest of the present one with its end shifted, and then, if the rest is not
+/// safe or would miss the goal, whatever a planner finds within its queries. It takes one that is
+/// certified and better. If there is none and the way is not free for a second, the arm is halted.
 ///
 /// Threads: one guide, one thread at a time. All arguments are borrowed.
 class MotionGuide {

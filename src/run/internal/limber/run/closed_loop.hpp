@@ -25,8 +25,7 @@ struct ClosedLoopSettings {
 
 /// The whole closed loop (docs/planning.md, Closed loop): in each frame of a motion the state is
 /// corrected by what is measured, the arm is led along its plan, and what is left of that is
-/// replaced where it is no longer any good; then the tip is led into the goal, and corrections from
-/// rest follow.
+/// replaced where it is no longer any good. Corrections from rest follow.
 ///
 /// An arm that was never tracked runs open loop. Borrows arm, model and environment. One run.
 class ClosedLoop final : public PlanController {
