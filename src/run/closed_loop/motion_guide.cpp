@@ -26,7 +26,7 @@ constexpr double kStrays = 0.5;
 /// touched what it was halted for in 6 of 83 runs, and found another way no more often.
 constexpr double kFreeS = 1.0;
 /// Times as far off its plan as the arm is, it has to be free in the next second, or the plan
-/// waits: arms with more friction than the model knows slide off by centimetres within a few frames.
+/// waits: with more friction than the model knows, arms slide off by centimetres in a few frames.
 constexpr float kTimesOff = 4.0F;
 /// From here on a forecast that strikes counts at once. What lies farther ahead counts from the
 /// second such forecast in a row on: a tracker's noise makes single ones, as networks that read
