@@ -59,9 +59,21 @@ constexpr double kLeastCost = 0.01;
 constexpr double kNearOfClearance =
     0.5;  // of the plan's own, where that is less than kNearObstacleM
 constexpr double kLeastMargin = 0.25;
+/// Of how far a plate moves in a sampled correction: kept from obstacles, since the model errs by
+/// more where an arm swings far to end nearer.
+constexpr double kOfSwing = 0.1;
 constexpr std::array kAsked = {Asked{0.1, 1.0}, Asked{0.1, kLeastMargin}, Asked{1.0, kLeastMargin}};
 /// Of an arm that was halted: its way is long again.
 constexpr std::array kAskedOfHalted = {Asked{0.1, 1.0}, Asked{1.0, 1.0}};
+
+double swing_m(const Plan& plan) {
+  double farthest_m = 0.0;
+  for (const PlanFrame& frame : plan.frames) {
+    farthest_m = std::max(farthest_m,
+                          largest_plate_distance_m(frame.backbone, plan.frames.front().backbone));
+  }
+  return farthest_m;
+}
 
 }  // namespace
 
@@ -249,7 +261,8 @@ std::optional<Plan> Replanner::short_correction(const Plan& before, const Enviro
       std::ldexp(kLeastEffort, std::min(stuck_, kMaxDoublings))};
   const PlanCheck certified = certificate_check(arm_, model_);
   const PlanCheck check = [&](Plan& plan, const Environment& environment) {
-    return is_taken(plan) && certified(plan, environment);
+    return plan.clearance_m >= kOfSwing * swing_m(plan) && is_taken(plan) &&
+           certified(plan, environment);
   };
   const std::vector<SampledMotion> motions = sampled_motions(
       correction_problem(before, from_here, 0.0), settings_.queries, seed_of_next());
