@@ -71,7 +71,7 @@ class Execute(InFolder):
     def test_an_arm_that_touches_something_is_not_held_for_ever(self):
         # The model has it strike whether it goes on or stays: it stood for 26 900 frames.
         found = self.run_execution("--plan", RUNS / "overshoot_006.plan.json", "--environment", "06_overshoot",
-                                   *REPLAN, "--motion-queries", 2000, "--disturbance", "weak_actuator",
+                                   *REPLAN, "--motion-queries", 2000, "--disturbance", "weak_actuator=0.4",
                                    "--seed", 172712329)
         self.assertTrue(found["collided"])
         self.assertLess(found["frames"], 200)
