@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "limber/run/arm_estimate.hpp"
 #include "limber/run/replanner.hpp"
@@ -49,21 +50,16 @@ CertifiedFrame::Sent CertifiedFrame::next(const MotionState& now, const PlanProg
   const Plan& plan = at.plan;
   const PressureBox box = box_for(plan);
   for (const Wanted& one : wanted) {
-    if (std::optional<Plan> found =
-            motion_from(now, with_rest_of(at, one, box, arm_.pressure_step_limit_kpa()))) {
-      last_ = Motion{std::move(*found), 1, one.frame, &plan};
-      return {last_->plan.frames[1].setpoint_kpa, one.frame};
-    }
-    if (std::optional<Plan> found = motion_from(now, {one.kpa})) {
-      last_ = Motion{std::move(*found), 1, std::nullopt, &plan};
+    if (begin(now, with_rest_of(at, one, box, arm_.pressure_step_limit_kpa()), one.frame, &plan) ||
+        begin(now, {one.kpa}, std::nullopt, &plan)) {
       return {last_->plan.frames[1].setpoint_kpa, one.frame};
     }
   }
+  const PlanFrame* tried = nullptr;  // near its start, all of these are that
   for (const double back_s : kBackS) {
     const auto back = static_cast<std::size_t>(arm_.frames_in(back_s));
-    const Pressures& back_kpa = plan.frames[at.frame - std::min(at.frame, back)].setpoint_kpa;
-    if (std::optional<Plan> found = motion_from(now, {back_kpa})) {
-      last_ = Motion{std::move(*found), 1, std::nullopt, &plan};
+    const PlanFrame& to = plan.frames[at.frame - std::min(at.frame, back)];
+    if (std::exchange(tried, &to) != &to && begin(now, {to.setpoint_kpa}, std::nullopt, &plan)) {
       return {last_->plan.frames[1].setpoint_kpa, std::nullopt};
     }
   }
@@ -80,10 +76,7 @@ CertifiedFrame::Sent CertifiedFrame::next(const MotionState& now, const PlanProg
 
 bool CertifiedFrame::may_hold(const MotionState& now) {
   last_.reset();
-  if (std::optional<Plan> found = stop_from(now)) {
-    last_ = Motion{std::move(*found), 1, std::nullopt, nullptr};
-  }
-  return last_.has_value();
+  return begin(now, {now.setpoint_kpa()}, std::nullopt, nullptr);
 }
 
 bool CertifiedFrame::leads_on(const MotionState& now, const Plan& plan, std::size_t frame) const {
@@ -97,6 +90,15 @@ bool CertifiedFrame::leads_on(const MotionState& now, const Plan& plan, std::siz
 PressureBox CertifiedFrame::box_for(const Plan& plan) const {
   const std::vector<PressureLimits> limits = limits_after(plan, limits_);
   return limits.empty() ? pressure_box(arm_) : pressure_box(limits);
+}
+
+bool CertifiedFrame::begin(const MotionState& now, const std::vector<Pressures>& to_kpa,
+                           std::optional<std::size_t> first, const Plan* of) {
+  std::optional<Plan> found = motion_from(now, to_kpa);
+  if (found) {
+    last_ = Motion{*std::move(found), 1, first, of};
+  }
+  return found.has_value();
 }
 
 std::optional<Plan> CertifiedFrame::motion_from(const MotionState& now,

@@ -44,7 +44,9 @@ class CertifiedFrame {
   /// @param at    the plan that it follows, and the set points that it has
   Sent next(const MotionState& now, const PlanProgress& at, const std::vector<Wanted>& wanted);
   /// Whether the arm comes to rest free if it holds its set points from now on.
-  bool may_stop(const MotionState& now) const { return stop_from(now).has_value(); }
+  bool may_stop(const MotionState& now) const {
+    return motion_from(now, {now.setpoint_kpa()}).has_value();
+  }
   /// The same for an arm that does so, whatever is said.
   bool may_hold(const MotionState& now);
   /// Whether it may follow the rest of a plan, whose frame `frame` it had last.
@@ -62,9 +64,9 @@ class CertifiedFrame {
 
   std::optional<Plan> motion_from(const MotionState& now,
                                   const std::vector<Pressures>& to_kpa) const;
-  std::optional<Plan> stop_from(const MotionState& now) const {
-    return motion_from(now, {now.setpoint_kpa()});
-  }
+  /// Whether that motion is certified; if so, it is the one that was certified last.
+  bool begin(const MotionState& now, const std::vector<Pressures>& to_kpa,
+             std::optional<std::size_t> first, const Plan* of);
   PressureBox box_for(const Plan& plan) const;
 
   const ArmDescription& arm_;

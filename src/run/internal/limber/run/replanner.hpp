@@ -57,7 +57,6 @@ class Replanner {
   std::optional<Plan> next(const Plan& plan, std::size_t frame, const Pressures& held_kpa,
                            const std::optional<Backbone>& rest, const RestMiss& missed);
 
-  double clearance_m(const Backbone& shape) const { return near_.clearance(shape).value_m; }
   /// The goal that the last plan was made for: shifted by what the model misses.
   const PoseGoal& aim() const { return aim_; }
   /// Whether the last plan was for an arm whose plan had ended, or that stood in the goal.
@@ -66,6 +65,7 @@ class Replanner {
   const RestMiss& missed() const { return missed_; }
 
  private:
+  double clearance_m(const Backbone& shape) const { return near_.clearance(shape).value_m; }
   std::uint64_t seed_of_next() const { return seed_ + static_cast<std::uint64_t>(replans_); }
   bool has_more_to_gain(double error_m, bool has_arrived) const;
   void learn_from(const Plan& ended, const Pose& measured);
