@@ -10,10 +10,12 @@ import { network, openPage, program, root, startBrowser, startStudio } from './s
 let studio;
 let browser;
 before(async () => {
-  // A slow arm: its motions last long enough to be met by a browser on a busy machine.
+  // A slow arm: its motions last long enough to be met by a browser on a busy machine. Its driver has two frames
+  // to answer in, which a browser that draws in software takes from it at 20 frames per second.
   const arm = join(mkdtempSync(join(tmpdir(), 'limber_slow_arm_')), 'slow.yaml');
   const own = readFileSync(join(root, 'arms/three_segment.yaml'), 'utf8');
-  writeFileSync(arm, own.replace(/pressure_rate_limit_kpa_per_s: \d+/, 'pressure_rate_limit_kpa_per_s: 12'));
+  writeFileSync(arm, own.replace(/pressure_rate_limit_kpa_per_s: \d+/, 'pressure_rate_limit_kpa_per_s: 12')
+    .replace(/frame_rate_hz: \d+/, 'frame_rate_hz: 5'));
   studio = await startStudio('--arm', arm, '--driver', `exec:"${program}" virtual-arm --serve --arm "${arm}"`);
   browser = await startBrowser();
 });
@@ -60,7 +62,7 @@ test('armed by hand, the arm runs the plan within its limits, pauses, goes on an
   await moving(page);
   await page.getByRole('button', { name: 'Pause' }).dispatchEvent('click');
   await says(page, 'Holds: paused');
-  await page.waitForTimeout(500); // ten frames: a fast page would go on before three are over
+  await page.waitForTimeout(1000); // five frames: a fast page would go on before three are over
   await page.getByRole('button', { name: 'Go on' }).click();
   await says(page, /vented: .* kPa/);
   assert.match(await page.textContent('.tracks'), /Simple model.*The arm.*(arrives|misses|strikes)/s);
