@@ -1,3 +1,6 @@
+#include <filesystem>
+#include <list>
+
 #include "driver_flags.hpp"
 #include "limber/arm/arm_identity.hpp"
 #include "limber/arm/pressure_limits.hpp"
@@ -52,6 +55,9 @@ class ExecuteVerb final : public Verb {
         "--adapted-out", adapted_out_,
         "With --replan and a model that limber adapt made: the model to write, with what "
         "the run told about the arm; it has no tube");
+    app.add_option("--plans-out", plans_out_,
+                   "With --replan: the folder to write, of each plan after the first 01.json, and "
+                   "01.yaml, what it was certified for: limber verify repeats that");
     app.add_option("--svg", svg_, "Picture to write: the run and its prediction");
     app.add_option("--pressures-svg", pressures_svg_,
                    "Picture to write: set points, predicted and measured pressures over time");
@@ -138,6 +144,32 @@ class ExecuteVerb final : public Verb {
       if (!file.empty()) {
         refuse_to_overwrite(file, flags.force);
       }
+    }
+    if (!plans_out_.empty()) {
+      if (!replan_.is_asked_for()) {
+        throw InputError("--plans-out: plans after the first are made by --replan; give that too");
+      }
+      refuse_to_overwrite(plan_file(1), flags.force);
+    }
+  }
+
+  std::filesystem::path plan_file(std::size_t number) const {
+    return std::filesystem::path(plans_out_) / fmt::format("{:02}.json", number);
+  }
+
+  /// With those of an earlier run, that was longer, none is left.
+  void write_further_plans(const std::list<FollowedPlan>& plans, const Plan& first) const {
+    std::size_t number = 0;
+    for (const FollowedPlan& followed : plans) {
+      const std::filesystem::path file = plan_file(++number);
+      Plan plan = followed.plan;
+      plan.model_hash = first.model_hash;
+      write_file_atomically(std::filesystem::path(file).replace_extension(".yaml"),
+                            environment_to_yaml(followed.environment));
+      write_plan(file, plan);
+    }
+    while (std::filesystem::remove(plan_file(++number))) {
+      std::filesystem::remove(plan_file(number).replace_extension(".yaml"));
     }
   }
 
@@ -237,7 +269,11 @@ class ExecuteVerb final : public Verb {
                     flags.seed);
     ExecutionSettings closed_loop = settings_;
     closed_loop.controller = &loop;
-    return execute(arm, environment, plan, driver, closed_loop);
+    ExecutionResult result = execute(arm, environment, plan, driver, closed_loop);
+    if (!plans_out_.empty()) {
+      write_further_plans(loop.further_plans(), plan);
+    }
+    return result;
   }
 
   /// Writes what was asked for and says what came of it. @param driver  null on the virtual arm.
@@ -322,6 +358,7 @@ class ExecuteVerb final : public Verb {
   std::string disturbance_;
   std::string out_;
   std::string adapted_out_;
+  std::string plans_out_;
   std::string svg_;
   std::string pressures_svg_;
   std::string times_svg_;

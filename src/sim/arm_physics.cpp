@@ -80,7 +80,7 @@ void ArmPhysics::restore(const VirtualArmState& state) {
 
 std::string ArmPhysics::step(const std::vector<double>& setpoint_kpa, bool vent) {
   for (std::size_t s = 0; s < air_.size(); ++s) {
-    pneumatics_.step(setpoint_kpa[s], vent, air_[s]);
+    pneumatics_.step(s, setpoint_kpa[s], vent, air_[s]);
   }
   apply_side_forces();
   apply_table_forces();

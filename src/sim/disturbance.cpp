@@ -35,6 +35,7 @@ constexpr std::array kKindFacts = {
     KindFacts{DisturbanceKind::obstacle, "obstacle", 0.02, 0.5, "m, radius"},
     KindFacts{DisturbanceKind::sensor_noise, "sensor_noise", 0.0005, 0.1, "m"},
     KindFacts{DisturbanceKind::picked_up, "picked_up", 0.05, 1.0, "kg"},
+    KindFacts{DisturbanceKind::leak, "leak", 0.1, 0.9, "share of a set point"},
 };
 
 const KindFacts& facts_of(DisturbanceKind kind) {
@@ -124,7 +125,7 @@ DisturbedArm disturbed(const ArmDescription& arm, const Plan& plan,
                        const VirtualArmOptions& options) {
   DisturbedArm result{arm, options, std::nullopt};
   result.options.seed = seed;
-  double picked_up_kg = 0.0;
+  VirtualArmParameters later;  // what changes in mid-plan, all of it at one moment
   for (const Disturbance& one : disturbances) {
     const std::uint64_t stream = kDisturbanceStreams + static_cast<std::uint64_t>(one.kind);
     RandomStream random(seed, stream);
@@ -159,7 +160,13 @@ DisturbedArm disturbed(const ArmDescription& arm, const Plan& plan,
         result.options.lost_from_s = drawn_start_s(arm, plan, one.amount, random);
         break;
       case DisturbanceKind::picked_up:
-        picked_up_kg = one.amount;
+        later.tip_load_kg = one.amount;
+        result.options.later_from_s = drawn_start_s(arm, plan, 0.0, random);
+        break;
+      case DisturbanceKind::leak:
+        later.leak_share = one.amount;
+        later.leaking_channel =
+            static_cast<int>(random.index(static_cast<std::uint32_t>(arm.channel_count())));
         result.options.later_from_s = drawn_start_s(arm, plan, 0.0, random);
         break;
       case DisturbanceKind::obstacle:
@@ -167,9 +174,13 @@ DisturbedArm disturbed(const ArmDescription& arm, const Plan& plan,
         break;
     }
   }
-  if (picked_up_kg > 0.0) {  // by the arm as all other kinds have it
+  if (later.tip_load_kg > 0.0 || later.leak_share > 0.0) {  // of the arm as all other kinds have it
     result.options.later = result.arm;
-    change_virtual_arm(*result.options.later, [&](auto& p) { p.tip_load_kg += picked_up_kg; });
+    change_virtual_arm(*result.options.later, [&](auto& p) {
+      p.tip_load_kg += later.tip_load_kg;
+      p.leak_share = later.leak_share;
+      p.leaking_channel = later.leaking_channel;
+    });
   }
   return result;
 }

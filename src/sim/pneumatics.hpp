@@ -29,11 +29,12 @@ class Pneumatics {
         time_step_s_(time_step_s),
         valve_response_(1.0 - std::exp(-time_step_s / parameters.valve_lag_s)),
         inflate_limit_kpa_per_s_(own_or_common(parameters.inflate_rate_limit_kpa_per_s)),
-        vent_limit_kpa_per_s_(own_or_common(parameters.vent_rate_limit_kpa_per_s)) {}
+        vent_limit_kpa_per_s_(own_or_common(parameters.vent_rate_limit_kpa_per_s)),
+        leak_response_(leak_response(parameters, time_step_s)) {}
 
-  /// One simulator step toward `setpoint_kpa` (signed); errors within the dead band close the
-  /// valves, unless `exact` (a safety vent).
-  void step(double setpoint_kpa, bool exact, SegmentAir& air) const {
+  /// One simulator step of channel `channel` toward `setpoint_kpa` (signed); errors within the dead
+  /// band close the valves, unless `exact` (a safety vent).
+  void step(std::size_t channel, double setpoint_kpa, bool exact, SegmentAir& air) const {
     const double error = setpoint_kpa - air.pressure_kpa;
     const bool closed = !exact && std::abs(error) <= parameters_.pressure_dead_band_kpa;
     const double demand = closed
@@ -49,6 +50,9 @@ class Pneumatics {
     const double before = air.flow_kpa_per_s;
     air.flow_kpa_per_s += valve_response_ * (flow - before);
     air.pressure_kpa += 0.5 * time_step_s_ * (before + air.flow_kpa_per_s);
+    if (channel == static_cast<std::size_t>(parameters_.leaking_channel)) {
+      air.pressure_kpa *= leak_response_;
+    }
   }
 
  private:
@@ -56,11 +60,21 @@ class Pneumatics {
     return limit > 0.0 ? limit : parameters_.pressure_rate_limit_kpa_per_s;
   }
 
+  /// What a step leaves of the pressure where the controller's gain balances the leak at that share
+  /// less than the set point. 1: none.
+  static double leak_response(const VirtualArmParameters& parameters, double time_step_s) {
+    const double share = parameters.leak_share;
+    const double per_s = share / (1.0 - share) * parameters.controller_proportional_gain /
+                         parameters.inflate_time_constant_s;
+    return std::exp(-per_s * time_step_s);
+  }
+
   VirtualArmParameters parameters_;
   double time_step_s_;
   double valve_response_;
   double inflate_limit_kpa_per_s_;
   double vent_limit_kpa_per_s_;
+  double leak_response_;
 };
 
 inline void save_air(const std::vector<SegmentAir>& air, VirtualArmState& state) {

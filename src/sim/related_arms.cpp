@@ -34,7 +34,8 @@ constexpr double kValves = 0.4;
 constexpr double kStrength = 0.2;
 constexpr double kLeastStrengthSpread = 0.1;
 
-/// One parameter of the wide family, whatever the arm's file says; reasons: docs/virtual-arm.md.
+/// One parameter of the wide family, whatever the arm's file says; reasons:
+/// docs/log/2026-11-28-virtual-arm.md.
 struct Range {
   double Parameters::*member;
   double low;

@@ -97,7 +97,7 @@ void SpacePhysics::restore(const VirtualArmState& state) {
 
 std::string SpacePhysics::step(const std::vector<double>& setpoint_kpa, bool vent) {
   for (std::size_t channel = 0; channel < air_.size(); ++channel) {
-    pneumatics_.step(setpoint_kpa[channel], vent, air_[channel]);
+    pneumatics_.step(channel, setpoint_kpa[channel], vent, air_[channel]);
   }
   apply_joint_forces();
   apply_chamber_forces();

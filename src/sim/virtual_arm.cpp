@@ -67,7 +67,7 @@ class VirtualArm::Simulation {
         setpoint_kpa_(static_cast<std::size_t>(arm.channel_count())) {
     be(arm);
     check_options(options);
-    check_weak_side();
+    check_parts();
     dead_steps_ = std::llround(parameters_.valve_dead_time_s / time_step_s_);
     const auto latency_steps = static_cast<int>(std::lround(options.latency_s / time_step_s_));
     frames_late_ = latency_steps / steps_per_frame_;
@@ -173,12 +173,17 @@ class VirtualArm::Simulation {
     }
   }
 
-  void check_weak_side() const {
+  void check_parts() const {
     if (parameters_.weak_side_loss > 0.0 && parameters_.weak_side >= 2 * arm_.segment_count()) {
       throw InputError(
           fmt::format("virtual arm: weak_side = {}; arm '{}' has sides "
                       "0 to {} (2 x segment, + 1 for its right side)",
                       parameters_.weak_side, arm_.name, 2 * arm_.segment_count() - 1));
+    }
+    if (parameters_.leak_share > 0.0 && parameters_.leaking_channel >= arm_.channel_count()) {
+      throw InputError(fmt::format(
+          "virtual arm: leaking_channel = {}; arm '{}' has {} 0 to {}", parameters_.leaking_channel,
+          arm_.name, arm_.is_spatial() ? "chambers" : "segments", arm_.channel_count() - 1));
     }
   }
 

@@ -90,6 +90,7 @@ constexpr std::array kFields = {
     Field{"valve_dead_time_s", &Parameters::valve_dead_time_s, 0.0, 5.0, true},
     Field{"tip_load_kg", &Parameters::tip_load_kg, 0.0, 100.0, true},
     Field{"weak_side_loss", &Parameters::weak_side_loss, 0.0, 1.0, true, Of::plane},
+    Field{"leak_share", &Parameters::leak_share, 0.0, 0.9, true},
     Field{"actuator_strain_scale", &Parameters::actuator_strain_scale, kAboveZero, kUnlimited,
           true},
     Field{"actuator_bow", &Parameters::actuator_bow, -1.0, 1.0, true},
@@ -132,6 +133,7 @@ constexpr std::array kQuarticFields = {
 
 constexpr const char* kSection = "virtual_arm";
 constexpr const char* kWeakSide = "weak_side";
+constexpr const char* kLeakingChannel = "leaking_channel";
 constexpr const char* kParameter = "a parameter of the virtual arm (docs/virtual-arm.md)";
 
 template <class Table>
@@ -176,6 +178,9 @@ VirtualArmParameters read_parameters(const YamlReader& node, Dimension dimension
       require_belonging(value, Of::plane, dimension);
       parameters.weak_side = static_cast<int>(
           value.integer("2 x segment, + 1 for its right side", 0, 2 * kMaxSegments - 1));
+    } else if (key == kLeakingChannel) {
+      parameters.leaking_channel = static_cast<int>(
+          value.integer("a segment, in space a chamber", 0, std::numeric_limits<int>::max()));
     } else if (const Field* field = find_field(kFields, key)) {
       require_belonging(value, field->of, dimension);
       parameters.*(field->member) = value.number(kParameter, field->low, field->high);
@@ -208,6 +213,9 @@ Texts texts_of(const VirtualArmParameters& parameters, std::optional<Dimension> 
   }
   if (parameters.weak_side_loss > 0.0) {
     texts.emplace_back(kWeakSide, fmt::format("{}", parameters.weak_side));
+  }
+  if (parameters.leak_share > 0.0) {
+    texts.emplace_back(kLeakingChannel, fmt::format("{}", parameters.leaking_channel));
   }
   texts.emplace_back("strength_seed", fmt::format("{}", parameters.strength_seed));
   return texts;

@@ -64,10 +64,13 @@ double number_at(const JsonReader& root, const char* key, double low = -kMax) {
   return root.at(key).number(low, kMax);
 }
 
-Pressures read_vector(const JsonReader& field, Eigen::Index size, const std::string& what) {
+constexpr Eigen::Index kAnySize = -1;
+
+Eigen::VectorXf read_vector(const JsonReader& field, Eigen::Index size, const std::string& what) {
   const std::vector<double> values =
       field.numbers(static_cast<std::size_t>(size), what.c_str(), -kMax, kMax);
-  return Eigen::Map<const Eigen::VectorXd>(values.data(), size).cast<float>();
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()))
+      .cast<float>();
 }
 
 Backbone read_backbone(const JsonReader& field, std::size_t point_count) {
@@ -229,6 +232,9 @@ Plan read_fields(const JsonReader& root) {
   plan.command = read_command(root);
   plan.model = root.at("model").at("kind").text();
   plan.model_hash = root.at("model").at("hash").text();
+  if (root.at("model").has("e")) {
+    plan.arm_of_family = read_vector(root.at("model").at("e"), kAnySize, "numbers");
+  }
   if (plan.model != "no_load" && plan.model != "network") {
     root.at("model").at("kind").refuse_found("expected no_load or network");
   }
@@ -276,6 +282,9 @@ void write_plan(const std::filesystem::path& path, const Plan& plan) {
     root["command"] = {{"name", plan.command.name}, {"unit", plan.command.unit}};
   }
   root["model"] = {{"kind", plan.model}, {"hash", plan.model_hash}};
+  if (plan.arm_of_family.size() > 0) {
+    root["model"]["e"] = numbers(plan.arm_of_family);
+  }
   root["valves"] = {{"hash", plan.valves_hash}};
   root["environment"] = {{"name", plan.environment_name}, {"hash", plan.environment_hash}};
   root["planner"] = plan.planner;

@@ -157,6 +157,36 @@ TEST_F(DisturbanceTest, ALoadIsPickedUpByTheArmAsTheOtherKindsHaveIt) {
   EXPECT_GT(met.options.later_from_s, 0.0);
 }
 
+TEST_F(DisturbanceTest, ALeakTakesItsShareOfTheSetPointFromOneSegment) {
+  std::vector<int> segments(2, 0);
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const DisturbedArm met = with("leak", kSeed + seed);
+    ASSERT_TRUE(met.options.later);
+    ++segments.at(
+        static_cast<std::size_t>(virtual_arm_parameters(*met.options.later).leaking_channel));
+  }
+  EXPECT_THAT(segments, ::testing::Each(::testing::Gt(0)));
+
+  const DisturbedArm met = with("leak=0.2");
+  const VirtualArmParameters after = virtual_arm_parameters(*met.options.later);
+  VirtualArm driver(met.arm, met.options);
+  driver.settle(Pressures::Constant(2, 40.0F), met.options.later_from_s + 4.0);
+  const Pressures settled_kpa = driver.state().pressure_kpa;
+  const auto other = static_cast<Eigen::Index>(1 - after.leaking_channel);
+  EXPECT_NEAR(settled_kpa[1 - other], 0.8 * 40.0, after.pressure_dead_band_kpa);
+  EXPECT_NEAR(settled_kpa[other], 40.0, after.pressure_dead_band_kpa);
+}
+
+TEST_F(DisturbanceTest, ASegmentThatTheArmHasNotDoesNotLeak) {
+  ArmDescription arm = arm_;
+  change_virtual_arm(arm, [](auto& p) {
+    p.leaking_channel = 2;
+    p.leak_share = 0.1;
+  });
+  EXPECT_THAT([&] { VirtualArm{arm}; },
+              ThrowsMessage<InputError>(HasSubstr("leaking_channel = 2")));
+}
+
 TEST_F(DisturbanceTest, TrackingIsLostOnceForAsLongAsSaid) {
   const DisturbedArm met = with("lost_tracking");
   const double moves_s = (plan_.frame_count() - 1) * arm_.frame_period_s();

@@ -16,7 +16,7 @@ double time_to_reach(double from_kpa, double setpoint_kpa, double tolerance_kpa)
   SegmentAir air{from_kpa, 0.0};
   int steps = 0;
   while (std::abs(air.pressure_kpa - setpoint_kpa) > tolerance_kpa && steps < 100000) {
-    kPneumatics.step(setpoint_kpa, false, air);
+    kPneumatics.step(0, setpoint_kpa, false, air);
     ++steps;
   }
   return steps * kStepS;
@@ -26,7 +26,7 @@ TEST(Pneumatics, NeverFasterThanItsLimitAndNeverPastTheSetPoint) {
   SegmentAir air{-100.0, 0.0};
   for (int i = 0; i < 5000; ++i) {
     const double before = air.pressure_kpa;
-    kPneumatics.step(100.0, false, air);
+    kPneumatics.step(0, 100.0, false, air);
     EXPECT_LE(air.pressure_kpa - before,
               kParameters.pressure_rate_limit_kpa_per_s * kStepS * 1.001);
     EXPECT_GE(air.pressure_kpa, before);
@@ -54,7 +54,7 @@ TEST(Pneumatics, EachDirectionKeepsItsOwnLimit) {
   double fastest_inflate = 0.0;
   for (int i = 0; i < 5000; ++i) {
     const double before = air.pressure_kpa;
-    pneumatics.step(90.0, false, air);
+    pneumatics.step(0, 90.0, false, air);
     double& fastest = air.pressure_kpa < -1.0 ? fastest_vent : fastest_inflate;
     if (std::abs(air.pressure_kpa) > 20.0) {  // around zero the valve's lag mixes the two
       fastest = std::max(fastest, (air.pressure_kpa - before) / kStepS);
@@ -69,11 +69,11 @@ TEST(Pneumatics, HoldsStillWithinTheDeadBandUnlessItVents) {
   const double inside = 0.9 * kParameters.pressure_dead_band_kpa;
   SegmentAir air{inside, 0.0};
   for (int i = 0; i < 1000; ++i) {
-    kPneumatics.step(0.0, false, air);
+    kPneumatics.step(0, 0.0, false, air);
   }
   EXPECT_EQ(air.pressure_kpa, inside);
   for (int i = 0; i < 3000; ++i) {
-    kPneumatics.step(0.0, true, air);
+    kPneumatics.step(0, 0.0, true, air);
   }
   EXPECT_NEAR(air.pressure_kpa, 0.0, 1e-6);
 }
@@ -83,7 +83,7 @@ TEST(Pneumatics, SettlesWithinTheDeadBandFromEverywhere) {
     for (double to = -100.0; to <= 100.0; to += 12.5) {
       SegmentAir air{from, 0.0};
       for (int i = 0; i < 4000; ++i) {
-        kPneumatics.step(to, false, air);
+        kPneumatics.step(0, to, false, air);
       }
       EXPECT_NEAR(air.pressure_kpa, to, kParameters.pressure_dead_band_kpa * 1.001);
       EXPECT_NEAR(air.flow_kpa_per_s, 0.0, 1e-9);

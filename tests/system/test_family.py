@@ -103,7 +103,7 @@ class Family(InFolder):
                       "--max-queries", 20000, "--margin-m", 0, "--out", "p.json")
         run = ("execute", *ARM, "--plan", "p.json", "--environment", environment, "--model", "mine.safetensors",
                "--margin-m", 0, "--disturbance", "friction=1", "--motion-queries", 500)
-        found = self.run_json(*run, "--replan", "--adapted-out", "now.safetensors")
+        found = self.run_json(*run, "--replan", "--adapted-out", "now.safetensors", "--plans-out", "plans")
         self.assertLess(found["arm"]["last_window_error_cm"], 0.5 * found["arm"]["largest_window_error_cm"])
         self.assertLess(found["arm"]["changed_s"], found["frames"] / 20)
         friction = [trait for change in found["arm"]["changes"] for trait in change
@@ -114,9 +114,26 @@ class Family(InFolder):
         self.assertEqual(now["e"], found["arm"]["e"])
         self.assertNotEqual(now["e"], before["e"])
         self.assertEqual(now["hash"], before["hash"])
+        self.verify_further_plans(found["replans"] + found["switches"], before["e"])
         self.assertNotIn("arm", self.run_json(*run, "--replan", "--no-adapt"))
         error = self.run_limber(*run, "--adapted-out", "x.safetensors", code=2).stderr
         self.assertIn("--adapted-out: nothing was adapted", error)
+
+    def verify_further_plans(self, count, e_before):
+        """What was certified in the run, of the arm as it was known then, is certified again from the files."""
+        plans = sorted((self.folder / "plans").glob("*.json"))
+        self.assertEqual(len(plans), count)
+        self.assertGreater(count, 0)
+        verify = ("verify", *ARM, "--model", "mine.safetensors")
+        for path in plans:
+            self.assertNotEqual(json.loads(path.read_text())["model"]["e"], e_before)
+            self.run_json(*verify, "--plan", path, "--environment", path.with_suffix(".yaml"))
+        plan = json.loads(plans[0].read_text())
+        plan["model"]["e"] = e_before[:2]
+        self.write("cut.json", json.dumps(plan))
+        error = self.run_limber(*verify, "--plan", "cut.json", "--environment", plans[0].with_suffix(".yaml"),
+                                code=2).stderr
+        self.assertIn("model.e: 2 numbers", error)
 
     def test_a_trackers_noise_hides_little_of_the_arm(self):
         self.run_limber("collect", "--schedule", "random", "--count", 20, "--seed", 8, "--out", "other.h5")

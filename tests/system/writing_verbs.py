@@ -159,6 +159,8 @@ def all_verbs(inputs):
                          "--svg", "e.svg", "--animation", "e.html"], ["e.h5", "e.svg", "e.html"]),
         Verb("execute --driver", ["execute", *ARM, "--plan", plan, "--environment", wide, *driver, "--out", "e.h5",
                                   "--times-svg", "t.svg"], ["e.h5", "t.svg"]),
+        Verb("execute --replan", ["execute", *ARM, "--plan", plan, "--environment", wide, "--model", model, "--replan",
+                                  "--motion-queries", 500, "--plans-out", "plans"], folders=["plans"]),
         Verb("execute --track", ["execute", *ARM, "--model", model, "--track", inputs / "line.csv",
                                  "--track-queries", 1000, "--out", "k.h5", "--svg", "k.svg"], ["k.h5", "k.svg"]),
         Verb("experiment", ["experiment", *ARM, "--model", model, "--environments", inputs / "envs", "--trials", 1,

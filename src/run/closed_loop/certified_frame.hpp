@@ -26,6 +26,9 @@ class CertifiedFrame {
                  const Environment& environment, double clearance_m,
                  const std::vector<PressureLimits>& limits);
 
+  /// From the next frame on. @param clearance_m  as above
+  void keep(double clearance_m) { clearance_m_ = clearance_m; }
+
   /// Set points that are wanted, and the frame of the plan that they stand for.
   struct Wanted {
     Pressures kpa;

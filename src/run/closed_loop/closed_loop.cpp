@@ -1,5 +1,6 @@
 #include "limber/run/closed_loop.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -18,11 +19,10 @@ namespace limber {
 
 namespace {
 
-constexpr double kSettleS = 0.25;       // of a hold: the arm comes to where its plan ends
-constexpr double kRoomOfFrames = 0.25;  // of the room for the model's error: kept in every frame
-constexpr double kLongestWaitS = 0.5;   // in mid-motion; then the plan is left …
-constexpr double kStandsAfterS = 2.0;   // … at last also where the model has a held arm strike
-constexpr float kOtherArm = 0.1F;       // e moved by so much of the family's spread
+constexpr double kSettleS = 0.25;      // of a hold: the arm comes to where its plan ends
+constexpr double kLongestWaitS = 0.5;  // in mid-motion; then the plan is left …
+constexpr double kStandsAfterS = 2.0;  // … at last also where the model has a held arm strike
+constexpr float kOtherArm = 0.1F;      // e moved by so much of the family's spread
 
 }  // namespace
 
@@ -60,8 +60,17 @@ struct ClosedLoop::Motion {
                   MotionGuideSettings{settings.motion_queries, settings.corrections.min_gain_m,
                                       settings.corrections.limits},
                   *planner, certificate_check(arm, model), seed);
-    gate.emplace(arm, model, now, kRoomOfFrames * room.margin_m, settings.corrections.limits);
+    gate.emplace(arm, model, now, MotionGuide::kShareInMotion * room.margin_m,
+                 settings.corrections.limits);
     aim = now.goal;
+  }
+
+  /// An arm that is not as its model has it keeps more of the room, up to all of it, until e has
+  /// settled.
+  void keep_room() {
+    const double share = std::min(1.0, fit->times_off() * MotionGuide::kShareInMotion);
+    guide->keep(share);
+    gate->keep(share * room.margin_m);
   }
 
   /// Corrections are short and their goals shifted. Led, an arm swings about its plan; where that
@@ -82,6 +91,13 @@ struct ClosedLoop::Motion {
     MotionModel::Workspace workspace;
     model.step(at.sent_kpa, now, workspace);
     return gate->leads_on(now, at.plan, at.frame);
+  }
+
+  /// Of its family, as the model had it when the plan was certified.
+  void note_arm(Plan& plan) const {
+    if (own) {
+      plan.arm_of_family = own->compensation().member_of_family->e;
+    }
   }
 
   bool is_blind(const ArmEstimate& estimate) const {
@@ -151,7 +167,11 @@ void ClosedLoop::observe(const Moment& now) {
       motion.changed_s = motion.seen * motion.arm.frame_period_s();
     }
   }
-  if (motion.is_refitted && !now.is_thinking) {
+  if (now.is_thinking) {
+    return;
+  }
+  motion.keep_room();
+  if (motion.is_refitted) {
     motion.is_refitted = false;
     *motion.own =
         ForwardModel(motion.arm, model_of_arm(motion.own->compensation(), motion.fit->member()));
@@ -239,6 +259,9 @@ std::function<MotionAdvice()> ClosedLoop::advise(const PlanProgress& at, const A
           feedback = motion.is_led(plan, arm) ? std::optional(motion.feedback) : std::nullopt] {
     const PlanProgress sent{plan, frame, sent_kpa};
     MotionAdvice advice = motion.guide->advise(sent, motion.aim, now, miss, feedback);
+    if (advice.plan) {
+      motion.note_arm(advice.plan->plan);
+    }
     if (advice.kind == MotionAdvice::Kind::stop && motion.leads_on(sent, now)) {
       return MotionAdvice{.has_searched = true};
     }
@@ -262,7 +285,12 @@ PlanController::NextPlan ClosedLoop::next(const PlanProgress& at, const ArmEstim
   const std::optional<Backbone> rest = mean ? mean : arm.measured().backbone;
   return [&motion, &plan = at.plan, frame = at.frame, held_kpa = at.sent_kpa, rest,
           missed = arm.rest_miss()] {
-    std::optional<Plan> found = motion.corrections->next(plan, frame, held_kpa, rest, missed);
+    std::optional<Plan> plan_after = motion.corrections->next(plan, frame, held_kpa, rest, missed);
+    std::optional<FollowedPlan> found;
+    if (plan_after) {
+      motion.note_arm(*plan_after);
+      found = {*std::move(plan_after), motion.corrections->planned_for()};
+    }
     motion.next_missed = motion.corrections->missed();
     motion.next_aim = motion.corrections->aim();  // an obstacle that appears now has another
     motion.next_is_correction = motion.corrections->is_correction();
@@ -270,7 +298,7 @@ PlanController::NextPlan ClosedLoop::next(const PlanProgress& at, const ArmEstim
   };
 }
 
-void ClosedLoop::take_next(const Plan* /*found*/, ArmEstimate& arm) {
+void ClosedLoop::take_next(ArmEstimate& arm) {
   motion_->aim = motion_->next_aim;
   motion_->is_correction = motion_->next_is_correction;
   motion_->followed = nullptr;

@@ -14,11 +14,9 @@ namespace limber {
 
 namespace {
 
-/// Of the room for the model's error, what the rest of a plan has to keep in mid-motion: that error
-/// is one of whole motions, and what is left of one starts where the arm was just measured.
-constexpr double kRoomInMotion = 0.25;
-constexpr double kRoomOfNewPlans = 0.5;  // more, so that they are not given up at once
-constexpr double kOfPromised = 0.9;      // of a plan's own clearance, where that is less
+constexpr double kRoomOfNewPlans =
+    0.5;                             // more than in motion, so that they are not given up at once
+constexpr double kOfPromised = 0.9;  // of a plan's own clearance, where that is less
 /// Of the goal's tolerance: an arm that will end farther from the goal than promised by more than
 /// that strays. Less is left to the corrections, which are predicted better.
 constexpr double kStrays = 0.5;
@@ -104,7 +102,7 @@ PlateRoom MotionGuide::room_in_motion(const Plan& plan) const {
     room = {plan.tube->plate_radius_m, plan.tube->growth, plan.frames.front().backbone};
   }
   for (double& radius_m : room.full_m) {
-    radius_m *= kRoomInMotion;
+    radius_m *= share_;
   }
   return room;
 }
@@ -116,7 +114,7 @@ CollisionChecker MotionGuide::checker_for(const Plan& plan, const ModelMiss& mis
 }
 
 double MotionGuide::needed_m(const Plan& plan) const {
-  return plan.tube ? 0.0 : std::min(kRoomInMotion * room_.margin_m, kOfPromised * plan.clearance_m);
+  return plan.tube ? 0.0 : std::min(share_ * room_.margin_m, kOfPromised * plan.clearance_m);
 }
 
 MotionAdvice MotionGuide::advise(const PlanProgress& at, const PoseGoal& aim,
@@ -167,7 +165,7 @@ MotionAdvice MotionGuide::advise(const PlanProgress& at, const PoseGoal& aim,
   if (strikes_ && !struck_before && rest.unsafe_frame > arm_.frames_in(kStrikesSoonS)) {
     return {};
   }
-  if (std::optional<Plan> found = find(at, way, goal, rest.is_safe(), error_m)) {
+  if (std::optional<FollowedPlan> found = find(at, way, goal, rest.is_safe(), error_m)) {
     has_waited_ = false;
     return {MotionAdvice::Kind::go_on, std::move(found), "", true};
   }
@@ -225,8 +223,8 @@ RestForecast MotionGuide::led_forecast(const Plan& plan, std::size_t next, const
       way.needed_m);
 }
 
-std::optional<Plan> MotionGuide::find(const PlanProgress& at, const Ahead& way,
-                                      const PoseGoal& goal, bool is_safe, double error_m) {
+std::optional<FollowedPlan> MotionGuide::find(const PlanProgress& at, const Ahead& way,
+                                              const PoseGoal& goal, bool is_safe, double error_m) {
   const Plan& plan = at.plan;
   Environment from_here = environment_;
   from_here.start = start_at(way.from);
@@ -244,13 +242,13 @@ std::optional<Plan> MotionGuide::find(const PlanProgress& at, const Ahead& way,
                                             waypoints_after(at, arm_.pressure_step_limit_kpa()),
                                             max_error_m, seed_, check_);
   if (is_free(found)) {
-    return found;
+    return FollowedPlan{*std::move(found), from_here};
   }
   if (is_safe && error_m <= tolerance_m) {
     return std::nullopt;  // good enough for the corrections to start from
   }
   found = searched(plan, from_here);
-  return is_free(found) ? std::move(found) : std::nullopt;
+  return is_free(found) ? std::optional(FollowedPlan{*std::move(found), from_here}) : std::nullopt;
 }
 
 PlanningProblem MotionGuide::problem_from(const Environment& from_here, const Plan& plan) const {

@@ -39,6 +39,12 @@ class MotionGuide {
               const ErrorRoom& room, const MotionGuideSettings& settings, Planner& planner,
               PlanCheck check, std::uint64_t seed);
 
+  /// Of the room for the model's error, what the rest of a plan has to keep in motion: that error is
+  /// one of whole motions, and what is left of one starts where the arm was just measured.
+  static constexpr double kShareInMotion = 0.25;
+  /// Another share, from the next question on.
+  void keep(double share) { share_ = share; }
+
   /// @param at    the plan, and the frame and set points of it that are sent next, whatever is said
   /// @param aim   the goal that the plan was made for
   /// @param now   after the last frame
@@ -80,8 +86,8 @@ class MotionGuide {
   RestForecast led_forecast(const Plan& plan, std::size_t next, const Ahead& way,
                             ShapeFeedback feedback) const;
   /// The best of what is found that is free as the rest of a plan has to be, and better than it.
-  std::optional<Plan> find(const PlanProgress& at, const Ahead& way, const PoseGoal& goal,
-                           bool is_safe, double error_m);
+  std::optional<FollowedPlan> find(const PlanProgress& at, const Ahead& way, const PoseGoal& goal,
+                                   bool is_safe, double error_m);
   std::optional<Plan> searched(const Plan& plan, const Environment& from_here);
 
   const ArmDescription& arm_;
@@ -92,6 +98,7 @@ class MotionGuide {
   Planner& planner_;
   PlanCheck check_;
   std::uint64_t seed_;
+  double share_ = kShareInMotion;
   bool has_waited_ = false;  // in the frame before
   bool strikes_ = false;     // as the last forecast has it
 };

@@ -163,8 +163,7 @@ bool Replanner::stays_in_goal(const Plan& plan) const {
 
 std::optional<Plan> Replanner::search(const Plan& before, const Environment& from_here,
                                       double margin_m, bool is_last_resort) {
-  PlanningProblem problem{arm_, model_, from_here, margin_m};
-  problem.limits = limits_after(before, settings_.limits);
+  PlanningProblem problem = problem_from(before, from_here, margin_m);
   problem.margin_yields_to_start = true;
   PlannerLimits limits;
   limits.queries = (is_last_resort ? kQueriesOfLastResort : 1) * settings_.queries;
@@ -264,21 +263,23 @@ std::optional<Plan> Replanner::short_correction(const Plan& before, const Enviro
     return plan.clearance_m >= kOfSwing * swing_m(plan) && is_taken(plan) &&
            certified(plan, environment);
   };
-  const std::vector<SampledMotion> motions = sampled_motions(
-      correction_problem(before, from_here, 0.0), settings_.queries, seed_of_next());
+  const std::vector<SampledMotion> motions =
+      sampled_motions(problem_from(before, from_here, 0.0), settings_.queries, seed_of_next());
   for (const double share : {1.0, kLeastMargin}) {
-    if (std::optional<Plan> found = sampled_plan(correction_problem(before, from_here, share),
-                                                 motions, asked, seed_of_next(), check)) {
+    if (std::optional<Plan> found =
+            sampled_plan(problem_from(before, from_here, share * room_.margin_m), motions, asked,
+                         seed_of_next(), check)) {
       return found;
     }
   }
   return std::nullopt;
 }
 
-/// @param share  of the room for the model's error: kept
-PlanningProblem Replanner::correction_problem(const Plan& before, const Environment& from_here,
-                                              double share) const {
-  PlanningProblem problem{arm_, model_, from_here, share * room_.margin_m};
+/// Of the plan that is made next.
+PlanningProblem Replanner::problem_from(const Plan& before, const Environment& from_here,
+                                        double margin_m) {
+  planned_for_ = from_here;
+  PlanningProblem problem{arm_, model_, from_here, margin_m};
   problem.limits = limits_after(before, settings_.limits);
   return problem;
 }
@@ -290,8 +291,9 @@ std::optional<Plan> Replanner::straight(const Plan& before, Environment from_her
   from_here.goal.position_tolerance_m *= widened;
   from_here.goal.orientation_tolerance_rad *= widened;
   const Pressures& held_kpa = from_here.start->pressures_kpa;
-  return repaired_plan(correction_problem(before, from_here, kLeastMargin), {held_kpa, held_kpa},
-                       max_error_m, seed_of_next(), certificate_check(arm_, model_));
+  return repaired_plan(problem_from(before, from_here, kLeastMargin * room_.margin_m),
+                       {held_kpa, held_kpa}, max_error_m, seed_of_next(),
+                       certificate_check(arm_, model_));
 }
 
 /// As near to the aim as a straight motion comes, where that is clearly nearer than the arm is. For

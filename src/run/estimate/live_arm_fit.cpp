@@ -104,7 +104,10 @@ void LiveArmFit::look_ahead() {
   ahead_ = Ahead{ahead_->now, next, ahead_->frames + 1};
   const double off_m =
       (next - seen).bottomRows(next.rows() - 1).leftCols<2>().rowwise().norm().mean();
-  is_surprised_ = is_surprised_ || !(off_m <= kSurprising * kUsualErrorShare * arm_.length_m());
+  if (!(off_m <= kSurprising * kUsualErrorShare * arm_.length_m())) {
+    is_surprised_ = true;
+    times_off_ = kSurprising;
+  }
 }
 
 /// The oldest window becomes part of what was known before.
@@ -140,7 +143,8 @@ bool LiveArmFit::roll_out() {
   if (!window.is_fitted) {
     last_error_m_ = static_cast<double>(lengths(next_.left_m).mean());
     largest_error_m_ = std::max(largest_error_m_, last_error_m_);
-    forget(last_error_m_ / (kUsualErrorShare * arm_.length_m()));
+    times_off_ = std::max(1.0, last_error_m_ / (kUsualErrorShare * arm_.length_m()));
+    forget(times_off_);
   }
   window.at = next_.at;
   window.left_m.swap(next_.left_m);

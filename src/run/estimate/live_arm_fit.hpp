@@ -34,6 +34,9 @@ class LiveArmFit {
   std::vector<ArmChange> explained_changes() const;
   /// Whether the arm is far from where it was predicted within a window: at once, not at its end.
   bool is_surprised() const { return is_surprised_; }
+  /// How many times the usual error the plates were off by: over the last window, or within the one
+  /// that the arm is in, where that surprised. 1 at least; it falls again as e settles.
+  double times_off() const { return times_off_; }
   /// Of the plates' places, by the e of its time, over the window that was fitted last, and the
   /// largest of all; 0 before the first. [m]
   double last_error_m() const { return last_error_m_; }
@@ -88,6 +91,7 @@ class LiveArmFit {
   std::optional<ForwardModel> model_;  // of member_, for what is ahead; none since e has changed
   std::optional<Ahead> ahead_;
   bool is_surprised_ = false;
+  double times_off_ = 1.0;
   double last_error_m_ = 0.0;
   double largest_error_m_ = 0.0;
   ForwardModel::Workspace workspace_;

@@ -41,7 +41,7 @@ PlanController::NextPlan PlanController::next(const PlanProgress& /*at*/,
   return {};
 }
 
-void PlanController::take_next(const Plan* /*found*/, ArmEstimate& /*arm*/) {}
+void PlanController::take_next(ArmEstimate& /*arm*/) {}
 
 void PlanController::begin(const RunStart& start) {
   if (plan_ != nullptr) {
@@ -249,7 +249,7 @@ void PlanController::begin_hold() {
 
 /// Without a question there is no other plan.
 Decision PlanController::ask(const ArmEstimate& arm) {
-  found_ = std::make_shared<std::optional<Plan>>();
+  found_ = std::make_shared<std::optional<FollowedPlan>>();
   Decision decision;
   if (NextPlan question = next(progress(), arm)) {
     decision.question = [question = std::move(question), answer = found_] { *answer = question(); };
@@ -259,8 +259,8 @@ Decision PlanController::ask(const ArmEstimate& arm) {
 
 /// @return the end of the run; none: it goes on
 std::optional<Decision> PlanController::end_asking(const Moment& now) {
-  std::optional<Plan> found = std::move(*std::exchange(found_, nullptr));
-  take_next(found ? &*found : nullptr, now.arm);
+  std::optional<FollowedPlan> found = std::move(*std::exchange(found_, nullptr));
+  take_next(now.arm);
   if (!found) {
     if (!halted_ || asks_again_) {
       return end();
@@ -288,13 +288,13 @@ Decision PlanController::end() const {
   return decision;
 }
 
-void PlanController::go_over_to(Plan next, const std::string& name) {
-  require_plan_of(next, *arm_, name);
-  if (next.frames.front().setpoint_kpa != sent_kpa_) {
+void PlanController::go_over_to(FollowedPlan next, const std::string& name) {
+  require_plan_of(next.plan, *arm_, name);
+  if (next.plan.frames.front().setpoint_kpa != sent_kpa_) {
     throw InputError(name + " does not start at the set points that the arm holds");
   }
   plans_.push_back(std::move(next));
-  plan_ = &plans_.back();
+  plan_ = &plans_.back().plan;
   frame_ = 0;
   first_motion_ = ++motion_;
 }

@@ -136,11 +136,11 @@ TEST_F(MotionGuideTest, WhatTheModelMissesIsMadeUpForByAPlanFromTheNextFrame) {
   const Eigen::Vector3d off = miss().sum;
   const MotionAdvice advice = ask(one, kFrame + 1, planned(kFrame), miss());
   ASSERT_TRUE(advice.plan);
-  EXPECT_TRUE(advice.plan->certified);
-  EXPECT_EQ(advice.plan->frames.front().setpoint_kpa, plan_.frames[kFrame + 1].setpoint_kpa);
-  EXPECT_EQ(advice.plan->frames.front().backbone, planned(kFrame + 1).backbone);
+  EXPECT_TRUE(advice.plan->plan.certified);
+  EXPECT_EQ(advice.plan->plan.frames.front().setpoint_kpa, plan_.frames[kFrame + 1].setpoint_kpa);
+  EXPECT_EQ(advice.plan->plan.frames.front().backbone, planned(kFrame + 1).backbone);
   // It ends as far on the other side of the goal as the model is expected to be off there.
-  const Pose end = tip_pose(advice.plan->frames.back().backbone);
+  const Pose end = tip_pose(advice.plan->plan.frames.back().backbone);
   constexpr double kNearM = 0.003;
   EXPECT_NEAR(end.x_m, environment_.goal.x_m - off.x(), kNearM);
   EXPECT_NEAR(end.y_m, environment_.goal.y_m - off.y(), kNearM);
@@ -271,8 +271,8 @@ TEST_F(MotionGuideTest, FindsAWayAroundWhatIsInTheWay) {
   MotionGuide one = guide();
   const MotionAdvice advice = ask(one, 1, planned(0));
   if (advice.plan) {  // certified for the environment with the obstacle
-    EXPECT_TRUE(advice.plan->certified);
-    EXPECT_GT(advice.plan->clearance_m, 0.0);
+    EXPECT_TRUE(advice.plan->plan.certified);
+    EXPECT_GT(advice.plan->plan.clearance_m, 0.0);
   } else {
     EXPECT_NE(advice.kind, MotionAdvice::Kind::go_on);
   }

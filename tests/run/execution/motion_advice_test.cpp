@@ -110,8 +110,8 @@ TEST_F(MotionAdviceTest, TakesEffectInTheFrameAfterTheNext) {
   Adviser adviser([&](const Plan& plan, std::size_t next) {
     MotionAdvice advice;
     if (std::exchange(is_first, is_first && next != 4) && next == 4) {
-      advice.plan = rest_of(plan, 4);
-      advice.plan->frames[1].setpoint_kpa[1] = 3.0F;  // tells it from the first plan
+      advice.plan = {rest_of(plan, 4), {}};
+      advice.plan->plan.frames[1].setpoint_kpa[1] = 3.0F;  // tells it from the first plan
     }
     return advice;
   });
@@ -182,7 +182,7 @@ TEST_F(MotionAdviceTest, RefusesAPlanThatStartsElsewhereOrIsTooFastAndVents) {
     Adviser adviser([&](const Plan&, std::size_t next) {
       MotionAdvice advice;
       if (next == 3) {
-        advice.plan = other;
+        advice.plan = {other, {}};
       }
       return advice;
     });
@@ -221,7 +221,7 @@ TEST_F(MotionAdviceTest, WhatComesLateIsDroppedAndDelaysNoFrame) {
     ++answers;
     std::this_thread::sleep_for(std::chrono::milliseconds(60));  // several frames
     MotionAdvice advice;
-    advice.plan = rest_of(plan, next);
+    advice.plan = {rest_of(plan, next), {}};
     return advice;
   });
   RealTimeArm driver(arm_, std::chrono::milliseconds(5));
@@ -269,7 +269,7 @@ TEST_F(MotionAdviceTest, InRealTimeWhatComesInTimeTakesEffect) {
   Adviser quick([&](const Plan& plan, std::size_t next) {
     MotionAdvice advice;
     if (std::exchange(is_first, is_first && next != 3) && next == 3) {
-      advice.plan = rest_of(plan, 3);
+      advice.plan = {rest_of(plan, 3), {}};
     }
     return advice;
   });

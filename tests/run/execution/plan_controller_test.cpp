@@ -29,7 +29,7 @@ class HaltOnce final : public PlanController {
     if (std::exchange(halted_, true)) {
       return {};
     }
-    return [this, held_kpa = at.sent_kpa] { return plan_from_(held_kpa); };
+    return [this, held_kpa = at.sent_kpa] { return FollowedPlan{plan_from_(held_kpa), {}}; };
   }
 
  private:

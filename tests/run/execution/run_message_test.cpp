@@ -67,7 +67,7 @@ class Stays final : public PlanController {
     stay.frames.assign(2, at.plan.frames[at.frame]);
     stay.waypoints_kpa.assign(2, at.sent_kpa);
     stay.hold_frame_count = 0;
-    return [stay] { return stay; };
+    return [stay] { return FollowedPlan{stay, {}}; };
   }
 
  private:

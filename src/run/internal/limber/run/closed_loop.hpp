@@ -46,7 +46,7 @@ class ClosedLoop final : public PlanController {
   std::function<MotionAdvice()> advise(const PlanProgress& at, const ArmEstimate& arm) override;
   bool may_hold(const ArmEstimate& arm) override;
   NextPlan next(const PlanProgress& at, const ArmEstimate& arm) override;
-  void take_next(const Plan* found, ArmEstimate& arm) override;
+  void take_next(ArmEstimate& arm) override;
 
   struct Motion;
 

@@ -24,6 +24,13 @@ struct PlanProgress {
   }
 };
 
+/// A plan that followed another one, and what it was certified for: where the arm was, the obstacles
+/// that were known, the goal that it was led to.
+struct FollowedPlan {
+  Plan plan;
+  Environment environment;
+};
+
 /// What an arm in motion does after its next frame.
 struct MotionAdvice {
   enum class Kind {
@@ -33,7 +40,7 @@ struct MotionAdvice {
   };
   Kind kind = Kind::go_on;
   /// To go on along, if not along its own: it starts at the set points of that next frame.
-  std::optional<Plan> plan = std::nullopt;
+  std::optional<FollowedPlan> plan = std::nullopt;
   std::string reason = {};    ///< of a stop
   bool has_searched = false;  ///< for another plan, in vain or not
 };
@@ -64,6 +71,8 @@ class PlanController : public Controller {
   void held() override { is_late_ = advised_ != nullptr; }
   bool plans_again() const override { return true; }
   void report(ExecutionResult& result) const override;
+  /// All after the first.
+  const std::list<FollowedPlan>& further_plans() const { return plans_; }
 
  protected:
   /// Told of every frame, first of the start; and whether a question is being worked out.
@@ -84,13 +93,13 @@ class PlanController : public Controller {
   /// something certified, as far as it is looked at. Asked for each such frame.
   virtual bool may_hold(const ArmEstimate& arm);
 
-  using NextPlan = std::function<std::optional<Plan>()>;
+  using NextPlan = std::function<std::optional<FollowedPlan>()>;
   /// The plan to follow from here on, for an arm that has held the set points of a frame for the
   /// hold, or 0.3 s where it was halted: the last frame, or the one after which it was not allowed
   /// to go on. It starts there. None ends the run; an empty question is one for none.
   virtual NextPlan next(const PlanProgress& at, const ArmEstimate& arm);
-  /// `next` was answered, with this if it is not null; before it is followed.
-  virtual void take_next(const Plan* found, ArmEstimate& arm);
+  /// `next` was answered; before that is followed.
+  virtual void take_next(ArmEstimate& arm);
 
  private:
   enum class Phase { moving, holding, waiting_for_sight, asking };
@@ -112,15 +121,15 @@ class PlanController : public Controller {
   Decision ask(const ArmEstimate& arm);
   std::optional<Decision> end_asking(const Moment& now);
   Decision end() const;
-  void go_over_to(Plan next, const std::string& name);
+  void go_over_to(FollowedPlan next, const std::string& name);
 
   const ArmDescription* arm_ = nullptr;
   double hold_s_ = 0.0;
   bool in_real_time_ = false;
-  std::list<Plan> plans_;       // those after the first
-  const Plan* plan_ = nullptr;  // the one that is followed
-  std::size_t frame_ = 0;       // the last one of it that was commanded
-  Pressures sent_kpa_;          // in that frame
+  std::list<FollowedPlan> plans_;  // those after the first
+  const Plan* plan_ = nullptr;     // the one that is followed
+  std::size_t frame_ = 0;          // the last one of it that was commanded
+  Pressures sent_kpa_;             // in that frame
 
   Phase phase_ = Phase::moving;
   bool goes_on_ = true;         // along the plan
@@ -138,9 +147,9 @@ class PlanController : public Controller {
   int first_motion_ = 0;     // of the plan that is followed
   std::string stop_reason_;  // of the plan that was left last
 
-  std::shared_ptr<std::optional<Advised>> advised_;  // being worked out; none: nothing is
-  bool is_late_ = false;                             // that one
-  std::shared_ptr<std::optional<Plan>> found_;       // by `next`
+  std::shared_ptr<std::optional<Advised>> advised_;     // being worked out; none: nothing is
+  bool is_late_ = false;                                // that one
+  std::shared_ptr<std::optional<FollowedPlan>> found_;  // by `next`
 
   int replans_ = 0;
   int switches_ = 0;

@@ -59,6 +59,8 @@ class Replanner {
 
   /// The goal that the last plan was made for: shifted by what the model misses.
   const PoseGoal& aim() const { return aim_; }
+  /// What it was certified for.
+  const Environment& planned_for() const { return planned_for_; }
   /// Whether the last plan was for an arm whose plan had ended, or that stood in the goal.
   bool is_correction() const { return is_correction_; }
   /// What is known of it since.
@@ -78,8 +80,7 @@ class Replanner {
   using IsTaken = std::function<bool(const Plan&)>;
   std::optional<Plan> short_correction(const Plan& before, const Environment& from_here,
                                        double error_m, const IsTaken& is_taken);
-  PlanningProblem correction_problem(const Plan& before, const Environment& from_here,
-                                     double share) const;
+  PlanningProblem problem_from(const Plan& before, const Environment& from_here, double margin_m);
   std::optional<Plan> straight(const Plan& before, Environment from_here, double widened,
                                double max_error_m);
   std::optional<Plan> nearer(const Plan& before, const Environment& from_here, double error_m);
@@ -93,6 +94,7 @@ class Replanner {
   CollisionChecker near_;  // what touches this arm is too near to go on beside
   std::unique_ptr<Planner> planner_;
   PoseGoal aim_;
+  Environment planned_for_;
   int replans_ = 0;
   bool has_halted_in_vain_ = false;  // the arm, halted, asked and found no plan
   bool is_correction_ = false;       // what the arm follows

@@ -60,6 +60,8 @@ struct VirtualArmParameters {
   double tip_load_kg = 0.0;     ///< on the last plate
   double weak_side_loss = 0.0;  ///< share of its strength that one side of one segment has lost
   int weak_side = 0;            ///< 2 × segment, + 1 for its right side
+  double leak_share = 0.0;  ///< of its set point, that one channel's pressure settles short of it
+  int leaking_channel = 0;  ///< segment, in space chamber
 
   // Silicone creep, a spring and dashpot in series beside each side; off while the fraction is 0.
   double creep_fraction = 0.0;  ///< of side_elasticity_n

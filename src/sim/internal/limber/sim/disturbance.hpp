@@ -22,6 +22,7 @@ enum class DisturbanceKind {
   obstacle,       ///< a circle of this radius [m] appears on the rest of the path
   sensor_noise,   ///< as `noise`, in time
   picked_up,      ///< as `tip_load`, but in mid-plan, at a time sampled by seed
+  leak,           ///< in mid-plan a segment, both sampled by seed, comes to lose so much pressure
 };
 
 /// One of them. The model and the plan know nothing of it.
@@ -36,7 +37,7 @@ const char* to_string(DisturbanceKind kind);
 std::string disturbance_kinds();
 
 /// "friction", "tip_load=0.1,noise": what acts together; without an amount the usual one: 0.05 kg,
-/// 0.3, 0.2, 0.5 mm, 0.5 s, 2 cm, 0.5 mm, 0.05 kg. Empty: none.
+/// 0.3, 0.2, 0.5 mm, 0.5 s, 2 cm, 0.5 mm, 0.05 kg, 0.1. Empty: none.
 /// @throws InputError naming what was found and what there is.
 std::vector<Disturbance> parse_disturbances(const std::string& text);
 /// As `parse_disturbances` reads it, amounts where they are not the usual ones.

@@ -58,7 +58,10 @@ struct Plan {
   Command command;              ///< the arm's: what "kpa" stands for in the names below
   std::string model;            ///< "no_load" or "network"
   std::string model_hash;       ///< content hash of the model file; empty for "no_load"
-  std::string valves_hash;      ///< ValveParameters::hash(); empty: planned without valves
+  /// e (FamilyMember) of the arm that it was certified with, where a closed loop has followed which
+  /// arm of its family this is since; empty: as the model's file has it.
+  Eigen::VectorXf arm_of_family;
+  std::string valves_hash;  ///< ValveParameters::hash(); empty: planned without valves
   std::string environment_name;
   std::string environment_hash;  ///< environment_hash()
   std::string planner;
