@@ -142,6 +142,11 @@ Json to_json(const ExecutionResult& result, const Environment& before) {
                    {"largest_window_error_cm", kCmPerM * result.largest_window_error_m},
                    {"last_window_error_cm", kCmPerM * result.last_window_error_m}};
   }
+  json["pressure_losses"] = Json::array();
+  for (const PressureLoss& loss : result.pressure_losses) {
+    json["pressure_losses"].push_back(
+        {{"segment", loss.segment}, {"share", loss.share}, {"noticed_s", loss.time_s}});
+  }
   json["frames"] = result.frames;
   json["frames_not_seen"] = result.frames_not_seen;
   json["goal_reached"] = is_seen ? Json(result.goal_reached) : Json(nullptr);
@@ -216,6 +221,9 @@ std::string to_text(const ExecutionResult& result, const Environment& before) {
           result.arm_changes.empty() ? "what has changed, can't be told"
                                      : changes_text(result.arm_changes) + " (in brackets, before)");
     }
+  }
+  for (const PressureLoss& loss : result.pressure_losses) {
+    text += "\n  " + to_text(loss);
   }
   if (result.frames_not_seen > 0 && result.final_backbone) {
     text += fmt::format("\n  not tracked in {} frames", result.frames_not_seen);

@@ -9,6 +9,7 @@
 #include "certified_frame.hpp"
 #include "estimate/live_arm_fit.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/units.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/planning/planner_factory.hpp"
 #include "limber/run/controller.hpp"
@@ -165,6 +166,13 @@ void ClosedLoop::observe(const Moment& now) {
     motion.is_refitted |= motion.fit->observe(now.arm.measured().pressure_kpa, shape);
     if (!motion.changed_s && motion.fit->is_surprised()) {
       motion.changed_s = motion.seen * motion.arm.frame_period_s();
+    }
+    if (motion.fit->has_left_family()) {
+      throw SystemFault(fmt::format(
+          "the arm moves like none of its model's family: short predictions were off by {:.1f} cm "
+          "again and again, whichever of its arms was tried. Look for what has changed, and adapt "
+          "the model again (limber adapt)",
+          kCmPerM * motion.fit->last_error_m()));
     }
   }
   if (now.is_thinking) {

@@ -10,6 +10,7 @@
 #include "limber/run/rest_miss.hpp"
 #include "limber/run/state_lag.hpp"
 #include "pressure_lag.hpp"
+#include "pressure_loss.hpp"
 #include "shape_filter.hpp"
 
 namespace limber {
@@ -44,6 +45,7 @@ class PredictedState {
   PredictedState(const ArmDescription& arm, const EstimateModel& with)
       : model_(*with.model),
         pressure_lag_(model_.valves()),
+        losses_(model_.valves(), arm.frame_period_s()),
         start_(with.filter_from),
         check_(static_cast<std::size_t>(arm.frames_in(kForecastS)),
                static_cast<std::size_t>(arm.frames_in(kTipForecastS))) {
@@ -53,8 +55,13 @@ class PredictedState {
   }
 
   int pressure_lag(const Pressures& setpoint_kpa, const Pressures& measured_kpa) {
-    return pressure_lag_.note(setpoint_kpa, measured_kpa);
+    const int frames = pressure_lag_.note(setpoint_kpa, measured_kpa);
+    if (!model_.valves().is_ideal()) {
+      losses_.observe(pressure_lag_.expected_kpa(), measured_kpa);
+    }
+    return frames;
   }
+  const std::vector<PressureLoss>& losses() const { return losses_.found(); }
 
   /// @param lag  frames that `measured` is behind `setpoint_kpa`
   void observe(const Pressures& setpoint_kpa, const ArmState& measured, std::size_t lag) {
@@ -99,6 +106,7 @@ class PredictedState {
   MotionModel::Workspace workspace_;
   Eigen::VectorXf valves_;  // followed from the start on, tracked or not
   PressureLag pressure_lag_;
+  PressureLossWatch losses_;
   std::deque<Pressures> coming_kpa_;  // set points whose frames no state has shown yet
   std::optional<MotionState> state_;  // in the frame that the last state shows
   std::optional<MotionState> ahead_;  // after those that are coming
@@ -249,6 +257,11 @@ const MotionState& ArmEstimate::shown_state() const {
 
 bool ArmEstimate::is_moving() const {
   return parts_->predicted && parts_->predicted->moved_m() > parts_->moving_m;
+}
+
+const std::vector<PressureLoss>& ArmEstimate::pressure_losses() const {
+  static const std::vector<PressureLoss> kNone;
+  return parts_->predicted ? parts_->predicted->losses() : kNone;
 }
 
 const ModelMiss& ArmEstimate::miss() const {

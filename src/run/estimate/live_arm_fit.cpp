@@ -21,6 +21,8 @@ constexpr int kRolloutsPerFrame = 4;
 /// Of the arm's length: what a model of a minute leaves over a window.
 constexpr double kUsualErrorShare = 0.003;
 constexpr double kSurprising = 8.0;  // times as much, in one frame
+constexpr double kStrange = 4.0;     // times as much, over a window …
+constexpr int kStrangeWindows = 6;   // … and in so many: no arm of the family is like that
 /// Of the arm's length: a window in which no plate came farther tells nothing.
 constexpr double kMovedShare = 0.015;
 constexpr float kLostM = 1.0F;        // of a prediction that is no number
@@ -70,6 +72,10 @@ bool LiveArmFit::observe(const Pressures& pressure_kpa, const std::optional<Back
     has_changed |= roll_out();
   }
   return has_changed;
+}
+
+bool LiveArmFit::has_left_family() const {
+  return strange_ >= kStrangeWindows || member_.distance() >= FamilyMember::kFar;
 }
 
 std::vector<ArmChange> LiveArmFit::explained_changes() const {
@@ -144,6 +150,7 @@ bool LiveArmFit::roll_out() {
     last_error_m_ = static_cast<double>(lengths(next_.left_m).mean());
     largest_error_m_ = std::max(largest_error_m_, last_error_m_);
     times_off_ = std::max(1.0, last_error_m_ / (kUsualErrorShare * arm_.length_m()));
+    strange_ = times_off_ > kStrange ? strange_ + 1 : 0;
     forget(times_off_);
   }
   window.at = next_.at;

@@ -37,6 +37,9 @@ class LiveArmFit {
   /// How many times the usual error the plates were off by: over the last window, or within the one
   /// that the arm is in, where that surprised. 1 at least; it falls again as e settles.
   double times_off() const { return times_off_; }
+  /// Whether no arm of the family moves like this one: e lies where none is, or window after window
+  /// was predicted wrong, whatever e came to be.
+  bool has_left_family() const;
   /// Of the plates' places, by the e of its time, over the window that was fitted last, and the
   /// largest of all; 0 before the first. [m]
   double last_error_m() const { return last_error_m_; }
@@ -92,6 +95,7 @@ class LiveArmFit {
   std::optional<Ahead> ahead_;
   bool is_surprised_ = false;
   double times_off_ = 1.0;
+  int strange_ = 0;  // windows in a row
   double last_error_m_ = 0.0;
   double largest_error_m_ = 0.0;
   ForwardModel::Workspace workspace_;

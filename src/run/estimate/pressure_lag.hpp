@@ -23,6 +23,10 @@ class PressureLag {
   /// @return frames(), after it
   int note(const Pressures& setpoint_kpa, const Pressures& measured_kpa);
 
+  /// Of the frame that is measured, by the set points alone. @pre noted, and valves are not ideal
+  const Pressures& expected_kpa() const {
+    return predicted_kpa_[static_cast<std::size_t>(frames_)];
+  }
   /// As far as is known: while pressures stand still, all of them look the same.
   int frames() const { return frames_; }
 

@@ -60,7 +60,10 @@ std::string hint(const ExecutionResult& run, const Environment& environment, con
   if (run.replans == 0) {
     return ": no plan from where it rests leads nearer";
   }
-  const std::string changes = changes_text(run.arm_changes);
+  std::string changes = changes_text(run.arm_changes);
+  for (const PressureLoss& loss : run.pressure_losses) {
+    changes += (changes.empty() ? "" : "; ") + to_text(loss);
+  }
   return fmt::format(": {} {} from rest, none came into it; {}", run.replans,
                      run.replans == 1 ? "plan" : "plans",
                      changes.empty() ? "friction or load may have changed"

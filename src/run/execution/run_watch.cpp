@@ -92,6 +92,7 @@ void RunWatch::judge(ExecutionResult& result) {
   result.frames_not_seen = frames_not_seen_;
   result.lag_frames = estimate_.lag_frames();
   result.start_error_m = start_error_m_;
+  result.pressure_losses = estimate_.pressure_losses();
   if (is_seen()) {
     result.final_backbone = shape_->cast<float>();
     result.goal_error = pose_error(environment_.goal, tip_pose(*shape_));

@@ -61,7 +61,9 @@ class LiveFit : public testing::Test {
   }
 
   /// @return times that e changed
-  int watch(LiveArmFit& fit, const CompensationModel& truth, bool is_tracked = true) const {
+  /// @param sign  of the pressures that the fit is told, beside those that the arm has
+  int watch(LiveArmFit& fit, const CompensationModel& truth, bool is_tracked = true,
+            float sign = 1.0F) const {
     const ForwardModel model(arm, truth);
     ForwardModel::Workspace workspace;
     Backbone now = shape_at_no_load(model, 0);
@@ -69,7 +71,8 @@ class LiveFit : public testing::Test {
     int changes = 0;
     for (int t = 1; t < kFrames; ++t) {
       step(model, t, before, now, workspace);
-      changes += fit.observe(pressures(t), is_tracked ? std::optional(now) : std::nullopt) ? 1 : 0;
+      const std::optional<Backbone> seen = is_tracked ? std::optional(now) : std::nullopt;
+      changes += fit.observe(sign * pressures(t), seen) ? 1 : 0;
     }
     return changes;
   }
@@ -87,6 +90,15 @@ TEST_F(LiveFit, FindsAnArmOfTheFamilyFromAnother) {
   EXPECT_GT(watch(fit, truth), 3);
   EXPECT_LT(error_m(model_of_arm(family, fit.member()), truth), 0.2 * before_m);
   EXPECT_LT(fit.last_error_m(), 0.2 * fit.largest_error_m());
+  EXPECT_EQ(fit.times_off(), 1.0);
+  EXPECT_FALSE(fit.has_left_family());
+}
+
+TEST_F(LiveFit, AnArmThatBendsTheOtherWayHasLeftTheFamily) {
+  LiveArmFit fit(arm, arm_at(7));
+  watch(fit, arm_at(7), true, -1.0F);
+  EXPECT_GT(fit.times_off(), 4.0);
+  EXPECT_TRUE(fit.has_left_family());
 }
 
 TEST_F(LiveFit, OfAnArmThatDoesAsPredictedStaysAndBecomesSurer) {

@@ -3,6 +3,8 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -28,6 +30,16 @@ struct ModelMiss {
   /// every frame. Empty before anything was compared. [m]
   Eigen::VectorXd plate_m;
 };
+
+/// A segment whose measured pressure falls short of what its valves would make of its set points.
+struct PressureLoss {
+  int segment = 0;
+  double share = 0.0;   ///< of the pressure
+  double time_s = 0.0;  ///< since the run's start, when it was noticed
+};
+
+/// "segment 1 lost 10 % of its pressure, noticed after 2.3 s: …"
+std::string to_text(const PressureLoss& loss);
 
 /// What an estimate predicts with.
 struct EstimateModel {
@@ -87,6 +99,9 @@ class ArmEstimate {
   /// Whether friction and valves still carry the arm on: it came by more than 0.3 % of its length
   /// in the frame observed last. Where it is now says little of where it ends.
   bool is_moving() const;
+
+  /// In the order in which they were noticed; none without a model, or behind ideal valves.
+  const std::vector<PressureLoss>& pressure_losses() const;
 
   /// Of the frames since the last `forget_miss`.
   const ModelMiss& miss() const;

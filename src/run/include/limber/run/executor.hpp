@@ -12,6 +12,7 @@
 #include "limber/data/recording.hpp"
 #include "limber/network/compensation_model.hpp"
 #include "limber/run/arm_driver.hpp"
+#include "limber/run/arm_estimate.hpp"
 #include "limber/run/collision_watch.hpp"
 #include "limber/world/environment.hpp"
 #include "limber/world/plan.hpp"
@@ -130,6 +131,7 @@ struct ExecutionResult {
   /// of the plates' places before, and the last one. [m]
   double largest_window_error_m = 0.0;
   double last_window_error_m = 0.0;
+  std::vector<PressureLoss> pressure_losses;  ///< ArmEstimate's
   std::optional<AppearedObstacle> appeared;
   /// A plan was left before its end, and none was found that leads on: the arm held and stayed.
   bool stopped_ahead = false;
