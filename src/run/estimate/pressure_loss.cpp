@@ -12,10 +12,10 @@ namespace limber {
 
 namespace {
 
-constexpr double kKeptOfSums = 0.85;    // per frame: a third of a second back it is a third
-constexpr double kMinShare = 0.04;  // less may be the valve model's own error
-constexpr double kClear = 3.0;      // times what a share leaves unexplained, and the dead band
-constexpr int kShortFrames = 5;     // in a row
+constexpr double kKeptOfSums = 0.85;  // per frame: a third of a second back it is a third
+constexpr double kMinShare = 0.04;    // less may be the valve model's own error
+constexpr double kClear = 3.0;        // times what a share leaves unexplained, and the dead band
+constexpr int kShortFrames = 5;       // in a row
 
 }  // namespace
 
@@ -25,7 +25,9 @@ std::string to_text(const PressureLoss& loss) {
 }
 
 PressureLossWatch::PressureLossWatch(const ValveModel& valves, double frame_period_s)
-    : valves_(valves), frame_period_s_(frame_period_s), segments_(valves.parameters().segments.size()) {}
+    : valves_(valves),
+      frame_period_s_(frame_period_s),
+      segments_(valves.parameters().segments.size()) {}
 
 double PressureLossWatch::dead_band_kpa(std::size_t segment) const {
   return valves_.parameters().segments[segment].dead_band_kpa;

@@ -14,8 +14,9 @@ constexpr double kFrame_s = 0.05;
 constexpr int kFrames = 200;
 constexpr int kFrom = 80;
 const ArmDescription kArm = small_arm();
-const ValveModel kValves(kArm, {true, std::vector<SegmentValves>(
-                                          2, {{0.1, 100.0}, {0.1, 100.0}, 0.0, 0.2})});
+const ValveModel kValves(kArm,
+                         {true,
+                          std::vector<SegmentValves>(2, {{0.1, 100.0}, {0.1, 100.0}, 0.0, 0.2})});
 
 /// Of two segments, of which the second keeps only a share from a frame on; as measured with noise.
 std::vector<PressureLoss> found(double kept, double noise_kpa) {
