@@ -39,8 +39,8 @@ class MotionGuide {
               const ErrorRoom& room, const MotionGuideSettings& settings, Planner& planner,
               PlanCheck check, std::uint64_t seed);
 
-  /// Of the room for the model's error, what the rest of a plan has to keep in motion: that error is
-  /// one of whole motions, and what is left of one starts where the arm was just measured.
+  /// Of the room for the model's error, what the rest of a plan has to keep in motion: that error
+  /// is one of whole motions, and what is left of one starts where the arm was just measured.
   static constexpr double kShareInMotion = 0.25;
   /// Another share, from the next question on.
   void keep(double share) { share_ = share; }

@@ -24,8 +24,8 @@ struct PlanProgress {
   }
 };
 
-/// A plan that followed another one, and what it was certified for: where the arm was, the obstacles
-/// that were known, the goal that it was led to.
+/// A plan that followed another one, and what it was certified for: where the arm was, the
+/// obstacles that were known, the goal that it was led to.
 struct FollowedPlan {
   Plan plan;
   Environment environment;
