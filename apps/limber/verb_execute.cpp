@@ -1,11 +1,12 @@
-#include <filesystem>
 #include <list>
 
 #include "driver_flags.hpp"
 #include "limber/arm/arm_identity.hpp"
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/atomic_file.hpp"
+#include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/lab/output_folder.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/report/execution_report.hpp"
 #include "limber/report/plan_picture.hpp"
@@ -56,8 +57,8 @@ class ExecuteVerb final : public Verb {
         "With --replan and a model that limber adapt made: the model to write, with what "
         "the run told about the arm; it has no tube");
     app.add_option("--plans-out", plans_out_,
-                   "With --replan: the folder to write, of each plan after the first 01.json, and "
-                   "01.yaml, what it was certified for: limber verify repeats that");
+                   "With --replan: folder to write, each plan after the first as 01.json, 02.json, "
+                   "…, and as 01.yaml, … what it was certified for: limber verify repeats that");
     app.add_option("--svg", svg_, "Picture to write: the run and its prediction");
     app.add_option("--pressures-svg", pressures_svg_,
                    "Picture to write: set points, predicted and measured pressures over time");
@@ -102,6 +103,7 @@ class ExecuteVerb final : public Verb {
     }
     out_ = driver_.recording_or_default(out_, flags);
     refuse_to_overwrite_any(flags);
+    prepare_plans_out(flags);
     const DisturbedArm met = disturbed(arm, plan, disturbances, flags.seed);
     if (driver_.is_program()) {
       const std::unique_ptr<ProcessDriver> driver = driver_.start(arm, arm_file, out_, true, flags);
@@ -145,31 +147,34 @@ class ExecuteVerb final : public Verb {
         refuse_to_overwrite(file, flags.force);
       }
     }
+    if (!plans_out_.empty() && !replan_.is_asked_for()) {
+      throw InputError("--plans-out: plans after the first are made by --replan; give that too");
+    }
+  }
+
+  /// Cleared before the run: what lies in it is never of an earlier one.
+  void prepare_plans_out(const CommonFlags& flags) {
     if (!plans_out_.empty()) {
-      if (!replan_.is_asked_for()) {
-        throw InputError("--plans-out: plans after the first are made by --replan; give that too");
-      }
-      refuse_to_overwrite(plan_file(1), flags.force);
+      plans_folder_.emplace(
+          plans_out_, "execute",
+          flags.force ? OutputFolder::Start::forced : OutputFolder::Start::fresh,
+          std::vector<std::filesystem::path>{plan_, environment_, model_.model_file()});
     }
   }
 
-  std::filesystem::path plan_file(std::size_t number) const {
-    return std::filesystem::path(plans_out_) / fmt::format("{:02}.json", number);
-  }
-
-  /// With those of an earlier run, that was longer, none is left.
-  void write_further_plans(const std::list<FollowedPlan>& plans, const Plan& first) const {
+  void write_further_plans() {
+    if (!plans_folder_) {
+      return;
+    }
+    const std::string model_hash = content_hash(read_file(model_.model_file()));
     std::size_t number = 0;
-    for (const FollowedPlan& followed : plans) {
-      const std::filesystem::path file = plan_file(++number);
-      Plan plan = followed.plan;
-      plan.model_hash = first.model_hash;
-      write_file_atomically(std::filesystem::path(file).replace_extension(".yaml"),
-                            environment_to_yaml(followed.environment));
-      write_plan(file, plan);
-    }
-    while (std::filesystem::remove(plan_file(++number))) {
-      std::filesystem::remove(plan_file(number).replace_extension(".yaml"));
+    for (FollowedPlan& followed : further_plans_) {
+      const std::string name = fmt::format("{:02}", ++number);
+      plans_folder_->write(name + ".yaml", environment_to_yaml(followed.environment));
+      followed.plan.model_hash = model_hash;
+      const std::string file = name + ".json";
+      plans_folder_->write_with({file},
+                                [&] { write_plan(plans_folder_->path() / file, followed.plan); });
     }
   }
 
@@ -179,7 +184,7 @@ class ExecuteVerb final : public Verb {
     using Given = std::pair<const char*, bool>;
     for (const auto& [flag, value] :
          {Given{"--plan", !plan_.empty()}, Given{"--adapted-out", !adapted_out_.empty()},
-          Given{"--replan", replan_.is_asked_for()},
+          Given{"--replan", replan_.is_asked_for()}, Given{"--plans-out", !plans_out_.empty()},
           Given{"--pressures-svg", !pressures_svg_.empty()},
           Given{"--times-svg", !times_svg_.empty()}, Given{"--animation", !animation_.empty()}}) {
       if (value) {
@@ -270,17 +275,15 @@ class ExecuteVerb final : public Verb {
     ExecutionSettings closed_loop = settings_;
     closed_loop.controller = &loop;
     ExecutionResult result = execute(arm, environment, plan, driver, closed_loop);
-    if (!plans_out_.empty()) {
-      write_further_plans(loop.further_plans(), plan);
-    }
+    further_plans_ = loop.further_plans();
     return result;
   }
 
   /// Writes what was asked for and says what came of it. @param driver  null on the virtual arm.
   int finish(const ArmDescription& arm, const Environment& environment, const Plan& plan,
-             const ExecutionResult& result, const ProcessDriver* driver,
-             const CommonFlags& flags) const {
+             const ExecutionResult& result, const ProcessDriver* driver, const CommonFlags& flags) {
     write_run(arm, plan, result, driver);
+    write_further_plans();
     write_adapted(result);
     if (!svg_.empty()) {
       write_file_atomically(svg_, execution_picture(arm, environment, plan, result));
@@ -359,6 +362,8 @@ class ExecuteVerb final : public Verb {
   std::string out_;
   std::string adapted_out_;
   std::string plans_out_;
+  std::optional<OutputFolder> plans_folder_;  // that
+  std::list<FollowedPlan> further_plans_;     // of the run
   std::string svg_;
   std::string pressures_svg_;
   std::string times_svg_;

@@ -206,24 +206,15 @@ class VerifyVerb final : public Verb {
       throw InputError(fmt::format("{}: made with another model (hash {}; {} has {})", plan_,
                                    plan.model_hash, model_.model_file(), hash));
     }
-    return followed_arm(read_model_of_one_arm(model_.model_file()), plan);
-  }
-
-  /// The arm that a closed loop had made of its family's by the time of the plan.
-  CompensationModel followed_arm(CompensationModel network, const Plan& plan) const {
-    if (plan.arm_of_family.size() == 0) {
-      return network;
+    CompensationModel network = read_model_of_one_arm(model_.model_file());
+    try {
+      return plan.arm_of_family.size() == 0
+                 ? std::move(network)
+                 : model_of_followed_arm(std::move(network), plan.arm_of_family);
+    } catch (const InputError& error) {
+      throw InputError(
+          fmt::format("{}: model.e: {}; give the model that the run had", plan_, error.what()));
     }
-    const Eigen::Index size = network.member_of_family ? network.member_of_family->e.size() : 0;
-    if (size != plan.arm_of_family.size()) {
-      throw InputError(fmt::format(
-          "{}: model.e: {} numbers say which arm of its family this plan was certified for; {} has "
-          "{}: give the model that the run had",
-          plan_, plan.arm_of_family.size(), model_.model_file(), size));
-    }
-    FamilyMember member = *network.member_of_family;
-    member.e = plan.arm_of_family;
-    return model_of_arm(std::move(network), member);
   }
 
   std::string plan_;

@@ -117,8 +117,9 @@ void bind_execution_findings(py::module_& module) {
       .done();
   Record<PressureLoss>(module, "PressureLoss", "A segment that loses pressure: a leak, or a valve.")
       .read_only("segment", &PressureLoss::segment, "Its number, from 0.")
-      .read_only("share", &PressureLoss::share, "Of the pressure that its set points ask for.")
-      .read_only("time_s", &PressureLoss::time_s, "When it was noticed, since the run began [s].")
+      .read_only("share", &PressureLoss::share,
+                 "Of the pressure that its valves would make of the set points, missing.")
+      .read_only("noticed_s", &PressureLoss::noticed_s, "Since the run began [s].")
       .done();
   Record<Contact>(module, "Contact", "The arm near or in an obstacle at one moment.")
       .read_only("time_s", &Contact::time_s, "Since the run began [s].")
@@ -228,8 +229,8 @@ void bind_execution(py::module_& module) {
                     "What may have changed of it, the likeliest first: lists of TraitEstimate that "
                     "changed together, beside what was believed before.")
       .def_readonly("pressure_losses", &ExecutionResult::pressure_losses,
-                    "Segments whose pressure fell short of their set points: a list of "
-                    "PressureLoss, in the order in which they were noticed.")
+                    "Segments whose pressure fell short of what their valves would make of the set "
+                    "points: a list of PressureLoss, in the order in which they were noticed.")
       .def_readonly("largest_window_error_m", &ExecutionResult::largest_window_error_m,
                     "Largest error of the plates' places over the windows that arm was fitted to, "
                     "each before its fit [m].")

@@ -52,6 +52,10 @@ void bind_plan_origin(py::class_<Plan>& binding) {
   binding
       .def_readwrite("model_hash", &Plan::model_hash,
                      "content_hash of the model's file; empty for the no-load model.")
+      .def_property_readonly(
+          "arm_of_family", [](const Plan& plan) { return vector_array(plan.arm_of_family); },
+          "e of the arm that it was certified with, float32 (k,), where a closed loop has followed "
+          "which arm of its family this is; else empty. See model_of_followed_arm.")
       .def_readonly("arm_hash", &Plan::arm_hash, "ArmDescription.hash() of the arm.")
       .def_readonly("valves_hash", &Plan::valves_hash,
                     "ValveParameters.hash() of the valves; empty: planned without valves.")

@@ -90,6 +90,17 @@ CompensationModel model_of_arm(CompensationModel model, const FamilyMember& memb
   return model;
 }
 
+CompensationModel model_of_followed_arm(CompensationModel model, const Eigen::VectorXf& e) {
+  const Eigen::Index size = model.member_of_family ? model.member_of_family->e.size() : 0;
+  if (e.size() != size) {
+    throw InputError(fmt::format(
+        "{} numbers that say which arm of its family this is; the model has {}", e.size(), size));
+  }
+  FamilyMember member = *model.member_of_family;
+  member.e = e;
+  return model_of_arm(std::move(model), member);
+}
+
 CompensationModel family_of(CompensationModel model) {
   if (model.member_of_family) {
     add_share(model, model.member_of_family->e, -1.0F);

@@ -145,7 +145,7 @@ Json to_json(const ExecutionResult& result, const Environment& before) {
   json["pressure_losses"] = Json::array();
   for (const PressureLoss& loss : result.pressure_losses) {
     json["pressure_losses"].push_back(
-        {{"segment", loss.segment}, {"share", loss.share}, {"noticed_s", loss.time_s}});
+        {{"segment", loss.segment}, {"share", loss.share}, {"noticed_s", loss.noticed_s}});
   }
   json["frames"] = result.frames;
   json["frames_not_seen"] = result.frames_not_seen;

@@ -161,13 +161,11 @@ DisturbedArm disturbed(const ArmDescription& arm, const Plan& plan,
         break;
       case DisturbanceKind::picked_up:
         later.tip_load_kg = one.amount;
-        result.options.later_from_s = drawn_start_s(arm, plan, 0.0, random);
         break;
       case DisturbanceKind::leak:
         later.leak_share = one.amount;
         later.leaking_channel =
             static_cast<int>(random.index(static_cast<std::uint32_t>(arm.channel_count())));
-        result.options.later_from_s = drawn_start_s(arm, plan, 0.0, random);
         break;
       case DisturbanceKind::obstacle:
         result.obstacle = appearing_obstacle(arm, plan, one.amount, seed, stream);
@@ -175,11 +173,16 @@ DisturbedArm disturbed(const ArmDescription& arm, const Plan& plan,
     }
   }
   if (later.tip_load_kg > 0.0 || later.leak_share > 0.0) {  // of the arm as all other kinds have it
+    RandomStream random(
+        seed, kDisturbanceStreams + static_cast<std::uint64_t>(DisturbanceKind::picked_up));
+    result.options.later_from_s = drawn_start_s(arm, plan, 0.0, random);
     result.options.later = result.arm;
     change_virtual_arm(*result.options.later, [&](auto& p) {
       p.tip_load_kg += later.tip_load_kg;
-      p.leak_share = later.leak_share;
-      p.leaking_channel = later.leaking_channel;
+      if (later.leak_share > 0.0) {
+        p.leak_share = later.leak_share;
+        p.leaking_channel = later.leaking_channel;
+      }
     });
   }
   return result;

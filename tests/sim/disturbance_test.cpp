@@ -173,8 +173,19 @@ TEST_F(DisturbanceTest, ALeakTakesItsShareOfTheSetPointFromOneSegment) {
   driver.settle(Pressures::Constant(2, 40.0F), met.options.later_from_s + 4.0);
   const Pressures settled_kpa = driver.state().pressure_kpa;
   const auto other = static_cast<Eigen::Index>(1 - after.leaking_channel);
-  EXPECT_NEAR(settled_kpa[1 - other], 0.8 * 40.0, after.pressure_dead_band_kpa);
+  EXPECT_NEAR(settled_kpa[1 - other], 0.8 * 40.0, 2.0 * after.pressure_dead_band_kpa);
   EXPECT_NEAR(settled_kpa[other], 40.0, after.pressure_dead_band_kpa);
+}
+
+TEST_F(DisturbanceTest, WhatChangesInMidPlanChangesAtOneMomentAndNothingElse) {
+  const DisturbedArm one = with("picked_up,leak");
+  const DisturbedArm other = with("leak,picked_up");
+  EXPECT_EQ(one.options.later_from_s, other.options.later_from_s);
+  EXPECT_EQ(virtual_arm_to_yaml(*one.options.later), virtual_arm_to_yaml(*other.options.later));
+  ArmDescription leaking = arm_;
+  change_virtual_arm(leaking, [](auto& p) { p.leak_share = 0.2; });
+  const DisturbedArm met = disturbed(leaking, plan_, parse_disturbances("picked_up"), kSeed);
+  EXPECT_EQ(virtual_arm_parameters(*met.options.later).leak_share, 0.2) << "that it had before";
 }
 
 TEST_F(DisturbanceTest, ASegmentThatTheArmHasNotDoesNotLeak) {

@@ -14,8 +14,8 @@ namespace limber {
 
 namespace {
 
-constexpr double kRoomOfNewPlans =
-    0.5;                             // more than in motion, so that they are not given up at once
+/// Of the room, what a plan that is made in motion keeps: more, so that it is not given up at once.
+constexpr double kRoomOfNewPlans = 0.5;
 constexpr double kOfPromised = 0.9;  // of a plan's own clearance, where that is less
 /// Of the goal's tolerance: an arm that will end farther from the goal than promised by more than
 /// that strays. Less is left to the corrections, which are predicted better.
@@ -252,7 +252,8 @@ std::optional<FollowedPlan> MotionGuide::find(const PlanProgress& at, const Ahea
 }
 
 PlanningProblem MotionGuide::problem_from(const Environment& from_here, const Plan& plan) const {
-  PlanningProblem problem{arm_, model_, from_here, kRoomOfNewPlans * room_.margin_m};
+  PlanningProblem problem{arm_, model_, from_here,
+                          std::max(kRoomOfNewPlans, share_) * room_.margin_m};
   problem.limits = limits_after(plan, settings_.limits);
   problem.margin_yields_to_start = true;
   return problem;

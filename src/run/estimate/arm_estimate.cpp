@@ -45,7 +45,7 @@ class PredictedState {
   PredictedState(const ArmDescription& arm, const EstimateModel& with)
       : model_(*with.model),
         pressure_lag_(model_.valves()),
-        losses_(model_.valves(), arm.frame_period_s()),
+        losses_(arm, model_.valves()),
         start_(with.filter_from),
         check_(static_cast<std::size_t>(arm.frames_in(kForecastS)),
                static_cast<std::size_t>(arm.frames_in(kTipForecastS))) {

@@ -75,7 +75,7 @@ bool LiveArmFit::observe(const Pressures& pressure_kpa, const std::optional<Back
 }
 
 bool LiveArmFit::has_left_family() const {
-  return strange_ >= kStrangeWindows || member_.distance() >= FamilyMember::kFar;
+  return strange_ >= kStrangeWindows;
 }
 
 std::vector<ArmChange> LiveArmFit::explained_changes() const {

@@ -34,11 +34,12 @@ class LiveArmFit {
   std::vector<ArmChange> explained_changes() const;
   /// Whether the arm is far from where it was predicted within a window: at once, not at its end.
   bool is_surprised() const { return is_surprised_; }
-  /// How many times the usual error the plates were off by: over the last window, or within the one
-  /// that the arm is in, where that surprised. 1 at least; it falls again as e settles.
+  /// How many times the usual error the plates were off by: over the last window, by the e before
+  /// it, or within the one that the arm is in, where that surprised. 1 at least. An arm that stands
+  /// tells nothing new.
   double times_off() const { return times_off_; }
-  /// Whether no arm of the family moves like this one: e lies where none is, or window after window
-  /// was predicted wrong, whatever e came to be.
+  /// Whether no arm of the family moves like this one: window after window was predicted wrong,
+  /// whatever e came to be.
   bool has_left_family() const;
   /// Of the plates' places, by the e of its time, over the window that was fitted last, and the
   /// largest of all; 0 before the first. [m]

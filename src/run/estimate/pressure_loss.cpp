@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <Eigen/LU>
 
 #include "limber/arm/names.hpp"
 
@@ -13,55 +14,68 @@ namespace limber {
 namespace {
 
 constexpr double kKeptOfSums = 0.85;  // per frame: a third of a second back it is a third
-constexpr double kMinShare = 0.04;    // less may be the valve model's own error
-constexpr double kClear = 3.0;        // times what a share leaves unexplained, and the dead band
-constexpr int kShortFrames = 5;       // in a row
+constexpr double kLeastShare = 0.06;  // less may be the valve model's own error
+constexpr double kLeastOfRange =
+    0.0125;                      // of the segment's limits: less may be the sensor's offset
+constexpr double kClear = 3.0;   // times what a share leaves unexplained
+constexpr int kShortFrames = 5;  // in a row
 
 }  // namespace
 
 std::string to_text(const PressureLoss& loss) {
   return fmt::format("{} lost {:.0f} % of its pressure, noticed after {:.1f} s: a leak, or a valve",
-                     segment_name(loss.segment), 100.0 * loss.share, loss.time_s);
+                     segment_name(loss.segment), 100.0 * loss.share, loss.noticed_s);
 }
 
-PressureLossWatch::PressureLossWatch(const ValveModel& valves, double frame_period_s)
-    : valves_(valves),
-      frame_period_s_(frame_period_s),
-      segments_(valves.parameters().segments.size()) {}
-
-double PressureLossWatch::dead_band_kpa(std::size_t segment) const {
-  return valves_.parameters().segments[segment].dead_band_kpa;
+PressureLossWatch::PressureLossWatch(const ArmDescription& arm, const ValveModel& valves)
+    : frame_period_s_(arm.frame_period_s()) {
+  for (std::size_t i = 0; i < valves.parameters().segments.size(); ++i) {
+    const PressureLimits& limits = arm.limits_of_channel(static_cast<int>(i));
+    Segment& segment = segments_.emplace_back();
+    segment.least_kpa = std::max(kLeastOfRange * (limits.upper_kpa - limits.lower_kpa),
+                                 kClear * valves.parameters().segments[i].dead_band_kpa);
+  }
 }
 
 void PressureLossWatch::observe(const Pressures& expected_kpa, const Pressures& measured_kpa) {
+  if (segments_.empty()) {
+    return;
+  }
+  const Pressures before_kpa = frames_ == 0 ? expected_kpa : before_kpa_;
+  before_kpa_ = expected_kpa;
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     Segment& sums = segments_[i];
     const auto at = static_cast<Eigen::Index>(i);
-    const double expected = double(expected_kpa[at]);
-    const double measured = double(measured_kpa[at]);
+    const Eigen::Vector2d expected(expected_kpa[at], expected_kpa[at] - before_kpa[at]);
+    const double missed = double(expected_kpa[at]) - double(measured_kpa[at]);
     sums.frames = kKeptOfSums * sums.frames + 1.0;
-    sums.expected2 = kKeptOfSums * sums.expected2 + expected * expected;
-    sums.expected_measured = kKeptOfSums * sums.expected_measured + expected * measured;
-    sums.measured2 = kKeptOfSums * sums.measured2 + measured * measured;
-    if (!(sums.expected2 > 0.0)) {
-      continue;
-    }
-    const double kept = sums.expected_measured / sums.expected2;
-    const double unexplained_kpa =
-        std::sqrt(std::max(0.0, sums.measured2 - kept * sums.expected_measured) / sums.frames);
-    const double short_kpa = (1.0 - kept) * std::sqrt(sums.expected2 / sums.frames);
-    const bool is_short =
-        1.0 - kept > kMinShare && short_kpa > kClear * (unexplained_kpa + dead_band_kpa(i));
-    sums.short_for = is_short ? sums.short_for + 1 : 0;
+    sums.expected2 = kKeptOfSums * sums.expected2 + expected * expected.transpose();
+    sums.expected_missed = kKeptOfSums * sums.expected_missed + missed * expected;
+    sums.missed2 = kKeptOfSums * sums.missed2 + missed * missed;
+    const std::optional<double> share = share_missed(sums);
+    sums.short_for = share ? sums.short_for + 1 : 0;
     if (sums.short_for < kShortFrames) {
       continue;
     }
+    const auto segment = static_cast<int>(i);
     if (!std::exchange(sums.is_noticed, true)) {
-      found_.push_back({static_cast<int>(i), 0.0, frames_ * frame_period_s_});
+      found_.push_back({segment, 0.0, frames_ * frame_period_s_});
     }
-    std::ranges::find(found_, static_cast<int>(i), &PressureLoss::segment)->share = 1.0 - kept;
+    std::ranges::find(found_, segment, &PressureLoss::segment)->share = *share;
   }
   ++frames_;  // the first one is the start
+}
+
+std::optional<double> PressureLossWatch::share_missed(const Segment& sums) {
+  // A pressure that stands still tells nothing of what goes with its change: that is then 0.
+  const Eigen::Matrix2d regular = sums.expected2 + 1e-6 * Eigen::Matrix2d::Identity();
+  const Eigen::Vector2d by = regular.inverse() * sums.expected_missed;
+  const double unexplained_kpa =
+      std::sqrt(std::max(0.0, sums.missed2 - by.dot(sums.expected_missed)) / sums.frames);
+  const double short_kpa = by[0] * std::sqrt(sums.expected2(0, 0) / sums.frames);
+  const bool is_short =
+      by[0] > kLeastShare && short_kpa > sums.least_kpa + kClear * unexplained_kpa;
+  return is_short ? std::optional(by[0]) : std::nullopt;
 }
 
 }  // namespace limber

@@ -1,7 +1,9 @@
 #pragma once
 
-#include <cstddef>
+#include <optional>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "limber/arm/valve_model.hpp"
 #include "limber/run/arm_estimate.hpp"
@@ -10,12 +12,13 @@ namespace limber {
 
 /// Which segments lose pressure: measured pressures fall short of what the valves would make of
 /// the set points by the same share, frame after frame. A hose that leaks behind a controller
-/// without integral looks like that.
+/// without integral looks like that. So does not a valve that is slower than its model: what goes
+/// with how fast the pressure moves is told apart.
 ///
 /// Ideal valves know no pressures beside the set points: nothing is found out there.
 class PressureLossWatch {
  public:
-  PressureLossWatch(const ValveModel& valves, double frame_period_s);
+  PressureLossWatch(const ArmDescription& arm, const ValveModel& valves);
 
   /// Takes in a frame. @param expected_kpa  pressures of that frame by the set points alone
   void observe(const Pressures& expected_kpa, const Pressures& measured_kpa);
@@ -24,22 +27,23 @@ class PressureLossWatch {
   const std::vector<PressureLoss>& found() const { return found_; }
 
  private:
-  /// Faded sums over frames of one segment, and frames in a row in which it was short.
+  /// Of one segment, faded sums over frames, and frames in a row in which it was short.
   struct Segment {
+    double least_kpa;  ///< that counts as short
     double frames = 0.0;
-    double expected2 = 0.0;
-    double expected_measured = 0.0;
-    double measured2 = 0.0;
+    Eigen::Matrix2d expected2 = Eigen::Matrix2d::Zero();  ///< of (expected, its change)
+    Eigen::Vector2d expected_missed = Eigen::Vector2d::Zero();
+    double missed2 = 0.0;
     int short_for = 0;
     bool is_noticed = false;
   };
+  /// Of its pressure, as far as it is clear.
+  static std::optional<double> share_missed(const Segment& sums);
 
-  double dead_band_kpa(std::size_t segment) const;
-
-  const ValveModel& valves_;
-  double frame_period_s_;
   std::vector<Segment> segments_;
   std::vector<PressureLoss> found_;
+  Pressures before_kpa_;
+  double frame_period_s_;
   int frames_ = 0;
 };
 

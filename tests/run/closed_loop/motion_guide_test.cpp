@@ -180,6 +180,16 @@ class HeldArmTest : public MotionGuideTest {
     return arm;
   }
 
+  /// A circle behind the end of the way, its centre so far from where the arm's body will be.
+  void put_behind_the_end(double gap_m) {
+    const Pose tip = tip_pose(plan_.frames[motion_ / 2].backbone);
+    const Pose end = tip_pose(plan_.frames.back().backbone);
+    const double way_m = std::hypot(end.x_m - tip.x_m, end.y_m - tip.y_m);
+    const double behind_m = slow_.segments.back().width_m / 2.0 + slow_.actuator_radius_m + gap_m;
+    environment_.obstacles = {Circle{end.x_m + behind_m * (end.x_m - tip.x_m) / way_m,
+                                     end.y_m + behind_m * (end.y_m - tip.y_m) / way_m, 0.005}};
+  }
+
   MotionGuide refusing_guide() {
     planner_.searches = false;
     ErrorRoom room;
@@ -244,13 +254,7 @@ TEST_F(HeldArmTest, IsHaltedWhereTheWayIsFreeForLessThanASecond) {
 }
 
 TEST_F(HeldArmTest, KeepsAsFarAwayAsTheForecastsWereOff) {
-  const Pose tip = tip_pose(plan_.frames[motion_ / 2].backbone);
-  const Pose end = tip_pose(plan_.frames.back().backbone);
-  const double way_m = std::hypot(end.x_m - tip.x_m, end.y_m - tip.y_m);
-  // Behind the end of the way, farther than a quarter of the margin.
-  const double behind_m = slow_.segments.back().width_m / 2.0 + slow_.actuator_radius_m + 0.02;
-  environment_.obstacles = {Circle{end.x_m + behind_m * (end.x_m - tip.x_m) / way_m,
-                                   end.y_m + behind_m * (end.y_m - tip.y_m) / way_m, 0.005}};
+  put_behind_the_end(0.02);
   const MotionState now = slow_planned(motion_ / 2 - 1);
   MotionGuide guide = refusing_guide();
   EXPECT_EQ(ask(guide, motion_ / 2, now).kind, MotionAdvice::Kind::go_on);
@@ -261,6 +265,20 @@ TEST_F(HeldArmTest, KeepsAsFarAwayAsTheForecastsWereOff) {
   EXPECT_EQ(planner_.calls, 0) << "noise makes single forecasts that strike far ahead";
   ask(guide, motion_ / 2, now, off);
   EXPECT_EQ(planner_.calls, 1) << "the rest of the plan is not free any more";
+}
+
+TEST_F(HeldArmTest, KeepsAsMuchOfTheRoomAsItIsTold) {
+  put_behind_the_end(0.02);  // farther than a quarter of the margin, nearer than all of it
+  const MotionState now = slow_planned(motion_ / 2 - 1);
+  for (const auto& [share, searches] :
+       {std::pair(MotionGuide::kShareInMotion, 0), std::pair(1.0, 1)}) {
+    MotionGuide guide = refusing_guide();
+    guide.keep(share);
+    planner_.calls = 0;
+    ask(guide, motion_ / 2, now);
+    ask(guide, motion_ / 2, now);
+    EXPECT_EQ(planner_.calls, searches) << share;
+  }
 }
 
 TEST_F(MotionGuideTest, FindsAWayAroundWhatIsInTheWay) {

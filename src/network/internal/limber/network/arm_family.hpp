@@ -20,6 +20,10 @@ bool is_family(const CompensationModel& model);
 /// (error, tube) is left out. @pre model.family, and e has its size
 CompensationModel model_of_arm(CompensationModel model, const FamilyMember& member);
 
+/// The same, where a closed loop has followed which arm this is (Plan::arm_of_family).
+/// @throws InputError if the model is no arm's of a family, or of one with another size of e
+CompensationModel model_of_followed_arm(CompensationModel model, const Eigen::VectorXf& e);
+
 /// The family again, without an arm. @pre model.family
 CompensationModel family_of(CompensationModel model);
 

@@ -33,9 +33,9 @@ struct ModelMiss {
 
 /// A segment whose measured pressure falls short of what its valves would make of its set points.
 struct PressureLoss {
-  int segment = 0;
-  double share = 0.0;   ///< of the pressure
-  double time_s = 0.0;  ///< since the run's start, when it was noticed
+  int segment = 0;         ///< in space, chamber
+  double share = 0.0;      ///< of that pressure, missing
+  double noticed_s = 0.0;  ///< since the run's start
 };
 
 /// "segment 1 lost 10 % of its pressure, noticed after 2.3 s: …"
