@@ -1,5 +1,6 @@
 #include <pybind11/stl.h>
 
+#include "arrays.hpp"
 #include "bindings.hpp"
 #include "caller_thread.hpp"
 #include "episodes.hpp"
@@ -69,10 +70,14 @@ void bind_families(py::module_& module) {
   module.def("is_family", &is_family, py::arg("model"),
              "Whether a model is a family's, which adapt makes one arm's.");
   module.def(
-      "model_of_followed_arm", &model_of_followed_arm, py::arg("model"), py::arg("e"),
-      "The model of another arm of the family that `model` was made of: the one that a closed "
-      "loop had when it certified a plan (Plan.arm_of_family). Raises InputError where the "
-      "model is of no family, or e of another size.");
+      "model_of_followed_arm",
+      [](const CompensationModel& model, const FloatArray& e) {
+        return model_of_followed_arm(model, pressures_from(e, e.size(), "e"));
+      },
+      py::arg("model"), py::arg("e"),
+      "The model of another arm of the family that `model` was made of: the one that a closed loop "
+      "had when it certified a plan (Plan.arm_of_family, float32 (k,)). Raises InputError where "
+      "the model is of no family, or e of another size.");
   module.def(
       "adapt",
       [](const ArmDescription& arm, const CompensationModel& family, const EpisodeList& episodes,

@@ -337,6 +337,16 @@ class Families(InFolder):
         self.assertLess(done.uncertainty, 0.95)
         found = limber.predict(limber.ForwardModel(arm, done.model), mine, limber.Restart.every_frame)
         self.assertEqual(np.asarray(found).shape, mine.backbone.shape)
+        e = np.array([0.5, -0.5])
+        followed = limber.model_of_followed_arm(done.model, e)
+        other = limber.model_of_followed_arm(followed, e + 1.0)
+        back = limber.model_of_followed_arm(other, e)
+        found = limber.predict(limber.ForwardModel(arm, followed), mine, limber.Restart.every_frame)
+        for model, is_same in ((other, False), (back, True)):
+            again = limber.predict(limber.ForwardModel(arm, model), mine, limber.Restart.every_frame)
+            self.assertEqual(np.allclose(again, found, atol=1e-5, equal_nan=True), is_same)
+        with self.assertRaisesRegex(limber.InputError, "3 numbers that say which arm"):
+            limber.model_of_followed_arm(done.model, np.zeros(3))
 
     def test_a_model_is_tuned_and_its_error_is_measured(self):
         arm, episodes = space().arm, space().episodes

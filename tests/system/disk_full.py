@@ -21,7 +21,7 @@ import sys
 import tempfile
 
 from program import temporary_files
-from writing_verbs import LEVELS, add_choice, chosen_verbs, is_whole
+from writing_verbs import FAULT, LEVELS, add_choice, chosen_verbs, is_whole
 
 PAGE = 4096
 # Unfinished work; a driver's log, which never stops an arm; what a unit of a campaign said.
