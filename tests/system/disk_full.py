@@ -137,7 +137,7 @@ class Campaign:
     def problems(self, verb, folder, result, written):
         """What is wrong after a run."""
         found = []
-        if result.returncode not in (0, verb.fault):
+        if result.returncode not in (0, verb.fault, FAULT):  # of a campaign's run, or of itself
             found.append(f"exit code {result.returncode}")
         if result.returncode != 0 and "error: " not in result.stderr:
             found.append("no message")
