@@ -96,7 +96,7 @@ async function family(page) {
   await page.getByLabel('Model').selectOption('limber:three_segment_small');
   await page.locator('.status', { hasText: 'A family of arms' }).waitFor();
   await page.getByRole('tab', { name: 'Drive' }).click();
-  await page.getByRole('button', { name: /More/ }).click();
+  await page.getByRole('button', { name: /The numbers behind it/ }).click();
   await page.waitForSelector('#readout dt');
   await isAccessible(page, 'the arms of a family');
 }
