@@ -275,7 +275,9 @@ class ExecuteVerb final : public Verb {
     ExecutionSettings closed_loop = settings_;
     closed_loop.controller = &loop;
     ExecutionResult result = execute(arm, environment, plan, driver, closed_loop);
-    further_plans_ = loop.further_plans();
+    if (plans_folder_) {
+      further_plans_ = loop.further_plans();
+    }
     return result;
   }
 

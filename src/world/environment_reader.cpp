@@ -245,8 +245,8 @@ void require_pressures_fit(const YamlReader& node, const Pressures& kpa, const A
   for (int i = 0; i < arm.channel_count(); ++i) {
     const PressureLimits& limits = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
     const double more_kpa = beyond * (limits.upper_kpa - limits.lower_kpa);
-    if (!limits.contains(kpa[i]) &&
-        !(std::abs(limits.clamped(double(kpa[i])) - double(kpa[i])) <= more_kpa)) {
+    if (!PressureLimits(limits.lower_kpa - more_kpa, limits.upper_kpa + more_kpa)
+             .contains(kpa[i])) {
       node.elements()[static_cast<std::size_t>(i)].refuse(
           fmt::format("{} {unit} found; expected {} {unit}, the limits of that segment", kpa[i],
                       to_string(limits), fmt::arg("unit", arm.command.unit)));

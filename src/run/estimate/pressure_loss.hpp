@@ -12,8 +12,8 @@ namespace limber {
 
 /// Which segments lose pressure: measured pressures fall short of what the valves would make of
 /// the set points by the same share, frame after frame. A hose that leaks behind a controller
-/// without integral looks like that. So does not a valve that is slower than its model: what goes
-/// with how fast the pressure moves is told apart.
+/// without integral looks like that. A valve that is slower than its model does not: its shortfall
+/// goes with how fast the pressure moves, and is fitted apart.
 ///
 /// Ideal valves know no pressures beside the set points: nothing is found out there.
 class PressureLossWatch {
