@@ -108,10 +108,11 @@ void require_plain_numbers(CLI::App& command) {
 namespace fs = std::filesystem;
 
 // Every option by which a verb names a file or folder to write …
-constexpr std::array kOutputs = {"--out",       "--svg",    "--plot",          "--plots",
-                                 "--tables",    "--onnx",   "--mjcf",          "--motive",
-                                 "--animation", "--forest", "--pressures-svg", "--driver-log",
-                                 "--device-log"};
+constexpr std::array kOutputs = {"--out",        "--svg",           "--plot",       "--plots",
+                                 "--tables",     "--onnx",          "--mjcf",       "--motive",
+                                 "--animation",  "--forest",        "--times-svg",  "--plans-out",
+                                 "--device-log", "--pressures-svg", "--driver-log", "--truth",
+                                 "--folder",     "--predictions",   "--adapted-out"};
 // … and the verbs that write one which others read.
 constexpr std::array<std::string_view, 2> kWritersOfCsv = {"plan", "export"};
 // With --force, this verb fills in the arm file that it reads.

@@ -167,6 +167,11 @@ IdentifiedValves DataFlags::valves_of(const std::vector<Episode>& episodes,
 EpisodeChoice DataFlags::load_arms(const CommonFlags& flags, const ArmDescription& arm,
                                    EpisodeReader& reader, int slice_frames,
                                    IdentifiedValves& valves) const {
+  if (!validation_.empty() || !unseen_.empty() || keep_broken_) {
+    throw InputError(
+        "--family: leave out --validation, --unseen and --keep-broken: whole arms are held back, "
+        "and every episode is learnt from");
+  }
   OutlinedRecordings outlines = outline_recordings(arm, data_);
   const std::int64_t frames = frame_count(outlines.all.episodes);
   if (frames > slice_frames) {
@@ -193,7 +198,7 @@ NamedEpisodes DataFlags::load_validation(const CommonFlags& flags, EpisodeReader
   NamedEpisodes validation;
   if (!validation_.empty()) {
     validation.add(validation_, reader.read(validation_).episodes);
-    if (reader.sources().find(content_hash(read_file(validation_))) != std::string::npos) {
+    if (reader.is_source(validation_)) {
       say(flags,
           "warning: --validation {} is learnt from too: the epoch is chosen, and its error "
           "reported, by what the network knows",
@@ -235,6 +240,12 @@ EpisodeChoice DataFlags::load(const CommonFlags& flags, const ArmDescription& ar
   }
   choice.broken = std::move(broken);
   if (!unseen_.empty()) {
+    if (reader.is_source(unseen_) ||
+        (!validation_.empty() && file_hash(unseen_) == file_hash(validation_))) {
+      throw InputError(fmt::format(
+          "--unseen {}: learnt from, or validated on, too; the error on it would say too little",
+          unseen_));
+    }
     choice.data.unseen = reader.read(unseen_).episodes;
   }
   return choice;

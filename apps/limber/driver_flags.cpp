@@ -97,6 +97,14 @@ ProcessDriverSettings WireFlags::settings(const std::string& driver, const ArmDe
   return settings;
 }
 
+std::function<void(const std::string&)> tell_of_arm(bool all) {
+  return [all](const std::string& message) {
+    if (all || !message.starts_with("vented:")) {
+      print_to_stderr(printable(message) + "\n");
+    }
+  };
+}
+
 void DriverFlags::add_to(CLI::App& app, bool may_be_model) {
   may_be_model_ = may_be_model;
   std::string help =
@@ -166,12 +174,7 @@ std::unique_ptr<ProcessDriver> DriverFlags::start(const ArmDescription& arm,
     refuse_to_overwrite(log_, flags.force);
     settings.log = log_;
   }
-  const bool quiet = flags.quiet;
-  settings.say = [quiet](const std::string& message) {
-    if (!quiet || !message.starts_with("vented:")) {
-      print_to_stderr(printable(message) + "\n");
-    }
-  };
+  settings.say = tell_of_arm(!flags.quiet);
   return std::make_unique<ProcessDriver>(arm, settings);
 }
 
@@ -212,7 +215,9 @@ void require_reach(const ArmDescription& arm, double limit_scale, const ProcessD
 
 ArmStart measured_start(const ArmDescription& arm, const std::string& arm_file,
                         const std::string& driver, const WireFlags& wire) {
-  ProcessDriver started(arm, wire.settings(driver, arm, arm_file));
+  ProcessDriverSettings settings = wire.settings(driver, arm, arm_file);
+  settings.say = tell_of_arm(false);
+  ProcessDriver started(arm, settings);
   return vented_rest(arm, started);
 }
 

@@ -34,6 +34,9 @@ class WireFlags {
   bool simulated_ = false;
 };
 
+/// Prints what a driver says of its arm; that it was vented only if `all`.
+std::function<void(const std::string&)> tell_of_arm(bool all);
+
 /// What moves the arm, and how far: flags of every verb that moves one.
 class DriverFlags {
  public:

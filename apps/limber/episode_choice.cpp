@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <map>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "limber/arm/names.hpp"
+#include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/data/recording_inspection.hpp"
 #include "limber/data/recording_part.hpp"
@@ -81,11 +83,21 @@ void EpisodeReader::warn_of_base(const std::string& path, const Recording& recor
 
 NamedEpisodes EpisodeReader::read_all(const std::vector<std::string>& paths) {
   NamedEpisodes all;
+  std::map<std::string, std::string> path_of_hash;
   for (const std::string& path : paths) {
     all.add(path, read(path).episodes);
     note_source(path);
+    const auto [other, is_new] = path_of_hash.emplace(file_hash(path), path);
+    if (!is_new) {  // what is held back of one would be learnt from in the other
+      throw InputError(
+          fmt::format("{}: the same recording as {}; give it once", path, other->second));
+    }
   }
   return all;
+}
+
+bool EpisodeReader::is_source(const std::string& path) const {
+  return sources_.find(file_hash(path)) != std::string::npos;
 }
 
 void EpisodeReader::note_source(const std::string& path) {

@@ -57,9 +57,11 @@ class EpisodeReader {
   Recording read(const std::string& path);
   /// Those of its episodes that have these numbers; says once per file where its base is.
   std::vector<Episode> read_part(const std::string& path, std::span<const int> episodes);
-  /// All of them, which are noted as `sources`.
+  /// All of them, which are noted as `sources`. @throws InputError where two have the same content.
   NamedEpisodes read_all(const std::vector<std::string>& paths);
   void note_source(const std::string& path);
+  /// Whether a source has the content of that file.
+  bool is_source(const std::string& path) const;
 
   RecordingKinds& kinds() { return kinds_; }
   /// "a.h5 HASH, b.h5 HASH".

@@ -138,9 +138,11 @@ class AdaptVerb final : public Verb {
                             arm.name);
     }
     if (done.tells_too_little()) {
-      text +=
-          "\nwarning: the recording moved too little to tell which arm it is; limber collect "
-          "--schedule identify records a minute that does";
+      text += done.moved_too_little()
+                  ? "\nwarning: the recording moved too little to tell which arm it is; limber "
+                    "collect --schedule identify records a minute that does"
+                  : "\nwarning: of what arms of the family differ by, the recording leaves one "
+                    "thing open; more seconds of other motions may tell it";
     }
     if (done.has_trained_weights) {
       text += fmt::format(

@@ -153,11 +153,7 @@ class DriverCalibrate {
     CalibrateDriverSettings settings;
     settings.driver = driver;
     settings.driver.log = log;
-    settings.driver.say = [&](const std::string& message) {
-      if (message.starts_with("VENT")) {
-        print_to_stderr(printable(message) + "\n");
-      }
-    };
+    settings.driver.say = tell_of_arm(false);
     settings.tolerance = tolerance_;
     settings.confirm = [&](const std::string& step) {
       if (yes_) {
@@ -267,7 +263,7 @@ class DriverVerb final : public Verb {
     fs::create_directories(folder);
     settings.limit_scale = limit_scale_;
     settings.log = folder / "check.driver.jsonl";
-    settings.say = [&](const std::string& message) { print_to_stderr(printable(message) + "\n"); };
+    settings.say = tell_of_arm(!flags.quiet);
     say(flags, "checking the driver: the arm moves for about a minute");
     const DriverCheck check = check_driver(arm, settings);
     return report(arm, check, flags);

@@ -1,4 +1,5 @@
 #include <list>
+#include <type_traits>
 
 #include "driver_flags.hpp"
 #include "limber/arm/arm_identity.hpp"
@@ -41,8 +42,8 @@ class ExecuteVerb final : public Verb {
                    "Seconds in all that the last set point is held before the goal is judged")
         ->capture_default_str();
     app.add_option("--max-start-error-m", max_start_error_m_,
-                   "Largest distance of a plate from where the plan starts, with exec: only; by "
-                   "default the plan's margin, which is its model's error, or 1 cm if that is more")
+                   "Largest distance of a plate from where the plan starts; by default with exec: "
+                   "the plan's margin, which is its model's error, or 1 cm if that is more")
         ->check(CLI::NonNegativeNumber);
     replan_.add_to(app);
     app.add_option("--disturbance", disturbance_,
@@ -104,6 +105,7 @@ class ExecuteVerb final : public Verb {
     out_ = driver_.recording_or_default(out_, flags);
     refuse_to_overwrite_any(flags);
     prepare_plans_out(flags);
+    settings_.max_start_error_m = max_start_error_m_;
     const DisturbedArm met = disturbed(arm, plan, disturbances, flags.seed);
     if (driver_.is_program()) {
       const std::unique_ptr<ProcessDriver> driver = driver_.start(arm, arm_file, out_, true, flags);
@@ -149,6 +151,18 @@ class ExecuteVerb final : public Verb {
     }
     if (!plans_out_.empty() && !replan_.is_asked_for()) {
       throw InputError("--plans-out: plans after the first are made by --replan; give that too");
+    }
+    if (!adapted_out_.empty()) {
+      require_something_adapts();
+    }
+  }
+
+  void require_something_adapts() const {
+    if (!replan_.is_asked_for() || !replan_.settings().adapts ||
+        !read_model_of_one_arm(model_.model_file()).member_of_family) {
+      throw InputError(
+          "--adapted-out: nothing would be adapted; expected --replan, a model that limber adapt "
+          "made, and no --no-adapt");
     }
   }
 
@@ -274,6 +288,9 @@ class ExecuteVerb final : public Verb {
                     flags.seed);
     ExecutionSettings closed_loop = settings_;
     closed_loop.controller = &loop;
+    if constexpr (std::is_same_v<Driver, ProcessDriver>) {
+      driver.look();  // since it was started, a network was read
+    }
     ExecutionResult result = execute(arm, environment, plan, driver, closed_loop);
     if (plans_folder_) {
       further_plans_ = loop.further_plans();
@@ -342,13 +359,8 @@ class ExecuteVerb final : public Verb {
 
   /// For the next day.
   void write_adapted(const ExecutionResult& result) const {
-    if (adapted_out_.empty()) {
+    if (adapted_out_.empty() || !result.arm) {
       return;
-    }
-    if (!result.arm) {
-      throw InputError(
-          "--adapted-out: nothing was adapted; expected --replan, a model that limber adapt made, "
-          "and no --no-adapt");
     }
     const CompensationModel before = read_model(model_.model_file());
     CompensationModel now = model_of_arm(before, *result.arm);

@@ -36,9 +36,9 @@ class ExportVerb final : public Verb {
     app.add_option("--csv", csv_,
                    "Folder for tables: a recording's episodes, a plan's set points and shapes, a "
                    "model's reference queries");
-    app.add_option("--motive", motive_,
-                   "Folder for a recording as OptiTrack Motive would "
-                   "have logged it, with pressures in a log of their own");
+    CLI::Option* motive = app.add_option("--motive", motive_,
+                                         "Folder for a recording as OptiTrack Motive would "
+                                         "have logged it, with pressures in a log of their own");
     app.add_option("--onnx", onnx_, "File for a model's network with its normalisation");
     app.add_option("--mjcf", mjcf_, "File for an arm's chain as MuJoCo's XML");
     app.add_option("--arm", arm_,
@@ -46,21 +46,29 @@ class ExportVerb final : public Verb {
                    "needed for a plan without a certificate");
     const char* group = "With --motive";
     app.add_option("--rate-hz", settings_.rate_hz, "Rows per second; the recording's by default")
-        ->group(group);
+        ->group(group)
+        ->needs(motive);
     app.add_option("--time-offset-s", settings_.time_offset_s,
                    "What import has to add to the pressure log's times")
-        ->group(group);
+        ->group(group)
+        ->needs(motive);
     app.add_option("--noise-m", settings_.noise_m, "Noise of positions, standard deviation")
-        ->group(group);
-    app.add_option("--noise-rad", settings_.noise_rad, "Noise of headings")->group(group);
+        ->group(group)
+        ->needs(motive);
+    app.add_option("--noise-rad", settings_.noise_rad, "Noise of headings")
+        ->group(group)
+        ->needs(motive);
     app.add_option("--occlusions", settings_.occlusions,
                    "How often a plate is hidden in each episode")
-        ->group(group);
+        ->group(group)
+        ->needs(motive);
     app.add_option("--occlusion-s", settings_.occlusion_s, "For how long")
         ->group(group)
+        ->needs(motive)
         ->capture_default_str();
     app.add_flag("--markers", settings_.markers, "Two markers per plate instead of rigid bodies")
-        ->group(group);
+        ->group(group)
+        ->needs(motive);
   }
 
   int run(const CommonFlags& flags) override {

@@ -106,7 +106,9 @@ class FamilyVerb final : public Verb {
     add_mirrored_arms(arm, data);
     TrainingResult result = train(arm, data, settings(flags));
     if (result.status != TrainingStatus::finished) {
-      say(flags, "{}; the same command with --resume goes on", result.message);
+      print_error(result.status == TrainingStatus::diverged
+                      ? result.message
+                      : result.message + "; the same command with --resume goes on");
       return kExitNoSolution;
     }
     if (!arm.is_spatial()) {

@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "limber/common/atomic_file.hpp"
+#include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/json_reader.hpp"
 #include "verbs.hpp"
@@ -63,15 +64,16 @@ class ImproveVerb final : public Verb {
 
   int run(const CommonFlags& flags) override {
     const fs::path folder(out_);
-    if (fs::exists(folder / "round_1") && !resume_ && !flags.force) {
-      throw InputError(fmt::format(
-          "{}: holds rounds already; --resume goes on from them, --force makes them again", out_));
+    if (plans_ > kPlansOfAnEpisode && plans_ % kPlansOfAnEpisode != 0) {
+      throw InputError(fmt::format("--plans {}: expected at most {}, or a multiple of it", plans_,
+                                   kPlansOfAnEpisode));
     }
+    begin(folder, flags);
     Json rounds = Json::array();
     std::string model = model_;
     Words learnt;
     for (int round = 1; round <= rounds_; ++round) {
-      const fs::path here = folder / fmt::format("round_{}", round);
+      const fs::path here = folder_of(folder, round);
       fs::create_directories(here);
       Json found = {{"round", round}};
       const std::string plans = (here / "plans.h5").string();
@@ -92,7 +94,7 @@ class ImproveVerb final : public Verb {
       rounds.push_back(std::move(found));
       model = better;
     }
-    const std::string result = (folder / "model.safetensors").string();
+    const std::string result = result_of(folder).string();
     write_file_atomically(result, read_file(model));
     print_result(flags, {{"model", result}, {"rounds", rounds}},
                  fmt::format("{}: learnt from {} rounds of {} plans", result, rounds_, plans_));
@@ -100,6 +102,67 @@ class ImproveVerb final : public Verb {
   }
 
  private:
+  static fs::path result_of(const fs::path& folder) { return folder / "model.safetensors"; }
+
+  /// What the rounds so far were made of; the number of rounds may grow.
+  Json identity(const CommonFlags& flags) const {
+    Json json = {{"arm", file_hash(find_arm_file(arm_))},
+                 {"model", file_hash(model_)},
+                 {"data", Json::array()},
+                 {"plans", plans_},
+                 {"max_queries", queries_},
+                 {"epochs", epochs_ ? Json(*epochs_) : Json(nullptr)},
+                 {"limit_scale", limit_scale_},
+                 {"driver", driver_},
+                 {"seed", flags.seed}};
+    for (const std::string& data : data_) {
+      json["data"].push_back(file_hash(data));
+    }
+    return json;
+  }
+
+  /// Refuses what would mix two runs, or replace what this one does not own.
+  void begin(const fs::path& folder, const CommonFlags& flags) const {
+    const fs::path made_of = folder / "improve.json";
+    const fs::path result = result_of(folder);
+    std::error_code none;
+    if (fs::equivalent(result, model_, none)) {
+      throw InputError(
+          fmt::format("--model {}: the result would replace it; give another --out", model_));
+    }
+    if (resume_ && fs::exists(made_of)) {
+      if (read_json_object(made_of) != nlohmann::json(identity(flags))) {
+        throw InputError(fmt::format(
+            "{}: a run with another model, data or settings began there; give the same, or "
+            "--force to make all rounds again",
+            made_of.string()));
+      }
+      return;
+    }
+    refuse_to_overwrite(result, flags.force);
+    if (fs::exists(made_of)) {
+      if (!flags.force) {
+        throw InputError(fmt::format(
+            "{}: holds rounds already; --resume goes on from them, --force makes them again",
+            out_));
+      }
+      for (int round = 1; fs::exists(folder_of(folder, round)); ++round) {
+        for (const char* verb : {"collect", "train"}) {
+          fs::remove(kept(folder_of(folder, round), verb));
+        }
+      }
+    }
+    fs::create_directories(folder);
+    write_file_atomically(made_of, identity(flags).dump(1) + "\n");
+  }
+
+  static fs::path folder_of(const fs::path& folder, int round) {
+    return folder / fmt::format("round_{}", round);
+  }
+  static fs::path kept(const fs::path& folder, const std::string& verb) {
+    return folder / (verb + ".json");
+  }
+
   Words collect_words(const std::string& model, const std::string& plans,
                       const std::string& seed) const {
     Words words = {"--schedule", "plans",
@@ -139,9 +202,9 @@ class ImproveVerb final : public Verb {
   /// @param has_begun  whether it was stopped before
   int step(Verb& verb, Words words, bool has_begun, const fs::path& folder,
            const CommonFlags& flags, Json& found) const {
-    const fs::path kept = folder / fmt::format("{}.json", verb.name());
-    if (resume_ && fs::exists(kept)) {
-      found[verb.name()] = read_json_object(kept);
+    const fs::path done = kept(folder, verb.name());
+    if (resume_ && fs::exists(done)) {
+      found[verb.name()] = read_json_object(done);
       return kExitDone;
     }
     CommonFlags own = flags;
@@ -155,10 +218,14 @@ class ImproveVerb final : public Verb {
     }
     own.force = flags.force || resume_;  // what a step made that was stopped right before its end
     std::reverse(words.begin(), words.end());  // as CLI11 takes them
-    command.parse(words);
+    try {
+      command.parse(words);
+    } catch (const CLI::ParseError& error) {
+      throw InputError(fmt::format("limber {}: {}", verb.name(), error.what()));
+    }
     const int code = verb.run(own);
     if (code == kExitDone) {
-      write_file_atomically(kept, found[verb.name()].dump(1) + "\n");
+      write_file_atomically(done, found[verb.name()].dump(1) + "\n");
     }
     return code;
   }

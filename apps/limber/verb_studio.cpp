@@ -57,15 +57,18 @@ class StudioVerb final : public Verb {
     print_result(flags, {{"address", studio.address()}}, studio.address());
     std::fflush(stdout);  // whoever reads it through a pipe waits for it
     say(flags, "open this address in a browser; Ctrl-C ends the studio");
-    std::thread watch([&studio] {
-      while (!interrupt_requested()) {
-        std::this_thread::sleep_for(kSignalPoll);
-      }
-      studio.stop();
-    });
-    studio.serve();
-    request_interrupt();  // also where the server ended by itself
-    watch.join();
+    {
+      // Again and again: a server that does not listen yet is not stopped.
+      const std::jthread watch([&studio](const std::stop_token& has_ended) {
+        while (!has_ended.stop_requested()) {
+          std::this_thread::sleep_for(kSignalPoll);
+          if (interrupt_requested()) {
+            studio.stop();
+          }
+        }
+      });
+      studio.serve();
+    }
     return kExitDone;
   }
 

@@ -211,11 +211,22 @@ void bind_arm(py::module_& module) {
       .def_property_readonly(
           "pressure_ranges_kpa", &pressure_ranges_of,
           "Lower and upper limit of each segment or chamber, float32 (n, 2) [kPa].")
-      .def("frames_in", &ArmDescription::frames_in, py::arg("seconds"),
-           "Fewest frames that take at least so long. seconds: >= 0.")
-      .def("segment_of_gap", &ArmDescription::segment_of_gap, py::arg("gap"),
-           "Number of the segment, from 0, that the gap between plates gap and gap + 1 "
-           "belongs to. gap: 0 to m - 2.")
+      .def(
+          "frames_in",
+          [](const ArmDescription& arm, double seconds) {
+            require_number("seconds", seconds, 0.0, kMaxSeconds);
+            return arm.frames_in(seconds);
+          },
+          py::arg("seconds"), "Fewest frames that take at least so long. seconds: 0 to 1e6.")
+      .def(
+          "segment_of_gap",
+          [](const ArmDescription& arm, int gap) {
+            require_number("gap", gap, 0, arm.point_count() - 2);
+            return arm.segment_of_gap(gap);
+          },
+          py::arg("gap"),
+          "Number of the segment, from 0, that the gap between plates gap and gap + 1 "
+          "belongs to. gap: 0 to m - 2.")
       .def("hash", &ArmDescription::hash,
            "Hash of everything that the no-load model and planning depend on, a text.")
       .def("_repr_svg_", &arm_picture, py::call_guard<OthersMayRun>());

@@ -59,6 +59,13 @@ bool is_float_array(py::handle object) {
          py::detail::check_flags(object.ptr(), kAsItIs);
 }
 
+void require_number(const char* name, double value, double lowest, double highest) {
+  if (!(value >= lowest && value <= highest)) {
+    throw InputError(
+        fmt::format("{} = {:.10g}; expected {:.10g} to {:.10g}", name, value, lowest, highest));
+  }
+}
+
 void require_jobs(int jobs) {
   if (jobs < 0) {
     throw InputError(

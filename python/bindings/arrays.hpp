@@ -44,6 +44,10 @@ using Shape = std::vector<py::ssize_t>;
 /// @throws InputError for a negative number of threads; 0 is one per core.
 void require_jobs(int jobs);
 
+/// @throws InputError "seconds = nan; expected 0 to 1000000".
+void require_number(const char* name, double value, double lowest, double highest);
+constexpr double kMaxSeconds = 1e6;
+
 /// "(16, 3)", as NumPy prints it.
 std::string to_text(const Shape& shape);
 Shape shape_of(const py::array& array);

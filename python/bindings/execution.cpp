@@ -4,6 +4,7 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "caller_thread.hpp"
+#include "limber/driver/driver_run.hpp"
 #include "limber/report/execution_report.hpp"
 #include "limber/run/controller.hpp"
 #include "limber/run/executor.hpp"
@@ -68,7 +69,13 @@ ExecutionResult run_with(const ArmDescription& arm, const Environment& environme
   if (py::isinstance<SharedProcessDriver>(driver)) {
     const SharedProcessDriver::Use use(driver.cast<SharedProcessDriver&>());
     require_within(plan, *use);
-    return run_on(arm, environment, plan, *use, settings, caller);
+    if (!settings.max_start_error_m) {
+      settings.max_start_error_m = allowed_start_error_m(plan);
+    }
+    return caller.run([&] {
+      use->look();  // since its last vent it may have been planned for a minute
+      return execute(arm, environment, plan, *use, settings);
+    });
   }
   PythonDriver python_driver(driver, caller);
   return run_on(arm, environment, plan, python_driver, settings, caller);
@@ -106,6 +113,9 @@ void bind_execution_findings(py::module_& module) {
       .field("hold_s", &ExecutionSettings::hold_s,
              "How long the last set point is held, the plan's own hold counted [s], >= 0; "
              "then the goal is judged.")
+      .field("max_start_error_m", &ExecutionSettings::max_start_error_m,
+             "How far a plate may be from the plan's start, as measured [m]; None: of a "
+             "ProcessDriver the plan's margin, at least 1 cm, else anywhere.")
       .keywords()
       .done();
   Record<ExecutedError>(module, "ExecutedError", "Distance between predicted and executed tip.")

@@ -5,6 +5,7 @@
 #include "limber/arm/valve_parameters.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
+#include "limber/common/error.hpp"
 #include "limber/network/prediction_error.hpp"
 #include "limber/report/execution_report.hpp"
 #include "limber/report/plan_report.hpp"
@@ -54,6 +55,14 @@ void bind_json(py::module_& module) {
   module.def(
       "to_json",
       [](const ExecutionResult& result, const Environment& environment) {
+        const auto obstacles = static_cast<int>(environment.obstacles.size());
+        for (const std::optional<Contact>& contact : {result.first_collision, result.closest}) {
+          if (contact && contact->clearance.obstacle >= obstacles) {
+            throw InputError(fmt::format("environment: of {} obstacles; the run struck {}",
+                                         obstacles,
+                                         obstacle_name(environment, contact->clearance.obstacle)));
+          }
+        }
         return to_python([&] { return to_json(result, environment); });
       },
       py::arg("result"), py::arg("environment"), "The dict of `limber execute --json`.");

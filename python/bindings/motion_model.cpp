@@ -21,7 +21,9 @@ void step(const MotionModel& model, const FloatArray& setpoint_kpa, MotionState&
   require_shape(setpoint_kpa, {model.channel_count()}, "setpoint_kpa");
   require_finite(setpoint_kpa, "setpoint_kpa");
   if (state.valves.size() != model.valves().state_size() ||
-      state.backbone.rows() != model.point_count()) {
+      state.backbone.rows() != model.point_count() ||
+      (model.has_network() && model.compensation().reads_velocity &&
+       state.before.rows() != model.point_count())) {
     throw InputError(
         "state: of another arm or other valves; settled_state of this model makes one");
   }
@@ -155,8 +157,11 @@ void bind_motion_model(py::module_& module) {
   py::class_<RecordedRegion>(module, "RecordedRegion",
                              "Judges whether motions stay within what the recordings held, for "
                              "PlanningProblem(stay_within=...).")
-      .def(py::init<const LearntRegion&, double>(), py::arg("learnt"), py::arg("frame_rate_hz"),
-           py::keep_alive<1, 2>(),
+      .def(py::init([](const LearntRegion& learnt, double frame_rate_hz) {
+             require_number("frame_rate_hz", frame_rate_hz, 1e-3, 1e6);
+             return RecordedRegion(learnt, frame_rate_hz);
+           }),
+           py::arg("learnt"), py::arg("frame_rate_hz"), py::keep_alive<1, 2>(),
            "learnt: LearntRegion, a model's model.learnt; frame_rate_hz: the arm's [Hz], > 0.")
       .def("__repr__", [](const RecordedRegion& region) {
         return fmt::format("RecordedRegion(segments={}, points={})",

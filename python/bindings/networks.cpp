@@ -109,6 +109,17 @@ void bind_learnt_region(py::module_& module) {
       });
 }
 
+/// What may be taken from the model is never seen through a reference into it.
+template <class Value>
+auto value_of(Value CompensationModel::*member) {
+  return [member](const CompensationModel& model) -> Value { return model.*member; };
+}
+
+template <class Value>
+auto assigning(Value CompensationModel::*member) {
+  return [member](CompensationModel& model, const Value& value) { model.*member = value; };
+}
+
 void bind_network(py::module_& module) {
   py::class_<CompensationModel>(module, "CompensationModel",
                                 "The network with everything needed to use it.")
@@ -143,18 +154,21 @@ void bind_network(py::module_& module) {
                      "Record of the training, a dict of texts; assign a whole one.")
       .def_readonly("learnt_from_setpoints", &CompensationModel::learnt_from_setpoints,
                     "It knows the valves along with the arm, and none belong before it.")
-      .def_readwrite("valves", &CompensationModel::valves,
-                     "ValveParameters between set points and pressures of the recordings, or None; "
-                     "can be set.")
-      .def_readonly("valve_findings", &CompensationModel::valve_findings,
-                    "ValveFindings: how its valves were found, or why there are none.")
-      .def_readonly("prediction_error", &CompensationModel::prediction_error,
-                    "PredictionError on motions that it has not seen, as note_unseen stores it; or "
-                    "None.")
-      .def_readwrite("learnt", &CompensationModel::learnt,
-                     "What the recordings held, or None: see learnt_region_of.")
-      .def_readwrite("bounds", &CompensationModel::bounds,
-                     "What predictions stay within, or None: see gap_bounds_of.")
+      .def_property("valves", value_of(&CompensationModel::valves),
+                    assigning(&CompensationModel::valves),
+                    "ValveParameters between set points and pressures of the recordings, or None; "
+                    "can be set.")
+      .def_property_readonly("valve_findings", value_of(&CompensationModel::valve_findings),
+                             "ValveFindings: how its valves were found, or why there are none.")
+      .def_property_readonly("prediction_error", value_of(&CompensationModel::prediction_error),
+                             "PredictionError on motions that it has not seen, as note_unseen "
+                             "stores it; or None.")
+      .def_property("learnt", value_of(&CompensationModel::learnt),
+                    assigning(&CompensationModel::learnt),
+                    "What the recordings held, or None: see learnt_region_of.")
+      .def_property("bounds", value_of(&CompensationModel::bounds),
+                    assigning(&CompensationModel::bounds),
+                    "What predictions stay within, or None: see gap_bounds_of.")
       .def("set_valves", &CompensationModel::set_valves, py::arg("identified"),
            "Stores valves and how they were found. identified: IdentifiedValves, as "
            "identify_valves returns them.")

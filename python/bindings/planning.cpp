@@ -127,6 +127,14 @@ void bind_problem(py::module_& module) {
                       const std::optional<PlanTube>& tube) {
             require_planar(arm, "limber.PlanningProblem");
             PlanningProblem problem{arm, model, environment, margin_m, goal_margin};
+            if (stay_within != nullptr &&
+                (stay_within->learnt().segment_count() != arm.segment_count() ||
+                 stay_within->learnt().point_count() != arm.point_count())) {
+              throw InputError(fmt::format(
+                  "stay_within: of {} segments and {} plates; arm '{}' has {} and {}",
+                  stay_within->learnt().segment_count(), stay_within->learnt().point_count(),
+                  arm.name, arm.segment_count(), arm.point_count()));
+            }
             problem.stay_within = stay_within;
             problem.margin_yields_to_start = margin_yields_to_start;
             problem.limits = limits_of_pairs(limits_kpa);

@@ -199,9 +199,10 @@ void bind_runs(py::module_& module) {
   module.def(
       "learnt_region_of",
       [](const TrainingData& data) {
-        if (!data.training.empty()) {
-          require_planar_model(data.training.front().dimension, "limber.learnt_region_of");
+        if (data.training.empty()) {
+          throw InputError("learnt_region_of: no episodes to train with");
         }
+        require_planar_model(data.training.front().dimension, "limber.learnt_region_of");
         return learnt_region_of(data);
       },
       py::arg("data"), py::call_guard<OthersMayRun>(),

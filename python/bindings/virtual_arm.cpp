@@ -19,6 +19,7 @@ void bind_state(py::module_& module) {
       .def(py::init([](double time_s, const FloatArray& pressure_kpa, const py::object& backbone,
                        const py::object& setpoint_kpa, std::optional<double> tracker_t) {
              ArmState state;
+             require_number("time_s", time_s, -kMaxSeconds, kMaxSeconds);
              state.time_s = time_s;
              state.pressure_kpa = pressures_from(pressure_kpa, pressure_kpa.size(), "pressure_kpa");
              if (!backbone.is_none()) {
@@ -129,6 +130,7 @@ void bind_virtual_arm(py::module_& module) {
           "settle",
           [](SharedVirtualArm& arm, const FloatArray& setpoint_kpa, double seconds) {
             require_shape(setpoint_kpa, {setpoint_kpa.size()}, "setpoint_kpa");
+            require_number("seconds", seconds, 0.0, kMaxSeconds);
             const Pressures setpoints = pressures_map(setpoint_kpa);
             return moved(arm,
                          [&](VirtualArm& moving) { return moving.settle(setpoints, seconds); });

@@ -16,7 +16,7 @@ _WRITERS: dict[str, Any] = {"arm": _limber.write_arm, "environment": _limber.wri
 _FILED = {_limber.ArmDescription: "arm", _limber.Environment: "environment",
           _limber.CompensationModel: "model", _limber.Plan: "plan"}
 _ARRAYS = ("time_s", "pressure_kpa", "setpoint_kpa", "backbone", "motion_index", "tracked",
-           "setpoints_only", "physics", "lifted")
+           "setpoints_only", "physics", "lifted", "log")
 
 
 def _from_fields(kind: type, fields: dict[str, Any]) -> Any:

@@ -142,6 +142,8 @@ class _Server:
             if setpoint_kpa.shape != (self._driver.segment_count,):
                 raise ValueError(f"{setpoint_kpa.size} set points; the arm has "
                                  f"{self._driver.segment_count} segments")
+            if not np.isfinite(setpoint_kpa).all():
+                raise ValueError(f"set points {setpoint_kpa.tolist()} kPa: not finite")
             self._refuse_beyond_limits(setpoint_kpa)
             self._state(self._driver.command(setpoint_kpa), message)
         elif kind == "vent":
@@ -152,7 +154,7 @@ class _Server:
         if limits is None:
             return
         lower, upper = np.transpose(_ranges(limits))
-        if ((setpoint_kpa < lower - 1e-3) | (setpoint_kpa > upper + 1e-3)).any():
+        if not ((setpoint_kpa >= lower - 1e-3) & (setpoint_kpa <= upper + 1e-3)).all():
             raise ValueError(f"set points {setpoint_kpa.tolist()} kPa are beyond the driver's "
                              f"limits {list(limits)}")
 

@@ -247,10 +247,13 @@ void fit_simple_models(const Recording& recording, const ArmDescription* arm,
     inspection.episode_errors = errors_of_any(used, recording.episodes);
     return;
   }
-  const SpaceFit fit = fit_space_model(used, recording.episodes);
-  inspection.episode_errors = episode_errors(fit, used, recording.episodes);
-  if (arm != nullptr) {
-    look_at_chambers(*arm, fit, inspection);
+  try {
+    const SpaceFit fit = fit_space_model(used, recording.episodes);
+    inspection.episode_errors = episode_errors(fit, used, recording.episodes);
+    if (arm != nullptr) {
+      look_at_chambers(*arm, fit, inspection);
+    }
+  } catch (const InputError&) {  // nothing that a fit may use: what is odd is among the suspicions
   }
 }
 

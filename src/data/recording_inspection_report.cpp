@@ -48,6 +48,13 @@ std::string transitions_to_text(const Recording& recording, const RecordingInspe
                    transitions.covered, transitions.possible, transitions.attempted, guessed);
 }
 
+/// Whole numbers as such; 10^19 and more are none of JSON's.
+nlohmann::ordered_json possible_to_json(double transitions) {
+  constexpr double kMaxWhole = 9e18;
+  return transitions < kMaxWhole ? nlohmann::ordered_json(static_cast<std::int64_t>(transitions))
+                                 : nlohmann::ordered_json(transitions);
+}
+
 }  // namespace
 
 nlohmann::ordered_json to_json(const Recording& recording, const RecordingInspection& inspection) {
@@ -95,7 +102,7 @@ nlohmann::ordered_json to_json(const Recording& recording, const RecordingInspec
     json[quantity_key(recording.command, "limits")].push_back(to_json(limits));
   }
   json["limits_known"] = inspection.limits_known;
-  json["transitions"] = {{"possible", static_cast<std::int64_t>(inspection.transitions.possible)},
+  json["transitions"] = {{"possible", possible_to_json(inspection.transitions.possible)},
                          {"attempted", inspection.transitions.attempted},
                          {"covered", recording.setpoints_only()
                                          ? nlohmann::ordered_json()

@@ -202,8 +202,13 @@ bool ChildProcess::wait_for_end(Clock::time_point deadline) {
   while (ended_.empty() && process_ > 0) {
     siginfo_t info{};
     // WNOWAIT: until kill_group, the group's number stays its own.
-    if (::waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
-        info.si_pid == process_) {
+    const int found =
+        ::waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOHANG | WNOWAIT);
+    if (found != 0 && errno == ECHILD) {  // who started limber ignores SIGCHLD
+      ended_ = "ended";
+      break;
+    }
+    if (found == 0 && info.si_pid == process_) {
       ended_ = info.si_code == CLD_EXITED ? fmt::format("ended with exit code {}", info.si_status)
                                           : fmt::format("was killed by signal {}", info.si_status);
       break;
@@ -221,7 +226,8 @@ void ChildProcess::kill_group() {
     return;
   }
   ::kill(-process_, SIGKILL);
-  const bool is_protected = ::kill(process_, SIGKILL) != 0;  // it may have left its group
+  const bool is_protected =  // it may have left its group
+      ::kill(process_, SIGKILL) != 0 && errno == EPERM;
   if (ended_.empty() && wait_for_end(Clock::now() + kUntilLeft)) {
     ended_ = "was killed by limber";
   }

@@ -235,6 +235,7 @@ class Check {
   const ArmState& start_again() {
     keep_episode();
     driver_.reset();
+    settings_.append_to_log = true;
     driver_.emplace(arm_, settings_);
     return driver_->first_state();
   }
@@ -352,11 +353,11 @@ StepResponse step_response(const std::vector<double>& reading_kpa, double period
   for (const double reading : reading_kpa) {
     upward.push_back(sign * reading);
   }
-  const auto count =
-      std::min(upward.size(), static_cast<std::size_t>(std::lround(kMeanS / period_s)));
-  if (count == 0) {
+  if (upward.empty()) {
     return response;
   }
+  const auto count = std::min(
+      upward.size(), static_cast<std::size_t>(std::max(1L, std::lround(kMeanS / period_s))));
   const double reached = mean(std::span(upward).last(count));
   response.reached_kpa = sign * reached;
   response.overshoot_kpa = std::max(0.0, *std::max_element(upward.begin(), upward.end()) - reached);

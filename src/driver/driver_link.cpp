@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "child_process.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/printable.hpp"
 
@@ -36,7 +35,7 @@ DriverLink::DriverLink(const ArmDescription& arm, const ProcessDriverSettings& s
       host_(host_hello(arm)),
       period_s_(arm.frame_period_s()),
       child_(command_words(settings.command), kMaxDriverLine),
-      log_(settings.log, settings.command),
+      log_(settings.log, settings.command, settings.append_to_log),
       say_(settings.say),
       vent_asked_(settings.vent_asked) {
   last_words_.emplace(child_.input());
@@ -63,6 +62,8 @@ const DriverHello& DriverLink::exchange_hellos() {
     hello_ = parse_driver_hello(line, host_);
   } catch (const InputError& error) {
     throw BrokenDriver(fmt::format("does not fit: {}", error.what()));
+  } catch (const SystemFault& fault) {
+    throw BrokenDriver(fault.what());
   }
   if (!hello_.real_time && !simulated_) {
     throw BrokenDriver(
@@ -93,8 +94,8 @@ ArmState DriverLink::set(const Pressures& setpoint_kpa, Clock::duration reply_ti
 
 /// Until the driver says something, or `until`.
 bool DriverLink::is_vent_asked_until_input(Time until) {
-  while (vent_asked_ && Clock::now() < until) {
-    if (vent_asked_()) {
+  while (Clock::now() < until) {
+    if (interrupt_requested() || (vent_asked_ && vent_asked_())) {
       return true;
     }
     if (child_.output().has_input(std::min(until, Clock::now() + kLook))) {

@@ -17,8 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kMaxKpa = 1e5;     // 1000 bar: no soft arm comes near
-constexpr double kMaxLength = 1e5;  // of a coordinate; before calibration in mm, too
-constexpr double kMaxAngle = 1e5;
+constexpr double kMaxNumber = 1e5;  // of a pose; before calibration in mm, too
 constexpr double kMaxTimeS = 1e12;
 constexpr int kMaxChambers = 16 * kMaxSegments;
 constexpr std::uint64_t kMaxSeq = std::uint64_t{1} << 53U;  // what a double holds exactly
@@ -60,10 +59,7 @@ Backbone backbone(const JsonReader& reader, int points) {
   Backbone result(points, kPoseSize);
   for (int i = 0; i < points; ++i) {
     const std::vector<double> pose = rows[static_cast<std::size_t>(i)].numbers(
-        kPoseSize, "numbers: x, y and theta", -kMaxAngle, kMaxAngle);
-    if (std::abs(pose[0]) > kMaxLength || std::abs(pose[1]) > kMaxLength) {
-      rows[static_cast<std::size_t>(i)].refuse_found("expected x and y in metres");
-    }
+        kPoseSize, "numbers: x, y and theta", -kMaxNumber, kMaxNumber);
     result.row(i) << static_cast<float>(pose[0]), static_cast<float>(pose[1]),
         static_cast<float>(pose[2]);
   }
@@ -81,7 +77,7 @@ BodyPoses poses_in_space(const JsonReader& reader, int points, const char* what)
   for (int i = 0; i < points; ++i) {
     const JsonReader& row = rows[static_cast<std::size_t>(i)];
     const std::vector<double> pose =
-        row.numbers(kSpacePoseSize, "numbers: x, y, z, qx, qy, qz and qw", -kMaxLength, kMaxLength);
+        row.numbers(kSpacePoseSize, "numbers: x, y, z, qx, qy, qz and qw", -kMaxNumber, kMaxNumber);
     result.row(i) = Eigen::Map<const Eigen::RowVectorXd>(pose.data(), kSpacePoseSize);
     const double length = result.row(i).tail<4>().norm();
     if (!(std::abs(length - 1.0) <= kMaxQuaternionOff)) {
@@ -190,6 +186,13 @@ void require_protocol(const JsonReader& root) {
   }
 }
 
+void require_no_fault(const JsonReader& root) {
+  if (root.at("type").text() == "fault") {
+    throw SystemFault(
+        fmt::format("it reports a fault: {}", in_one_line(optional_text(root, "message"))));
+  }
+}
+
 }  // namespace
 
 HostHello host_hello(const ArmDescription& arm) {
@@ -259,6 +262,7 @@ std::string fault_line(const std::string& message) {
 DriverHello parse_driver_hello(std::string_view line, const HostHello& expected) {
   const nlohmann::json json = parse_json_object(line, "hello");
   const JsonReader root(json, "hello");
+  require_no_fault(root);
   require_type(root, "hello");
   require_protocol(root);
   DriverHello hello;
@@ -290,10 +294,7 @@ DriverHello parse_driver_hello(std::string_view line, const HostHello& expected)
 DriverReply parse_state(std::string_view line, const HostHello& arm) {
   const nlohmann::json json = parse_json_object(line, "state");
   const JsonReader root(json, "state");
-  if (root.at("type").text() == "fault") {
-    throw SystemFault(
-        fmt::format("it reports a fault: {}", in_one_line(optional_text(root, "message"))));
-  }
+  require_no_fault(root);
   require_type(root, "state");
   DriverReply reply;
   reply.seq = static_cast<std::int64_t>(root.at("seq").count(kMaxSeq));

@@ -99,6 +99,11 @@ std::optional<ForbiddenSetpoint> first_beyond(const Plan& plan,
                                               const std::vector<PressureLimits>& limits) {
   for (std::size_t k = 0; k < plan.frames.size(); ++k) {
     const auto& setpoint = plan.frames[k].setpoint_kpa;
+    if (setpoint.size() != std::ssize(limits)) {
+      throw InputError(fmt::format("{}: {} set points; the driver moves {} segments",
+                                   frame_name(static_cast<Eigen::Index>(k)), setpoint.size(),
+                                   limits.size()));
+    }
     for (Eigen::Index s = 0; s < setpoint.size(); ++s) {
       const double value = setpoint[s];
       const PressureLimits& sides = limits[static_cast<std::size_t>(s)];
@@ -154,11 +159,11 @@ std::optional<ShortReach> first_short_reach(const ArmDescription& arm, double li
   return std::nullopt;
 }
 
-DriverLog::DriverLog(const std::filesystem::path& path, std::string_view command) {
+DriverLog::DriverLog(const std::filesystem::path& path, std::string_view command, bool append) {
   if (path.empty()) {
     return;
   }
-  file_.reset(std::fopen(path.c_str(), "we"));
+  file_.reset(std::fopen(path.c_str(), append ? "ae" : "we"));
   if (!file_) {
     throw SystemFault(fmt::format("{}: {}", path.string(), std::generic_category().message(errno)));
   }

@@ -48,7 +48,10 @@ void throw_if_wrong(const std::string& wrong) {
 class ProcessDriver::Session {
  public:
   Session(const ArmDescription& arm, const ProcessDriverSettings& settings)
-      : arm_(arm), settings_(settings), link_((prepare(arm, settings), arm), settings) {
+      : arm_(arm),
+        settings_(settings),
+        link_((prepare(arm, settings), arm), settings),
+        own_vent_(arm.frames_in(settings.safety.following_time_s)) {
     try {
       limits_kpa_ = limits_in_force(arm_, settings.limit_scale, link_.exchange_hellos().limit_kpa);
       gate_.emplace(arm_, limits_kpa_, settings.check_rate, settings.safety);
@@ -65,7 +68,6 @@ class ProcessDriver::Session {
       link_.say_bye();
       link_.end();
     }
-    any_unconfirmed = any_unconfirmed || !vent_.confirmed;
   }
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
@@ -117,6 +119,7 @@ class ProcessDriver::Session {
     } catch (const BrokenDriver& broken) {
       stop_broken(broken.what());
     }
+    throw_if_wrong(fault_);
     return state_;
   }
 
@@ -198,19 +201,28 @@ class ProcessDriver::Session {
       slot_ = real_time() ? std::max(now, asked_ + frames(1.0)) : now;
     } else {
       slot_ += frames(1.0);
-      if (now - slot_ > frames(kSilenceFrames - 1.0)) {
-        throw SystemFault(
-            fmt::format("limber sent no set point for {:.2f} s, as it was stopped or the machine "
-                        "too busy: by now the driver has vented by itself",
-                        seconds(now - slot_ + frames(1.0))));
-      }
+      throw_if_silent(now);
       while (slot_ + frames(1.0) <= now) {
         slot_ += frames(1.0);
         ++timing_.skipped_slots;
       }
     }
     link_.wait_for_slot(slot_);
-    timing_.late_s.push_back(seconds(Clock::now() - slot_));
+    const Time woken = Clock::now();
+    if (real_time()) {
+      throw_if_silent(woken);
+    }
+    timing_.late_s.push_back(seconds(woken - slot_));
+  }
+
+  /// What goes out after so long would meet an arm that has vented.
+  void throw_if_silent(Time now) const {
+    if (now - slot_ > frames(kSilenceFrames - 1.0)) {
+      throw SystemFault(
+          fmt::format("limber sent no set point for {:.2f} s, as it was stopped or the machine "
+                      "too busy: by now the driver has vented by itself",
+                      seconds(now - slot_ + frames(1.0))));
+    }
   }
 
   void exchange(const Eigen::Ref<const Pressures>& setpoint_kpa) {
@@ -236,7 +248,7 @@ class ProcessDriver::Session {
     if (!started_) {
       first_state_ = state_;
     }
-    VentWatch watch(settings_.safety, resting_);
+    VentWatch watch(arm_, settings_.safety, resting_);
     Time slot = Clock::now();
     for (int frame = 0;; ++frame) {
       // Simulated time counts where the driver runs as fast as it is asked.
@@ -260,6 +272,10 @@ class ProcessDriver::Session {
     // Before the first run, and where the arm was at rest, nothing was to be vented.
     if (!std::exchange(resting_, true) || !vent_.confirmed) {
       say(vent_.message);
+    }
+    if (started_ && !vent_.confirmed) {  // whoever was told to shut off the supply comes near it
+      any_unconfirmed = true;
+      fault_ = fault_.empty() ? vent_.message : fault_;
     }
   }
 
@@ -295,7 +311,7 @@ class ProcessDriver::Session {
   /// As long as it answers in time, it is watched until it has vented. One that does not reads the
   /// end of its input at once, and may still say what it measures.
   void watch_broken_vent() {
-    VentWatch watch(settings_.safety, resting_);
+    VentWatch watch(arm_, settings_.safety, resting_);
     const Time start = Clock::now();
     const auto note = [&](std::optional<ArmState> answer) {
       if (answer) {
@@ -323,13 +339,13 @@ class ProcessDriver::Session {
   ArmDescription arm_;
   ProcessDriverSettings settings_;
   DriverLink link_;
+  OwnVentWatch own_vent_;
   std::vector<PressureLimits> limits_kpa_;
   std::optional<SafetyGate> gate_;
   ArmState state_;
   ArmState first_state_;
   DriverTiming timing_;
   VentResult vent_;
-  OwnVentWatch own_vent_;
   std::string fault_;
   Time slot_;
   Time asked_;                              // of the last request

@@ -11,28 +11,28 @@ namespace limber {
 
 namespace {
 
-constexpr std::size_t kSetpointsKept = 5;     // any of them may be in force
 constexpr double kSetpointRoundingKpa = 1.0;  // of a device that counts in steps
 
-/// ", segment 1 rose by 7.0 kPa while venting", or nothing.
-std::string what_rose(const Pressures& first_kpa, const Pressures& now_kpa, double rise_kpa) {
-  for (Eigen::Index s = 0; s < now_kpa.size(); ++s) {
-    const double rose_kpa = std::abs(double(now_kpa[s])) - std::abs(double(first_kpa[s]));
-    if (rose_kpa > rise_kpa) {
-      return fmt::format("; {} rose by {:.1f} kPa while venting", segment_name(s), rose_kpa);
+}  // namespace
+
+/// "; segment 1 rose by 7.0 kPa while venting", or nothing.
+std::string VentWatch::what_rose() const {
+  for (Eigen::Index s = 0; s < now_kpa_.size(); ++s) {
+    const double rose_kpa =
+        std::abs(double(now_kpa_[s])) - std::abs(double(first_->pressure_kpa[s]));
+    if (rose_kpa > safety_.rise_kpa) {
+      return fmt::format("; {} rose by {:.1f} kPa while venting", channel_name(arm_, s), rose_kpa);
     }
   }
   return "";
 }
 
 /// "segment 1 at 43 kPa", of the one with the highest pressure.
-std::string highest(const Pressures& pressure_kpa) {
+std::string VentWatch::highest(const Pressures& pressure_kpa) const {
   Eigen::Index worst = 0;
   pressure_kpa.cwiseAbs().maxCoeff(&worst);
-  return fmt::format("{} at {:.0f} kPa", segment_name(worst), pressure_kpa[worst]);
+  return fmt::format("{} at {:.0f} kPa", channel_name(arm_, worst), pressure_kpa[worst]);
 }
-
-}  // namespace
 
 void VentWatch::note(const ArmState& state, double after_s) {
   if (!first_) {
@@ -40,7 +40,7 @@ void VentWatch::note(const ArmState& state, double after_s) {
   }
   now_kpa_ = state.pressure_kpa;
   if (rising_.empty()) {
-    rising_ = what_rose(first_->pressure_kpa, now_kpa_, safety_.rise_kpa);
+    rising_ = what_rose();
   }
   result_.pressure_kpa = now_kpa_.cwiseAbs().maxCoeff();
   result_.after_s = after_s;
@@ -79,13 +79,13 @@ std::string VentWatch::unconfirmed(const Pressures& last_kpa) const {
 
 void OwnVentWatch::note_sent(const Pressures& setpoint_kpa) {
   sent_kpa_.push_front(setpoint_kpa);
-  if (sent_kpa_.size() > kSetpointsKept) {
+  if (sent_kpa_.size() > kept_) {
     sent_kpa_.pop_back();
   }
 }
 
 bool OwnVentWatch::has_vented(const ArmState& state) const {
-  return state.setpoint_kpa && state.setpoint_kpa->isZero() && sent_kpa_.size() == kSetpointsKept &&
+  return state.setpoint_kpa && state.setpoint_kpa->isZero() && sent_kpa_.size() == kept_ &&
          std::none_of(sent_kpa_.begin(), sent_kpa_.end(), [](const Pressures& sent) {
            return sent.cwiseAbs().maxCoeff() <= kSetpointRoundingKpa;
          });

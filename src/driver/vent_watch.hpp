@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "limber/arm/arm_description.hpp"
 #include "limber/driver/process_driver.hpp"
 #include "limber/run/arm_driver.hpp"
 #include "limber/run/safety_settings.hpp"
@@ -15,8 +16,8 @@ namespace limber {
 class VentWatch {
  public:
   /// @param was_resting  nothing was commanded since the last vent: any sample confirms it
-  VentWatch(const SafetySettings& safety, bool was_resting)
-      : safety_(safety), was_resting_(was_resting) {}
+  VentWatch(const ArmDescription& arm, const SafetySettings& safety, bool was_resting)
+      : arm_(arm), safety_(safety), was_resting_(was_resting) {}
 
   /// Takes in the state that answered the latest `vent`, `after_s` after the first.
   void note(const ArmState& state, double after_s);
@@ -30,7 +31,10 @@ class VentWatch {
 
  private:
   std::string unconfirmed(const Pressures& last_kpa) const;
+  std::string what_rose() const;
+  std::string highest(const Pressures& pressure_kpa) const;
 
+  const ArmDescription& arm_;
   SafetySettings safety_;
   bool was_resting_;
   VentResult result_;
@@ -43,12 +47,16 @@ class VentWatch {
 /// sent recently is.
 class OwnVentWatch {
  public:
+  /// @param frames  that a set point may take to come into force
+  explicit OwnVentWatch(int frames) : kept_(static_cast<std::size_t>(frames) + 1) {}
+
   void note_sent(const Pressures& setpoint_kpa);
   void clear() { sent_kpa_.clear(); }
   bool has_vented(const ArmState& state) const;
 
  private:
-  std::deque<Pressures> sent_kpa_;  // the last ones, newest first
+  std::size_t kept_;
+  std::deque<Pressures> sent_kpa_;  // the last ones, newest first; any of them may be in force
 };
 
 /// What is wrong with an arm that reads `pressure_kpa` after its first vent.

@@ -84,7 +84,9 @@ nlohmann::ordered_json experiment_identity(const ExperimentSettings& settings,
 void require_same_experiment(const std::filesystem::path& file, const nlohmann::json& wanted) {
   const nlohmann::json root = read_json_object(file);
   nlohmann::json all = wanted;
-  all.emplace("tube", nullptr);  // written where it is asked for alone
+  for (const char* key : {"adapts", "tube"}) {  // written where they are asked for alone
+    all.emplace(key, nullptr);
+  }
   for (const auto& [key, value] : all.items()) {
     const nlohmann::json there = root.value(key, nlohmann::json(nullptr));
     if (there != value) {

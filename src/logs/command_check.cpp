@@ -111,6 +111,22 @@ std::string unit_advice(double ratio, const ImportMapping& mapping) {
                       : fmt::format("The mapping reads it in {}: {}", mapping.commands.unit, unit);
 }
 
+/// @throws InputError where so many rows are so far beyond the limit that it is another unit.
+void require_within(const std::string& log, const std::string& column, const ArmDescription& arm,
+                    Eigen::Index i, const ColumnFacts& facts, const ImportMapping& mapping) {
+  const PressureLimits& limits = arm.limits_of_channel(static_cast<int>(i));
+  const double limit = limits.largest_kpa();
+  const auto beyond = facts.sizes.end() -
+                      std::upper_bound(facts.sizes.begin(), facts.sizes.end(), kFarBeyond * limit);
+  if (double(beyond) > kMaxBeyond * double(facts.sizes.size())) {
+    const std::string& unit = arm.command.unit;
+    throw InputError(fmt::format(
+        "{}: '{}' ({}) reaches {:.4g} {}; the limit of arm '{}' is {} {}. {}", log, column,
+        channel_name(arm, i), facts.farthest, unit, arm.name, limits_to_yaml(limits), unit,
+        unit_advice(quantile(facts.sizes, kHigh) / limit, mapping)));
+  }
+}
+
 std::int64_t bridge_gaps(double longest_gap_s, const std::vector<double>& time_s,
                          Eigen::Ref<Eigen::VectorXd> values) {
   std::int64_t bridged = 0;
@@ -240,14 +256,10 @@ void check_commands(const std::string& log, const ImportMapping& mapping, const 
       throw InputError(
           fmt::format("{}: column '{}' ({}) holds no number", log, name, channel_name(arm, i)));
     }
-    const double high = quantile(facts.sizes, kHigh);
-    const auto beyond = facts.sizes.end() - std::upper_bound(facts.sizes.begin(), facts.sizes.end(),
-                                                             kFarBeyond * limit);
-    if (double(beyond) > kMaxBeyond * double(facts.sizes.size())) {
-      throw InputError(
-          fmt::format("{}: '{}' ({}) reaches {:.4g} {}; the limit of arm '{}' is {} {}. {}", log,
-                      name, channel_name(arm, i), facts.farthest, unit, arm.name,
-                      limits_to_yaml(limits), unit, unit_advice(high / limit, mapping)));
+    require_within(log, name, arm, i, facts, mapping);
+    if (commands.setpoint.size() > 0) {
+      require_within(log, mapping.commands.setpoint[std::size_t(i)], arm, i,
+                     facts_of(commands.setpoint, i, limits), mapping);
     }
     if (facts.sizes.back() > kOvershoot * limit) {
       report.note("a command more than 5 % beyond its limit",

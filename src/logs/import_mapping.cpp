@@ -25,6 +25,9 @@ TimeColumn read_time(const YamlReader& node) {
     time = {"", 1.0, "frame"};
   } else {
     time.column = node.at("column").text();
+    if (node.has("rate_hz") && !(node.has("unit") && node.at("unit").text() == "frame")) {
+      node.at("rate_hz").refuse("belongs to a column of frames (unit: frame), or to no column");
+    }
   }
   if (node.has("unit")) {
     time.unit = node.at("unit").text();
@@ -314,6 +317,10 @@ ImportMapping read_import_mapping(const std::filesystem::path& path, const ArmDe
   if (root.has("motion")) {
     mapping.motion = root.at("motion").text();
   }
+  if (root.has("pressures") && root.has("commands")) {
+    root.at("commands").refuse("stands beside pressures; a mapping has one of the two");
+  }
+  mapping.commands.time = mapping.time;
   for (const char* key : {"pressures", "commands"}) {
     if (root.has(key)) {
       mapping.commands = read_commands(root.at(key), key, arm, mapping.time);

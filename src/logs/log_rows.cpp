@@ -190,6 +190,10 @@ CommandTrack commands_of(const LogTable& table, std::size_t first, const RowGrou
   const auto in_unit = [&](double logged, Eigen::Index column) {
     return commands.factor * (logged + commands.offset_of(column));
   };
+  // Of two one-sided columns offsets are their sensors' zero; set points are signed.
+  const auto setpoint_in_unit = [&](double logged, Eigen::Index column) {
+    return commands.columns.empty() ? commands.factor * logged : in_unit(logged, column);
+  };
   for (Eigen::Index i = 0; i < n; ++i) {
     const std::vector<double>& right = table.columns[first + std::size_t(i)];
     for (Eigen::Index r = 0; r < rows; ++r) {
@@ -211,7 +215,7 @@ CommandTrack commands_of(const LogTable& table, std::size_t first, const RowGrou
   for (Eigen::Index i = 0; i < n; ++i) {
     for (Eigen::Index r = 0; r < rows; ++r) {
       track.setpoint(r, i) =
-          in_unit(table.columns[begin + std::size_t(i)][group.rows[std::size_t(r)]], i);
+          setpoint_in_unit(table.columns[begin + std::size_t(i)][group.rows[std::size_t(r)]], i);
     }
   }
   if (commands.setpoint_optional && track.setpoint.array().isNaN().all()) {

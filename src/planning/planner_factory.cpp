@@ -23,14 +23,14 @@ namespace limber {
 namespace {
 
 /// As published, pressures are the set points; "paper,valves=1" predicts with the valves.
-std::unique_ptr<Planner> make_paper_planner(PlannerName parsed, const std::string& name) {
+std::unique_ptr<Planner> make_paper_planner(PlannerName parsed, const std::string& name, int jobs) {
   const Valves valves = parsed.take("valves", 0, 1, 0) != 0 ? Valves::as_given : Valves::left_out;
   if (!parsed.settings.empty()) {
     throw InputError(
         fmt::format("planner setting {}: unknown; '{}' has the setting valves (0 or 1)",
                     parsed.settings.begin()->first, parsed.name));
   }
-  return make_certified_planner(make_pressure_rrt_star({}, name), valves);
+  return make_certified_planner(make_pressure_rrt_star({}, name), jobs, valves);
 }
 
 const LearntRegion* recorded_of(const MotionModel& model) {
@@ -77,9 +77,6 @@ ArmDescription slowed(ArmDescription arm, const PlanSettings& settings) {
   return arm;
 }
 
-// Once expanded all near nodes, for the same tree: plans and scripts still name it.
-constexpr const char* kAlsoPaper = "paper-steer-all";
-
 /// Before the planner's own.
 void warn_first(const std::string& warning, PlanResult& result) {
   if (!warning.empty()) {
@@ -98,17 +95,16 @@ std::unique_ptr<Planner> make_planner(const std::string& name, int jobs, const F
     DefaultPlannerSettings settings = default_settings_of(std::move(parsed));
     settings.jobs = jobs;
     settings.forest = forest;
-    return make_certified_planner(make_default_planner(settings, name));
+    return make_certified_planner(make_default_planner(settings, name), jobs);
   }
   if (forest != nullptr) {
     throw InputError(fmt::format("planner '{}' uses no forest; only 'default' does", name));
   }
-  if (PlannerName parsed = PlannerName::parse(name);
-      parsed.name == "paper" || parsed.name == kAlsoPaper) {
-    return make_paper_planner(std::move(parsed), name);
+  if (PlannerName parsed = PlannerName::parse(name); parsed.name == "paper") {
+    return make_paper_planner(std::move(parsed), name, jobs);
   }
   if (name.rfind("ompl:", 0) == 0) {
-    return make_certified_planner(make_ompl_planner(name));
+    return make_certified_planner(make_ompl_planner(name), jobs);
   }
   throw InputError(
       fmt::format("planner '{}'; expected one of {}, or ompl:NAME (docs/planning.md, OMPL)", name,

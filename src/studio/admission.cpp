@@ -26,6 +26,9 @@ Outcome admit_body(const Request& request, Response& response) {
   if (!request.get_header_value("Content-Type").starts_with("application/json")) {
     return refuse(response, kUnsupportedMedia, "Content-Type: expected application/json");
   }
+  if (request.has_header("Content-Encoding")) {  // the server would unpack it, however large
+    return refuse(response, kUnsupportedMedia, "Content-Encoding: expected none");
+  }
   return Outcome::Unhandled;
 }
 

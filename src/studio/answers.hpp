@@ -14,6 +14,7 @@ enum HttpStatus {
   kForbidden = 403,
   kNotFound = 404,
   kConflict = 409,
+  kIsThere = 412,
   kLengthRequired = 411,
   kTooLarge = 413,
   kUnsupportedMedia = 415,

@@ -13,11 +13,6 @@ void EventQueue::push(const std::string& kind, std::string json) {
   has_event_.notify_one();
 }
 
-void EventQueue::clear() {
-  const std::lock_guard lock(mutex_);
-  waiting_.clear();
-}
-
 std::string EventQueue::pop(std::chrono::milliseconds wait) {
   std::unique_lock lock(mutex_);
   if (!has_event_.wait_for(lock, wait, [this] { return !waiting_.empty(); })) {

@@ -16,8 +16,6 @@ class EventQueue {
   /// @param kind  a name as in docs/studio_api.md
   /// @param json  one line
   void push(const std::string& kind, std::string json);
-  /// Those that wait, forgotten.
-  void clear();
   /// The next event as text of an event stream, or empty after `wait`.
   std::string pop(std::chrono::milliseconds wait);
 

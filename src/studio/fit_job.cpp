@@ -41,6 +41,7 @@ void run_fit_job(const FitJob& job, const ProjectFolder& project, const StudioSc
   const auto note = [&](const char* step) {
     events.push("fitting", Json{{"request", job.request}, {"step", step}}.dump());
   };
+  (void)free_file(project, scene.arm().name);  // refused now, not after the work
   note("The virtual arm moves for a minute …");
   const Episode minute = identifying_run(scene.arm(), kMinuteS, kSeed, 0);
   note("The family is fitted to it …");

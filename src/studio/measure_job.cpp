@@ -39,11 +39,10 @@ std::vector<Episode> first_frames(const std::vector<Episode>& episodes) {
   Eigen::Index left = kMaxFrames;
   for (const Episode& episode : episodes) {
     const Eigen::Index count = std::min<Eigen::Index>(left, episode.frame_count());
-    if (count < kFewest) {
-      break;
+    if (count >= kFewest) {
+      part.push_back(first_frames(episode, count));
+      left -= count;
     }
-    part.push_back(first_frames(episode, count));
-    left -= count;
   }
   return part;
 }
@@ -82,6 +81,10 @@ void run_measure_job(const MeasureJob& job, const ProjectFolder& project, const 
   Recording recording = read_small(path, job.recording, scene.arm());
   const std::int64_t frames = recording.frame_count();
   std::vector<Episode> episodes = first_frames(recording.episodes);
+  std::int64_t frames_used = 0;
+  for (const Episode& episode : episodes) {
+    frames_used += episode.frame_count();
+  }
   const Json coverage = coverage_to_json(scene.arm(), episodes);
   const ForwardModel* network = scene.has_network() ? &scene.motion().forward() : nullptr;
   if (network != nullptr && network->compensation().learnt_from_setpoints) {
@@ -96,7 +99,7 @@ void run_measure_job(const MeasureJob& job, const ProjectFolder& project, const 
                {"recording", job.recording},
                {"frame_rate_hz", recording.rate_hz},
                {"frames", frames},
-               {"frames_used", std::min(frames, kMaxFrames)}};
+               {"frames_used", frames_used}};
   json["learnt_from_it"] =
       network != nullptr && learnt_from(network->compensation(), content_hash(read_file(path)));
   json["horizons"] = curves_to_json(report);

@@ -124,7 +124,10 @@ std::vector<std::string> ProjectFolder::names(ProjectItem kind) const {
   std::vector<std::string> found;
   std::error_code error;
   look_through([&](const fs::directory_entry& entry) {
-    if (entry.is_regular_file(error) && is_of(kind, entry.path())) {
+    const bool is_file = entry.is_regular_file(error) && is_of(kind, entry.path());
+    // A link that leads out of the folder could not be opened.
+    if (is_file && (!entry.is_symlink(error) ||
+                    is_inside(folder_, fs::weakly_canonical(entry.path(), error)))) {
       found.push_back(name_of(entry.path()));
     }
   });
@@ -142,9 +145,13 @@ std::vector<std::string> ProjectFolder::names(ProjectItem kind) const {
 std::vector<std::string> ProjectFolder::families() const {
   std::vector<std::string> result = names(ProjectItem::model);
   std::erase_if(result, [&](const std::string& name) {
-    const std::string head = head_of(find(ProjectItem::model, name));
-    return head.find("\"family.arms\"") == std::string::npos ||
-           head.find("\"family.e\"") != std::string::npos;
+    try {
+      const std::string head = head_of(find(ProjectItem::model, name));
+      return head.find("\"family.arms\"") == std::string::npos ||
+             head.find("\"family.e\"") != std::string::npos;
+    } catch (const InputError&) {  // removed since it was listed
+      return true;
+    }
   });
   return result;
 }

@@ -323,7 +323,7 @@ class Studio::Server {
             Write&& write) {
     const std::filesystem::path path = project_.to_save(folder, body.at("name").text(), ending);
     if (std::filesystem::exists(path) && !body.at("overwrite").boolean()) {
-      refuse(response, kConflict, fmt::format("{} is there already", project_.name_of(path)));
+      refuse(response, kIsThere, fmt::format("{} is there already", project_.name_of(path)));
       return;
     }
     refuse_to_overwrite(path, true);

@@ -54,6 +54,7 @@ StudioScene::StudioScene(const ProjectFolder& project, SceneNames names)
       model_file_(names_.model.empty() ? fs::path()
                                        : project.find(ProjectItem::model, names_.model)),
       arm_time_(fs::last_write_time(arm_file_)),
+      model_time_(model_file_.empty() ? fs::file_time_type() : fs::last_write_time(model_file_)),
       arm_(checked_arm(arm_file_)),
       network_(network_of(model_file_)),
       forward_(forward_of(arm_, network_, model_file_)),
@@ -61,8 +62,11 @@ StudioScene::StudioScene(const ProjectFolder& project, SceneNames names)
       motion_(forward_, valves_of(arm_, forward_)),
       simple_motion_(simple_) {
   if (!model_file_.empty()) {
-    model_time_ = fs::last_write_time(model_file_);
-    model_hash_ = content_hash(read_file(model_file_));
+    model_hash_ = file_hash(model_file_);
+  }
+  if (!is_current(names_)) {
+    throw InputError(fmt::format("'{}', '{}': written while they were read; choose them again",
+                                 names_.arm, names_.model));
   }
 }
 

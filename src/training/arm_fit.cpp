@@ -251,6 +251,7 @@ ArmFit fit_arm(const ArmDescription& arm, const CompensationModel& family,
   require_family(family, "the family");
   require_model_of(family, arm, "the family");
   require_kind_learnt(family, episodes);
+  require_episodes_of(episodes, arm);
   const Windows windows(arm, family, episodes, jobs);
   Fit fit = best_fit(windows);
   ArmFit result;

@@ -6,8 +6,8 @@
 #include <span>
 
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
+#include "kernels/job_arena.hpp"
 #include "limber/arm/space_pose.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/units.hpp"
@@ -147,7 +147,7 @@ std::vector<FrameMatrix> roll_out(const ForwardModel& model, const std::vector<E
   }
   const std::size_t batches = (pieces.size() + kPiecesPerBatch - 1) / kPiecesPerBatch;
   const std::atomic<bool>* const stop = stop_of_thread();
-  tbb::task_arena arena(jobs > 0 ? jobs : tbb::task_arena::automatic);
+  JobArena arena(jobs);
   arena.execute([&] {
     tbb::parallel_for(std::size_t{0}, batches, [&](std::size_t batch) {
       const StopScope scope(stop);

@@ -182,7 +182,14 @@ YardstickReport measure_yardsticks(const ArmDescription& arm, const ForwardModel
     report.fitted_to = fmt::format("nothing: fewer than {} frames were tracked", kMinFitFrames);
     return report;
   }
-  const Fits fits = fit_all(arm, episodes, fit_to);
+  std::optional<Fits> fitted;
+  try {
+    fitted = fit_all(arm, episodes, fit_to);
+  } catch (const InputError& too_little) {  // a part of them
+    report.fitted_to = fmt::format("nothing: {}", too_little.what());
+    return report;
+  }
+  const Fits& fits = *fitted;
   report.fitted_to = fitted_to_words(episodes, fit_to);
   measurement.add("linear_one_step", "linear step, run freely",
                   [&](const Episode& episode, const RolloutPiece& piece, FrameMatrix& predicted) {

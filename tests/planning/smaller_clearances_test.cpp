@@ -16,8 +16,8 @@ class SmallerClearances : public ::testing::Test {
     result.statistics = spent;
     result.reason = "nothing was found";
     AskedProblem asked(problem_);
-    try_smaller_clearances(problem_, asked, limits, std::chrono::steady_clock::now(), 3, {},
-                           result);
+    try_smaller_clearances(*make_default_planner(), problem_, asked, limits,
+                           std::chrono::steady_clock::now(), 3, {}, result);
     return result;
   }
 

@@ -291,7 +291,7 @@ TEST_F(StudioServer, APageGetsACertifiedPlanAndSavesIt) {
 
   nlohmann::json save = {{"tab", request["tab"]}, {"name", "first"}, {"overwrite", false}};
   EXPECT_THAT(post("/api/plan/save", save.dump()), HasSubstr("plans/first.json"));
-  EXPECT_THAT(post("/api/plan/save", save.dump()), StartsWith("HTTP/1.1 409"));
+  EXPECT_THAT(post("/api/plan/save", save.dump()), StartsWith("HTTP/1.1 412"));
   EXPECT_TRUE(read_plan(folder_ / "project/plans/first.json").certified);
 
   save["arm"] = request["arm"];

@@ -187,7 +187,7 @@ export type Events = {
   fault: { request: number; message: string };
 };
 
-/** What the server refused, in its words. */
+/** What the server refused, in its words; of status 0 where it did not answer. */
 export class Refusal extends Error {
   constructor(
     readonly status: number,
@@ -196,6 +196,8 @@ export class Refusal extends Error {
     super(message);
   }
 }
+
+const kSilent = 'The studio does not answer.';
 
 async function read<T>(response: Response): Promise<T> {
   const body = (await response.json()) as T & { error?: string };
@@ -211,7 +213,8 @@ async function ask<T>(path: string, request: RequestInit, signal: AbortSignal): 
   try {
     return await read<T>(await fetch(`/api/${path}`, { ...request, signal }));
   } catch (error) {
-    throw signal.aborted ? new Refusal(0, 'VENT was pressed, and nothing else is done.') : error;
+    if (signal.aborted) throw new Refusal(0, 'VENT was pressed, and nothing else is done.');
+    throw error instanceof Refusal ? error : new Refusal(0, kSilent);
   }
 }
 
@@ -255,7 +258,8 @@ export async function vent(): Promise<void> {
       await read(await send());
       return;
     } catch (error) {
-      if (error instanceof Refusal || tries === kVentTries) throw error;
+      if (error instanceof Refusal) throw error;
+      if (tries === kVentTries) throw new Refusal(0, kSilent);
     }
   }
 }

@@ -1,4 +1,4 @@
-import { type Arm, type Environment, get, listen, type Opened, type Plan, type Project, Refusal } from './api';
+import { type Arm, type Environment, get, listen, type Opened, type Plan, type Project } from './api';
 import { ArmLink } from './arm_link';
 import { toWorld } from './camera';
 import { byId } from './dom';
@@ -172,36 +172,44 @@ export class App {
       this.say('');
       await work();
     } catch (error) {
-      this.say(error instanceof Refusal ? error.message : 'The studio does not answer.');
+      this.say((error as Error).message);
     }
   }
 
-  async openArm(name: string): Promise<void> {
-    this.arm = await get<Arm>('arm', { name });
-    this.armName = name;
-    const { length_m } = this.arm;
-    this.stage.fit([-0.12 * length_m, -0.78 * length_m], [1.12 * length_m, 0.78 * length_m]);
+  /** Whether what is not saved may go. */
+  mayLose(what: string): boolean {
+    return !this.isChanged || confirm(`What you changed is not saved. ${what}`);
   }
 
-  async openEnvironment(name: string): Promise<void> {
-    this.history.reset(await get<Environment>('environment', { name, arm: this.armName }));
+  /** An arm and an environment for it: both, or where one is refused neither. */
+  async open(armName: string, environmentName: string, environment: Environment | null = null): Promise<void> {
+    const arm = armName === this.armName ? this.arm : await get<Arm>('arm', { name: armName });
+    const shown = environment ?? (await get<Environment>('environment', { name: environmentName, arm: armName }));
+    this.planner.forget();
+    if (arm !== this.arm) {
+      const { length_m } = arm;
+      this.arm = arm;
+      this.armName = armName;
+      this.stage.fit([-0.12 * length_m, -0.78 * length_m], [1.12 * length_m, 0.78 * length_m]);
+    }
+    this.history.reset(shown);
     this.saved = this.environment;
-    this.environmentName = name;
+    this.environmentName = environmentName;
     this.selected = null;
   }
 
   /** Of an address. A scene that comes to an open one of the same arm is a step of its history. */
   private async openLink(fragment: string): Promise<void> {
     const { arm, model, environmentName, environment } = linkOf(fragment, this.project);
-    const isOpen = arm === this.armName;
-    if (!isOpen) await this.openArm(arm);
+    if (environment && arm === this.armName) {
+      this.history.set(environment);
+      this.environmentName = environmentName;
+      this.selected = null;
+      this.saved = this.environment;
+    } else {
+      await this.open(arm, environmentName, environment);
+    }
     this.model = model;
-    if (!environment) return this.openEnvironment(environmentName);
-    this.environmentName = environmentName;
-    this.selected = null;
-    if (isOpen) this.history.set(environment);
-    else this.history.reset(environment);
-    this.saved = this.environment;
   }
   /** The page's address, so that a bookmark opens what is chosen. @param environment  with it */
   link(environment: Environment | null = null): string {
@@ -213,10 +221,9 @@ export class App {
   /** A plan of an experiment, with all that it was made for: it is played. */
   private async onOpened({ request, arm, model, environment, plan }: Opened): Promise<void> {
     if (!this.planner.isAwaited(request)) return;
-    if (arm !== this.armName) await this.openArm(arm);
-    await this.openEnvironment(environment);
+    await this.open(arm, environment);
     this.model = model;
-    this.planner.onPlan(plan);
+    this.planner.take(plan);
     this.link();
     this.enter('play');
   }
@@ -300,6 +307,7 @@ export class App {
       this.selected = null;
     }
     if (this.live) this.ask(dragged_ms);
+    else this.planner.forget(); // its plan is of another scene
     if (dragged_ms === undefined) this.refresh();
     else this.refreshSoon();
   }

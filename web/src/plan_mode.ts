@@ -78,17 +78,17 @@ export class PlanMode implements Mode {
       h('section', {}, h('h2', {}, 'Scene'),
         field('Arm', choice(project.arms, app.armName, (name) =>
           reopen(async () => {
-            await app.openArm(name);
+            if (!app.mayLose('Open another arm?')) return;
+            await app.open(name, app.environmentName);
             app.model = '';
-            await app.openEnvironment(app.environmentName);
           }))),
         field('Model', choice(project.models, app.model, (name) =>
           reopen(async () => void (app.model = name)), 'Simple model',
           (name) => (project.families.includes(name) ? ' (family)' : ''))),
-        field('Environment', choice(project.environments, app.environmentName, (name) => {
-          if (app.isChanged && !confirm('What you changed is not saved. Open another environment?')) app.reopened();
-          else reopen(() => app.openEnvironment(name));
-        })),
+        field('Environment', choice(project.environments, app.environmentName, (name) =>
+          reopen(async () => {
+            if (app.mayLose('Open another environment?')) await app.open(app.armName, name);
+          }))),
         field('Name', this.name),
         h('div', { class: 'row' }, button('Save environment', () =>
           this.save('environment', { arm: app.armName, environment: this.named() })),
@@ -224,7 +224,7 @@ export class PlanMode implements Mode {
       try {
         await send(false);
       } catch (error) {
-        if (!(error instanceof Refusal) || error.status !== 409 || !confirm(`${error.message}. Replace it?`)) throw error;
+        if (!(error instanceof Refusal) || error.status !== 412 || !confirm(`${error.message}. Replace it?`)) throw error;
         await send(true);
       }
     });

@@ -1,4 +1,4 @@
-import { type Environment, type Plan, post, type Progress, Refusal, type Result, type Tree } from './api';
+import { type Environment, type Plan, post, type Progress, type Result, type Tree } from './api';
 
 export type PlanQuestion = {
   arm: string;
@@ -73,6 +73,11 @@ export class LivePlanner {
     await post('stop', { tab: this.tab() });
   }
 
+  /** One that was opened. */
+  take(plan: Plan): void {
+    this.request = plan.request;
+    this.onPlan(plan);
+  }
   onPlan(plan: Plan): void {
     if (plan.request !== this.request) return;
     this.plan = plan;
@@ -114,7 +119,7 @@ export class LivePlanner {
     try {
       await post('plan', { ...question, request, seed: 1, tab: this.tab() });
     } catch (error) {
-      this.onFault(request, error instanceof Refusal ? error.message : 'the studio does not answer');
+      this.onFault(request, (error as Error).message);
     } finally {
       this.sending = false;
     }

@@ -1,4 +1,4 @@
-import { type Experiment, get, type Measured, post, Refusal, type TrialRun } from './api';
+import { type Experiment, get, type Measured, post, type TrialRun } from './api';
 import type { App, Mode } from './app';
 import { button, choice, field, h } from './dom';
 import type { Scene } from './picture';
@@ -10,6 +10,7 @@ export class ResultsMode implements Mode {
   private open: number | null = null; // the row whose runs are shown
   private runs: TrialRun[] | null = null;
   private table = h('div');
+  private onRecording = h('section');
   private recording = '';
   private request = 0;
   private measuring = false;
@@ -21,21 +22,26 @@ export class ResultsMode implements Mode {
   constructor(private readonly app: App) {}
 
   enter(panel: HTMLElement): void {
-    const { recordings } = this.app.project;
-    if (!recordings.includes(this.recording)) this.recording = recordings[0] ?? '';
-    panel.append(
-      h('section', {}, h('h2', {}, 'The last experiment'), this.table),
-      h('section', {}, h('h2', {}, 'The model on a recording'), ...(recordings.length === 0
-        ? [h('p', { class: 'hint' }, 'There is no recording in the project folder: limber collect makes one.')]
-        : [field('Recording', choice(recordings, this.recording, (name) => (this.recording = name))),
-            h('div', { class: 'row' }, this.press, this.stop, this.bar), this.measured])));
+    panel.append(h('section', {}, h('h2', {}, 'The last experiment'), this.table), this.onRecording);
+    this.onRecording.replaceChildren();
     this.experiment = this.runs = this.open = null;
     this.table.replaceChildren(h('p', { class: 'hint' }, 'Looking …'));
     this.measured.replaceChildren();
     void this.app.attempt(async () => {
+      await this.app.readProject(); // runs on an arm have been recorded since the page was opened
+      this.showRecordings();
       this.experiment = await get<Experiment>('experiment');
       this.show();
     });
+  }
+
+  private showRecordings(): void {
+    const { recordings } = this.app.project;
+    if (!recordings.includes(this.recording)) this.recording = recordings[0] ?? '';
+    this.onRecording.replaceChildren(h('h2', {}, 'The model on a recording'), ...(recordings.length === 0
+      ? [h('p', { class: 'hint' }, 'There is no recording in the project folder: limber collect makes one.')]
+      : [field('Recording', choice(recordings, this.recording, (name) => (this.recording = name))),
+          h('div', { class: 'row' }, this.press, this.stop, this.bar), this.measured]));
   }
 
   leave(): void {
@@ -73,6 +79,7 @@ export class ResultsMode implements Mode {
 
   private play({ id }: TrialRun): void {
     const { app } = this;
+    if (!app.mayLose('Open the scene of this run?')) return;
     const request = app.planner.expect();
     this.measuring = false; // the tab does one thing at a time
     this.refresh();
@@ -89,7 +96,7 @@ export class ResultsMode implements Mode {
       try {
         await post('measure', { tab: app.tab, request: ++this.request, arm: app.armName, model: app.model, recording: this.recording });
       } catch (error) {
-        this.onFault(this.request, error instanceof Refusal ? error.message : 'The studio does not answer.');
+        this.onFault(this.request, (error as Error).message);
       }
     });
   }

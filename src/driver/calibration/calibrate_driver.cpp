@@ -11,6 +11,7 @@
 #include "limber/common/interrupt.hpp"
 #include "limber/driver/calibration_log.hpp"
 #include "limber/run/safety_settings.hpp"
+#include "seen_poses.hpp"
 
 namespace limber {
 
@@ -229,6 +230,7 @@ CalibrationLog record_calibration(const ArmDescription& arm, double pulse_kpa,
 
 DriverCalibration calibrate_driver(const ArmDescription& arm,
                                    const CalibrateDriverSettings& settings) {
+  require_rate_to_be_seen(arm);
   ProcessDriverSettings raw = settings.driver;
   raw.calibration.reset();
   raw.pass_bodies = true;

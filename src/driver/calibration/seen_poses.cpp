@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "limber/common/error.hpp"
+
 namespace limber {
 
 namespace {
@@ -35,6 +37,14 @@ double squared(double value) {
 }
 
 }  // namespace
+
+void require_rate_to_be_seen(const ArmDescription& arm) {
+  if (arm.frames_in(kBeforeMeanS) < kMinSeenFrames) {
+    throw InputError(fmt::format(
+        "arm '{}' runs at {:g} Hz; a calibration takes means over {:g} s of at least {} frames",
+        arm.name, arm.frame_rate_hz, kBeforeMeanS, kMinSeenFrames));
+  }
+}
 
 SeenPoses seen_poses(const CalibrationLog& log) {
   const auto first = std::find_if(log.frames.begin(), log.frames.end(),

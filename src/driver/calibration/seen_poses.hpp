@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "limber/arm/arm_description.hpp"
 #include "limber/driver/calibration_log.hpp"
 
 namespace limber {
@@ -32,6 +33,9 @@ struct MeanPose {
   Eigen::MatrixX3d pose;
   int count = 0;
 };
+
+/// @throws InputError where the arm's frames are too long for the means that are taken here.
+void require_rate_to_be_seen(const ArmDescription& arm);
 
 /// As the wire has them. @throws CalibrationRefused where nothing tracks the arm.
 SeenPoses seen_poses(const CalibrationLog& log);

@@ -208,6 +208,12 @@ void require_calibration_of(const WireCalibration& calibration, const ArmDescrip
         fmt::format("{}: calibration of arm '{}', {}; calibrate again: limber driver calibrate",
                     file, calibration.arm, what));
   };
+  if (arm.is_spatial()) {
+    throw InputError(fmt::format(
+        "{}: a calibration is of an arm in the plane; '{}' is in space, and its driver speaks of "
+        "the arm's own channels and frame",
+        file, arm.name));
+  }
   if (calibration.valves.size() != arm.segments.size()) {
     refuse(fmt::format("with {} segments; arm '{}' has {}", calibration.valves.size(), arm.name,
                        arm.segment_count()));

@@ -143,7 +143,7 @@ std::vector<CampaignChart> charts_of(const Campaign& campaign) {
       {"train", "validation_position_error_cm"},
       {"evaluate", "network.open_loop.position_error_cm.mean"},
       {"experiment", "table.1.distance_to_goal_cm.mean"},
-      {"calibrate", "coverage"}};
+      {"calibrate", "coverage.share"}};
   std::vector<CampaignChart> charts;
   for (const CampaignFactor& factor : campaign.factors) {
     charts.push_back({factor.name, figures.at(campaign.verb)});

@@ -10,6 +10,7 @@
 #include "limber/common/interrupt.hpp"
 #include "limber/common/units.hpp"
 #include "limber/planning/problem_check.hpp"
+#include "search/default_planner.hpp"
 
 namespace limber {
 
@@ -29,8 +30,8 @@ bool is_refusal(PlanStatus status) {
 
 class CertifiedPlanner final : public Planner {
  public:
-  CertifiedPlanner(std::unique_ptr<Planner> planner, Valves valves)
-      : planner_(std::move(planner)), valves_(valves) {}
+  CertifiedPlanner(std::unique_ptr<Planner> planner, int jobs, Valves valves)
+      : planner_(std::move(planner)), jobs_(jobs), valves_(valves) {}
 
   const char* name() const override { return planner_->name(); }
 
@@ -68,7 +69,8 @@ class CertifiedPlanner final : public Planner {
           problem, seed, [&] { return limits.time_s && seconds_since(start) > *limits.time_s; },
           result);
       if (may_keep_less && result.status != PlanStatus::not_certified) {
-        try_smaller_clearances(problem, shared, limits, start, seed, watched, result);
+        const std::unique_ptr<Planner> for_smaller = make_default_planner({.jobs = jobs_});
+        try_smaller_clearances(*for_smaller, problem, shared, limits, start, seed, watched, result);
       }
     }
     result.statistics.time_s = seconds_since(start);
@@ -102,13 +104,15 @@ class CertifiedPlanner final : public Planner {
   }
 
   std::unique_ptr<Planner> planner_;
+  int jobs_;
   Valves valves_;
 };
 
 }  // namespace
 
-std::unique_ptr<Planner> make_certified_planner(std::unique_ptr<Planner> planner, Valves valves) {
-  return std::make_unique<CertifiedPlanner>(std::move(planner), valves);
+std::unique_ptr<Planner> make_certified_planner(std::unique_ptr<Planner> planner, int jobs,
+                                                Valves valves) {
+  return std::make_unique<CertifiedPlanner>(std::move(planner), jobs, valves);
 }
 
 }  // namespace limber

@@ -23,7 +23,8 @@ enum class Valves { as_given, left_out };
 /// plan.
 /// @param valves  left_out: plans and certifies as if pressures were the set points, as the paper
 /// does
-std::unique_ptr<Planner> make_certified_planner(std::unique_ptr<Planner> planner,
+/// @param jobs    threads of the searches with smaller clearances; 0: one for each core
+std::unique_ptr<Planner> make_certified_planner(std::unique_ptr<Planner> planner, int jobs,
                                                 Valves valves = Valves::as_given);
 
 }  // namespace limber

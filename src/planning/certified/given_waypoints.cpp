@@ -199,10 +199,9 @@ double seconds_since(SteadyTime start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void try_smaller_clearances(const PlanningProblem& asked, AskedProblem& shared,
+void try_smaller_clearances(Planner& planner, const PlanningProblem& asked, AskedProblem& shared,
                             const PlannerLimits& limits, SteadyTime start, std::uint64_t seed,
                             const PlannerCallback& callback, PlanResult& result) {
-  const std::unique_ptr<Planner> planner = make_default_planner();
   const double max_m = asked.tube ? max_room_m(*asked.tube) : asked.margin_m;
   PlanningProblem problem = asked;
   problem.tube.reset();
@@ -216,7 +215,7 @@ void try_smaller_clearances(const PlanningProblem& asked, AskedProblem& shared,
     }
     problem.margin_m = share * max_m;
     const PlanResult tried =
-        certified_search(*planner, problem, shared, part_of(left, double(tries--)), seed, callback);
+        certified_search(planner, problem, shared, part_of(left, double(tries--)), seed, callback);
     spent.iterations += tried.statistics.iterations;
     spent.queries += tried.statistics.queries;
     if (tried.plan) {

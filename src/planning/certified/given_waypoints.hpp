@@ -22,7 +22,7 @@ double seconds_since(SteadyTime start);
 
 /// If nothing was found that keeps the clearance asked for: names in `result` the largest clearance
 /// with which there is a plan, searching for the time that `limits` leave since `start`.
-void try_smaller_clearances(const PlanningProblem& asked, AskedProblem& shared,
+void try_smaller_clearances(Planner& planner, const PlanningProblem& asked, AskedProblem& shared,
                             const PlannerLimits& limits, SteadyTime start, std::uint64_t seed,
                             const PlannerCallback& callback, PlanResult& result);
 

@@ -263,9 +263,13 @@ Episode record_or_keep_a_part(const ArmDescription& arm, ArmDriver& driver,
   try {
     const VentGuard vent_at_the_end(driver);
     return run.run(motion_done);
-  } catch (const std::runtime_error&) {
+  } catch (const std::runtime_error& stopped) {
     if (!settings.partial.empty()) {
-      write_partial(settings, identity, done, run.unfinished());
+      try {
+        write_partial(settings, identity, done, run.unfinished());
+      } catch (const std::exception& lost) {
+        throw SystemFault(fmt::format("{}. Its frames are lost: {}", stopped.what(), lost.what()));
+      }
     }
     throw;
   }

@@ -23,37 +23,45 @@ std::span<const float> shape_of(const ArmState& state, Dimension dimension) {
   return dimension == Dimension::space ? numbers(state.space_backbone) : numbers(state.backbone);
 }
 
+std::size_t shape_size(const ArmDescription& arm) {
+  return static_cast<std::size_t>(pose_size(arm.dimension) * arm.point_count());
+}
+
 }  // namespace
 
-EpisodeRecorder::EpisodeRecorder(const ArmDescription& arm)
-    : channels_(arm.channel_count()),
-      points_(arm.point_count()),
-      dimension_(arm.dimension),
-      period_s_(arm.frame_period_s()) {}
-
-void EpisodeRecorder::add(const ArmState& state, const Pressures& setpoint_kpa, int motion_index) {
-  assert(setpoint_kpa.size() == channels_);
-  const std::span<const float> shape = shape_of(state, dimension_);
-  const auto size = static_cast<std::size_t>(pose_size(dimension_) * points_);
-  if (state.pressure_kpa.size() != channels_ || (!shape.empty() && shape.size() != size)) {
+void require_state_of(const ArmDescription& arm, const ArmState& state) {
+  const std::span<const float> shape = shape_of(state, arm.dimension);
+  const bool is_seen =
+      arm.is_spatial() ? state.space_backbone.has_value() : state.backbone.has_value();
+  const int channels = arm.channel_count();
+  if (state.pressure_kpa.size() != channels || (is_seen && shape.size() != shape_size(arm)) ||
+      (state.setpoint_kpa && state.setpoint_kpa->size() != channels)) {
     throw SystemFault(fmt::format(
         "the arm returned {} pressures and {} backbone points at {:.3f} s; expected {} and {}",
         state.pressure_kpa.size(),
-        shape.empty() ? points_ : std::ssize(shape) / pose_size(dimension_), state.time_s,
-        channels_, points_));
+        is_seen ? std::ssize(shape) / pose_size(arm.dimension) : arm.point_count(), state.time_s,
+        channels, arm.point_count()));
   }
-  if (!state.pressure_kpa.allFinite() ||
+  if (!std::isfinite(state.time_s) || !state.pressure_kpa.allFinite() ||
       !std::all_of(shape.begin(), shape.end(), [](float value) { return std::isfinite(value); })) {
     throw SystemFault(
         fmt::format("the arm returned a number that is not finite at {:.3f} s", state.time_s));
   }
+}
+
+EpisodeRecorder::EpisodeRecorder(const ArmDescription& arm) : arm_(arm) {}
+
+void EpisodeRecorder::add(const ArmState& state, const Pressures& setpoint_kpa, int motion_index) {
+  assert(setpoint_kpa.size() == arm_.channel_count());
+  require_state_of(arm_, state);
+  const std::span<const float> shape = shape_of(state, arm_.dimension);
   const bool is_new = time_s_.empty() || state.time_s != time_s_.back();
   time_s_.push_back(state.time_s);
   pressure_kpa_.insert(pressure_kpa_.end(), state.pressure_kpa.begin(), state.pressure_kpa.end());
   const Pressures& in_force_kpa = state.setpoint_kpa ? *state.setpoint_kpa : setpoint_kpa;
   setpoint_kpa_.insert(setpoint_kpa_.end(), in_force_kpa.begin(), in_force_kpa.end());
   backbone_.insert(backbone_.end(), shape.begin(), shape.end());
-  backbone_.resize(pressure_kpa_.size() / static_cast<std::size_t>(channels_) * size, 0.0F);
+  backbone_.resize(time_s_.size() * shape_size(arm_), 0.0F);
   motion_index_.push_back(motion_index);
   tracked_.push_back(!shape.empty() && is_new ? 1 : 0);
 }
@@ -68,7 +76,7 @@ std::vector<double> EpisodeRecorder::sample_times() const {
     }
     const auto frames = static_cast<double>(next - first);
     const double until_s =
-        next < times.size() ? time_s_[next] : time_s_[first] + frames * period_s_;
+        next < times.size() ? time_s_[next] : time_s_[first] + frames * arm_.frame_period_s();
     for (std::size_t k = first; k < next; ++k) {
       times[k] += static_cast<double>(k - first) / frames * (until_s - time_s_[first]);
     }
@@ -87,13 +95,15 @@ Episode EpisodeRecorder::finish() {
   const std::vector<double> times_s = sample_times();
   Episode episode;
   episode.time_s = Eigen::Map<const Eigen::VectorXd>(times_s.data(), frames).array() - times_s[0];
-  episode.pressure_kpa = Eigen::Map<const FrameMatrix>(pressure_kpa_.data(), frames, channels_);
-  episode.setpoint_kpa = Eigen::Map<const FrameMatrix>(setpoint_kpa_.data(), frames, channels_);
-  episode.dimension = dimension_;
-  episode.backbone =
-      Eigen::Map<const FrameMatrix>(backbone_.data(), frames, pose_size(dimension_) * points_);
+  episode.pressure_kpa =
+      Eigen::Map<const FrameMatrix>(pressure_kpa_.data(), frames, arm_.channel_count());
+  episode.setpoint_kpa =
+      Eigen::Map<const FrameMatrix>(setpoint_kpa_.data(), frames, arm_.channel_count());
+  episode.dimension = arm_.dimension;
+  episode.backbone = Eigen::Map<const FrameMatrix>(backbone_.data(), frames,
+                                                   static_cast<Eigen::Index>(shape_size(arm_)));
   fill_missing_rows(times_s, tracked_, episode.backbone);
-  if (dimension_ == Dimension::space) {
+  if (arm_.is_spatial()) {
     normalise_filled_rotations(tracked_, episode.backbone);
   }
   episode.motion_index = std::move(motion_index_);

@@ -54,6 +54,7 @@ class Execution {
     const VentGuard vent_at_the_end(driver_);
     try {
       const Pressures& start_kpa = plan_.frames.front().setpoint_kpa;
+      (void)driver_.state();  // a fault where it is none of this arm's
       approach_start(arm_, driver_, start_kpa, [this] { throw_if_stopped(); });
       watch_.start(plan_);
       require_start();
@@ -65,8 +66,7 @@ class Execution {
       result_.message = fault.what();
     } catch (const Interrupted&) {
       result_.status = ExecutionStatus::stopped;
-      result_.message =
-          fmt::format("stopped on request after {} frames; the arm was vented", watch_.frames());
+      result_.message = fmt::format("stopped on request after {} frames", watch_.frames());
     }
     controller_.report(result_);
     watch_.judge(result_);
@@ -99,6 +99,7 @@ class Execution {
         if (decision.question) {
           thinking.begin(std::move(decision.question));
         } else if (!decision.setpoint_kpa) {
+          vent_if_busy(thinking);
           end(decision);
           return;
         }
@@ -107,10 +108,15 @@ class Execution {
         }
       }
     } catch (...) {
-      if (thinking.is_busy()) {
-        driver_.vent();  // now, not when that has ended
-      }
+      vent_if_busy(thinking);
       throw;
+    }
+  }
+
+  /// Of a run that is over: now, not when the question is answered.
+  void vent_if_busy(const BackgroundQuestion& thinking) {
+    if (thinking.is_busy()) {
+      driver_.vent();
     }
   }
 

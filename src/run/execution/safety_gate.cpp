@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "limber/arm/names.hpp"
-#include "limber/arm/plate_distance.hpp"
 #include "limber/common/units.hpp"
 
 namespace limber {
@@ -23,12 +23,33 @@ double limit_of(const PressureLimits& limits, double kpa) {
   return limits.is_symmetric() ? limits.upper_kpa : limits.side_kpa(kpa);
 }
 
+/// Of the plates; in the plane z is 0. None: nothing saw them.
+std::optional<PlatePositions> plate_positions(const ArmState& state) {
+  if (state.space_backbone) {
+    return state.space_backbone->leftCols<3>().cast<double>();
+  }
+  if (!state.backbone) {
+    return std::nullopt;
+  }
+  PlatePositions positions = PlatePositions::Zero(state.backbone->rows(), 3);
+  positions.leftCols<2>() = state.backbone->leftCols<2>().cast<double>();
+  return positions;
+}
+
+bool is_within(const Fence& fence, const Eigen::RowVector3d& position) {
+  const auto between = [](double low, double value, double high) {
+    return value >= low && value <= high;  // no NaN is
+  };
+  return between(fence.x_min_m, position.x(), fence.x_max_m) &&
+         between(fence.y_min_m, position.y(), fence.y_max_m) &&
+         between(fence.z_min_m, position.z(), fence.z_max_m);
+}
+
 /// Where a shape can't be the arm's: it is in another unit, or of markers in another order.
-std::string another_scale(const Backbone& shape, double arm_length_m) {
+std::string another_scale(const PlatePositions& shape, double arm_length_m) {
   constexpr double kMaxFactor = 1.5;  // what strains and chords make of a length
   const Eigen::Index gaps = shape.rows() - 1;
-  const double length_m =
-      (shape.bottomRows(gaps) - shape.topRows(gaps)).leftCols<2>().rowwise().norm().sum();
+  const double length_m = (shape.bottomRows(gaps) - shape.topRows(gaps)).rowwise().norm().sum();
   if (length_m < kMaxFactor * arm_length_m && kMaxFactor * length_m > arm_length_m) {
     return "";
   }
@@ -47,7 +68,7 @@ SafetyGate::SafetyGate(const ArmDescription& arm, std::vector<PressureLimits> li
       largest_jump_m_(largest_jump_m(settings, arm)),
       setpoint_kpa_(Pressures::Zero(arm.channel_count())),
       reference_kpa_(Pressures::Zero(arm.channel_count())),
-      frames_off_(arm.segments.size(), 0),
+      frames_off_(static_cast<std::size_t>(arm.channel_count()), 0),
       history_{{setpoint_kpa_, reference_kpa_, reference_kpa_}} {}
 
 std::string SafetyGate::check_command(const Eigen::Ref<const Pressures>& setpoint_kpa) {
@@ -91,8 +112,8 @@ void SafetyGate::note_vented(const ArmState& state) {
   reference_kpa_ = state.pressure_kpa;
   std::fill(frames_off_.begin(), frames_off_.end(), 0);
   history_ = {{setpoint_kpa_, reference_kpa_, state.pressure_kpa}};
-  backbone_ = state.backbone;
-  backbone_time_s_ = state.time_s;
+  plates_ = plate_positions(state);
+  seen_at_s_ = state.time_s;
   frames_unseen_ = 0;
 }
 
@@ -108,7 +129,7 @@ std::string SafetyGate::over_limit(const Pressures& kpa, const char* what) const
     if (value > limits.upper_kpa + excess_kpa(s) || value < limits.lower_kpa - excess_kpa(s)) {
       return fmt::format(
           "{} {} {:.1f} kPa; its limit is {:.1f} kPa, with {:.1f} kPa allowed beyond",
-          segment_name(s), what, value, limit_of(limits, value), excess_kpa(s));
+          channel_name(arm_, s), what, value, limit_of(limits, value), excess_kpa(s));
     }
   }
   return "";
@@ -124,34 +145,33 @@ std::string SafetyGate::check_shape(const ArmState& state) {
     wrong = check_in_force(state);
   }
   ++frames_unseen_;
-  if (!wrong.empty() || !state.backbone) {
+  const std::optional<PlatePositions> now = plate_positions(state);
+  if (!wrong.empty() || !now) {
     return wrong;
   }
-  const Backbone& now = *state.backbone;
-  const double since_s = state.time_s - backbone_time_s_;  // long, where nobody looked meanwhile
+  const double since_s = state.time_s - seen_at_s_;  // long, where nobody looked meanwhile
   const int frames =
       std::max(frames_unseen_, static_cast<int>(std::lround(since_s * arm_.frame_rate_hz)));
-  for (Eigen::Index i = 0; i < now.rows(); ++i) {
-    const double x_m = now(i, 0);
-    const double y_m = now(i, 1);
-    if (settings_.fence && !(x_m >= settings_.fence->x_min_m && x_m <= settings_.fence->x_max_m &&
-                             y_m >= settings_.fence->y_min_m && y_m <= settings_.fence->y_max_m)) {
-      return fmt::format("{} is at ({:.3f}, {:.3f}) m, outside of the fence", plate_name(i), x_m,
-                         y_m);
+  for (Eigen::Index i = 0; i < now->rows(); ++i) {
+    const Eigen::RowVector3d position = now->row(i);
+    if (settings_.fence && !is_within(*settings_.fence, position)) {
+      const Eigen::Index coordinates = arm_.is_spatial() ? 3 : 2;
+      return fmt::format("{} is at ({:.3f}) m, outside of the fence", plate_name(i),
+                         fmt::join(position.data(), position.data() + coordinates, ", "));
     }
-    if (backbone_) {
-      const double moved_m = plate_distances_m(now, *backbone_)[i];
-      if (moved_m > largest_jump_m_ * frames) {
+    if (plates_) {
+      const double moved_m = (position - plates_->row(i)).norm();
+      if (!(moved_m <= largest_jump_m_ * frames)) {
         return fmt::format(
             "{} jumped by {:.2f} cm within {} frame{}; more than {:.2f} cm per frame counts as no "
             "motion of this arm (jump_m of the mapping safety in the arm file, docs/hardware.md){}",
             plate_name(i), kCmPerM * moved_m, frames, frames == 1 ? "" : "s",
-            kCmPerM * largest_jump_m_, another_scale(now, arm_.length_m()));
+            kCmPerM * largest_jump_m_, another_scale(*now, arm_.length_m()));
       }
     }
   }
-  backbone_ = now;
-  backbone_time_s_ = state.time_s;
+  plates_ = now;
+  seen_at_s_ = state.time_s;
   frames_unseen_ = 0;
   return "";
 }
@@ -162,8 +182,9 @@ std::string SafetyGate::following(const ArmState& state) {
                         .cwiseMax(Pressures::Constant(reference_kpa_.size(), -step))
                         .cwiseMin(Pressures::Constant(reference_kpa_.size(), step));
   history_.push_back({setpoint_kpa_, reference_kpa_, state.pressure_kpa});
-  const auto window = static_cast<std::size_t>(arm_.frames_in(kStuckWindowS));
-  while (history_.size() > window) {
+  const auto kept =
+      static_cast<std::size_t>(arm_.frames_in(std::max(kStuckWindowS, settings_.following_time_s)));
+  while (history_.size() > kept) {
     history_.pop_front();
   }
   // Valves lag, and some are faster than the arm's rate: a pressure may be anywhere between what
@@ -185,7 +206,7 @@ std::string SafetyGate::following(const ArmState& state) {
       wrong = fmt::format(
           "{} is at {:.1f} kPa, {:.1f} kPa off where its set point of {:.1f} kPa has led since "
           "{:.2g} s. Check supply pressure, hoses and leaks",
-          segment_name(s), measured, off_kpa, setpoint_kpa_[s], settings_.following_time_s);
+          channel_name(arm_, s), measured, off_kpa, setpoint_kpa_[s], settings_.following_time_s);
     }
     if (!wrong.empty()) {
       return wrong;
@@ -212,28 +233,30 @@ std::string SafetyGate::never_sent(const ArmState& state) const {
       return fmt::format(
           "{} reports a set point in force of {:.1f} kPa; {:.1f} to {:.1f} kPa were sent within "
           "the last {} s, and {:.1f} kPa are allowed beyond",
-          segment_name(s), reported, low, high, settings_.following_time_s, excess_kpa(s));
+          channel_name(arm_, s), reported, low, high, settings_.following_time_s, excess_kpa(s));
     }
   }
   return "";
 }
 
-std::string SafetyGate::stuck(int segment) const {
-  if (history_.size() < static_cast<std::size_t>(arm_.frames_in(kStuckWindowS))) {
+std::string SafetyGate::stuck(int channel) const {
+  const auto window = static_cast<std::size_t>(arm_.frames_in(kStuckWindowS));
+  if (history_.size() < window) {
     return "";
   }
+  const std::size_t from = history_.size() - window;
   const auto until = history_.size() - static_cast<std::size_t>(arm_.frames_in(kStuckDelayS));
-  float low = history_.front().reference_kpa[segment];
+  float low = history_[from].reference_kpa[channel];
   float high = low;
-  float measured_low = history_.front().measured_kpa[segment];
+  float measured_low = history_[from].measured_kpa[channel];
   float measured_high = measured_low;
-  for (std::size_t k = 0; k < history_.size(); ++k) {
+  for (std::size_t k = from; k < history_.size(); ++k) {
     if (k < until) {
-      low = std::min(low, history_[k].reference_kpa[segment]);
-      high = std::max(high, history_[k].reference_kpa[segment]);
+      low = std::min(low, history_[k].reference_kpa[channel]);
+      high = std::max(high, history_[k].reference_kpa[channel]);
     }
-    measured_low = std::min(measured_low, history_[k].measured_kpa[segment]);
-    measured_high = std::max(measured_high, history_[k].measured_kpa[segment]);
+    measured_low = std::min(measured_low, history_[k].measured_kpa[channel]);
+    measured_high = std::max(measured_high, history_[k].measured_kpa[channel]);
   }
   const double commanded_kpa = high - low;
   const double changed_kpa = measured_high - measured_low;
@@ -241,14 +264,14 @@ std::string SafetyGate::stuck(int segment) const {
     return "";
   }
   const Frame& then = history_[until - 1];  // what came after it has had no time to act
-  if (std::abs(then.measured_kpa[segment] - then.setpoint_kpa[segment]) <
+  if (std::abs(then.measured_kpa[channel] - then.setpoint_kpa[channel]) <
       settings_.stuck_change_kpa) {
     return "";  // it had arrived, faster than the arm's rate
   }
   return fmt::format(
       "{} stands still at {:.2f} kPa though its set point "
       "moved by {:.1f} kPa: a channel is stuck, or its sensor",
-      segment_name(segment), history_.back().measured_kpa[segment], commanded_kpa);
+      channel_name(arm_, channel), history_.back().measured_kpa[channel], commanded_kpa);
 }
 
 }  // namespace limber

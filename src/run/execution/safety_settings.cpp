@@ -1,5 +1,7 @@
 #include "limber/run/safety_settings.hpp"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "limber/arm/pressure_limits.hpp"
@@ -11,14 +13,21 @@ namespace limber {
 namespace {
 
 Fence read_fence(const YamlReader& node) {
-  node.refuse_unknown_keys({"x_min_m", "x_max_m", "y_min_m", "y_max_m"});
+  node.refuse_unknown_keys({"x_min_m", "x_max_m", "y_min_m", "y_max_m", "z_min_m", "z_max_m"});
   const auto length = [&](const char* key) {
     constexpr double kMaxM = 100.0;
     return node.at(key).number("a length in metres", -kMaxM, kMaxM);
   };
-  const Fence fence{length("x_min_m"), length("x_max_m"), length("y_min_m"), length("y_max_m")};
-  if (!(fence.x_min_m < fence.x_max_m && fence.y_min_m < fence.y_max_m)) {
-    node.refuse("expected x_min_m < x_max_m and y_min_m < y_max_m");
+  Fence fence{length("x_min_m"), length("x_max_m"), length("y_min_m"), length("y_max_m")};
+  for (const auto& [key, value] :
+       {std::pair{"z_min_m", &fence.z_min_m}, {"z_max_m", &fence.z_max_m}}) {
+    if (node.has(key)) {
+      *value = length(key);
+    }
+  }
+  if (!(fence.x_min_m < fence.x_max_m && fence.y_min_m < fence.y_max_m &&
+        fence.z_min_m < fence.z_max_m)) {
+    node.refuse("expected x_min_m < x_max_m, y_min_m < y_max_m and z_min_m < z_max_m");
   }
   return fence;
 }

@@ -79,7 +79,7 @@ std::string TipTracker::why_stopped(const ArmEstimate& arm) const {
   }
   const int blind = arm.frames_unseen();
   return blind > arm_.frames_in(settings_.blind_s)
-             ? fmt::format("nothing has tracked the arm for {:.2f} s; it was vented",
+             ? fmt::format("nothing has tracked the arm for {:.2f} s",
                            blind * arm_.frame_period_s())
              : "";
 }

@@ -70,7 +70,7 @@ std::optional<ShortReach> first_short_reach(const ArmDescription& arm, double li
 class DriverLog {
  public:
   /// @throws SystemFault where `path` can't be opened; does nothing where it is empty.
-  DriverLog(const std::filesystem::path& path, std::string_view command);
+  DriverLog(const std::filesystem::path& path, std::string_view command, bool append);
 
   void sent(std::string_view line) { write("to_driver", line); }
   void received(std::string_view line) { write("from_driver", line); }

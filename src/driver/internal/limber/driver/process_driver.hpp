@@ -28,10 +28,12 @@ struct ProcessDriverSettings {
   SafetySettings safety;
   /// Told what becomes of the arm at a vent, "vented: 0.8 kPa after 0.6 s"; may be empty.
   std::function<void(const std::string&)> say;
-  /// Looked at every 5 ms while set points wait for their frame or their state: once it is true,
-  /// whatever thread made it so, a `vent` goes out and `command` throws Interrupted. Empty: never.
+  /// Looked at every 5 ms, beside the signals, while set points wait for their frame or their
+  /// state: once it is true, whatever thread made it so, a `vent` goes out and `command` throws
+  /// Interrupted. Empty: never.
   std::function<bool()> vent_asked = {};
-  std::filesystem::path log;  ///< every line of both sides with its time; empty: none
+  std::filesystem::path log;   ///< every line of both sides with its time; empty: none
+  bool append_to_log = false;  ///< of a driver that is started again; else a new log is begun
   std::optional<WireCalibration> calibration;  ///< none: the wire is the arm's
   /// For `limber driver calibrate`: bodies in 3D, which no plane is known for, are no fault. They
   /// come with DriverExchange.

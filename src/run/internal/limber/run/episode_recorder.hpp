@@ -9,6 +9,10 @@
 
 namespace limber {
 
+/// @throws SystemFault if a state has other sizes than the arm, or a number that is not finite: a
+/// driver's fault.
+void require_state_of(const ArmDescription& arm, const ArmState& state);
+
 /// Collects the frames of one run into an Episode whose time starts at 0. If a frame came without a
 /// backbone (lost, occluded), its backbone is filled in on the straight line between the tracked
 /// frames before and after it (at the ends: the nearest), and marked in `Episode::tracked`. So
@@ -18,8 +22,7 @@ class EpisodeRecorder {
  public:
   explicit EpisodeRecorder(const ArmDescription& arm);
 
-  /// @throws SystemFault if the state has other sizes than the arm, or a number that is not
-  /// finite: a driver's fault, kept out of the recording.
+  /// @throws SystemFault as require_state_of: such a state is kept out of the recording.
   void add(const ArmState& state, const Pressures& setpoint_kpa, int motion_index);
 
   int frame_count() const { return static_cast<int>(time_s_.size()); }
@@ -35,10 +38,7 @@ class EpisodeRecorder {
  private:
   std::vector<double> sample_times() const;
 
-  Eigen::Index channels_;
-  Eigen::Index points_;
-  Dimension dimension_;
-  double period_s_;
+  ArmDescription arm_;
   std::vector<double> time_s_;  // of samples; a repeated one has the same
   std::vector<float> pressure_kpa_;
   std::vector<float> setpoint_kpa_;

@@ -11,6 +11,9 @@
 
 namespace limber {
 
+/// Of an arm's plates, m×3.
+using PlatePositions = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+
 /// The last step before a driver. Set points are never clipped: one that is beyond a limit is a
 /// fault, since a clipped certified plan is another path. Measured values are watched, frame by
 /// frame. Both return what is wrong, in words; empty where nothing is.
@@ -18,7 +21,7 @@ namespace limber {
 /// Threads: one at a time.
 class SafetyGate {
  public:
-  /// @param limits_kpa   in force, one per segment: the arm's, scaled, and the driver's own
+  /// @param limits_kpa   in force, one per channel: the arm's, scaled, and the driver's own
   /// @param check_rate   whether set points may change by no more than the arm's rate allows; not
   ///                     where a schedule jumps, and the valves ramp by themselves
   SafetyGate(const ArmDescription& arm, std::vector<PressureLimits> limits_kpa, bool check_rate,
@@ -39,9 +42,9 @@ class SafetyGate {
   /// Pressures beyond a limit, shapes that jump or leave the fence: what is wrong in any state.
   std::string check_shape(const ArmState& state);
 
-  /// What a segment may be told now.
-  const PressureLimits& limits_kpa(int segment) const {
-    return limits_kpa_[static_cast<std::size_t>(segment)];
+  /// What a channel may be told now.
+  const PressureLimits& limits_kpa(int channel) const {
+    return limits_kpa_[static_cast<std::size_t>(channel)];
   }
 
  private:
@@ -53,7 +56,7 @@ class SafetyGate {
 
   std::string over_limit(const Pressures& kpa, const char* what) const;
   std::string following(const ArmState& state);
-  std::string stuck(int segment) const;
+  std::string stuck(int channel) const;
   /// A set point in force that is none of those sent in the following time, nor between them.
   std::string never_sent(const ArmState& state) const;
   std::size_t first_recent() const;      // of history_, within the following time
@@ -66,11 +69,11 @@ class SafetyGate {
   double largest_jump_m_;
   Pressures setpoint_kpa_;
   Pressures reference_kpa_;      // what the valves' rate allows to be reached by now
-  std::vector<int> frames_off_;  // each segment: how many in a row it was too far from it
+  std::vector<int> frames_off_;  // each channel: how many in a row it was too far from it
   std::deque<Frame> history_;
-  std::optional<Backbone> backbone_;  // the last one that was tracked …
-  double backbone_time_s_ = 0.0;      // … and when, by the driver's clock
-  int frames_unseen_ = 0;             // … and how many frames ago
+  std::optional<PlatePositions> plates_;  // where they were tracked last …
+  double seen_at_s_ = 0.0;                // … and when, by the driver's clock
+  int frames_unseen_ = 0;                 // … and how many frames ago
 };
 
 }  // namespace limber

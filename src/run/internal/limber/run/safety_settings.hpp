@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,8 @@ struct Fence {
   double x_max_m = 0.0;
   double y_min_m = 0.0;
   double y_max_m = 0.0;
+  double z_min_m = -std::numeric_limits<double>::infinity();  ///< of arms in space
+  double z_max_m = std::numeric_limits<double>::infinity();
 };
 
 /// When measured values mean that an arm has to be vented: the optional mapping `safety` of an arm

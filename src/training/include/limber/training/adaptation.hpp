@@ -48,9 +48,8 @@ struct Adaptation {
   std::vector<TraitEstimate> traits;  ///< what e tells of its physics, beside the arm's file
   bool is_of_family() const { return distance <= kFarFromFamily && !has_trained_weights; }
   /// The arm hardly moved, or some direction of e is hardly better known than before.
-  bool tells_too_little() const {
-    return moving_s < kLeastMovingS || largest_uncertainty > kHardlyKnown;
-  }
+  bool tells_too_little() const { return moved_too_little() || largest_uncertainty > kHardlyKnown; }
+  bool moved_too_little() const { return moving_s < kLeastMovingS; }
 
   static constexpr double kFarFromFamily = FamilyMember::kFar;
   static constexpr double kLeastMovingS = 4.0;
