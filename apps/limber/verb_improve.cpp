@@ -139,17 +139,14 @@ class ImproveVerb final : public Verb {
       }
       return;
     }
+    if (fs::exists(made_of) && !flags.force) {
+      throw InputError(fmt::format(
+          "{}: holds rounds already; --resume goes on from them, --force makes them again", out_));
+    }
     refuse_to_overwrite(result, flags.force);
-    if (fs::exists(made_of)) {
-      if (!flags.force) {
-        throw InputError(fmt::format(
-            "{}: holds rounds already; --resume goes on from them, --force makes them again",
-            out_));
-      }
-      for (int round = 1; fs::exists(folder_of(folder, round)); ++round) {
-        for (const char* verb : {"collect", "train"}) {
-          fs::remove(kept(folder_of(folder, round), verb));
-        }
+    for (int round = 1; fs::exists(folder_of(folder, round)); ++round) {
+      for (const char* verb : {"collect", "train"}) {
+        fs::remove(kept(folder_of(folder, round), verb));
       }
     }
     fs::create_directories(folder);

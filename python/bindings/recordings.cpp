@@ -47,7 +47,8 @@ Episode make_episode(
     const DoubleArray& time_s, const FloatArray& pressure_kpa, const FloatArray& setpoint_kpa,
     const FloatArray& backbone,
     const py::array_t<int, py::array::c_style | py::array::forcecast>& motion_index,
-    const py::object& tracked, bool setpoints_only, const std::string& physics, bool lifted) {
+    const py::object& tracked, bool setpoints_only, const std::string& physics, bool lifted,
+    const std::string& log) {
   using Flags = py::array_t<std::uint8_t, py::array::c_style | py::array::forcecast>;
   std::optional<Flags> seen;
   if (!tracked.is_none()) {
@@ -57,6 +58,7 @@ Episode make_episode(
   Episode episode;
   episode.setpoints_only = setpoints_only;
   episode.physics = physics;
+  episode.log = log;
   const py::ssize_t frames = time_s.size();
   require_shape(time_s, {frames}, "time_s");
   require_finite(time_s, "time_s");
@@ -103,15 +105,17 @@ void bind_episode(py::module_& module) {
   py::class_<Episode>(module, "Episode",
                       "One unbroken run of the arm: T frames, n segments, m plates. Its arrays "
                       "are views of limber's own memory.")
-      .def(py::init(&make_episode), py::arg("time_s"), py::arg("pressure_kpa"),
-           py::arg("setpoint_kpa"), py::arg("backbone"), py::arg("motion_index"),
-           py::arg("tracked") = py::none(), py::arg("setpoints_only") = false,
-           py::arg("physics") = "", py::arg("lifted") = false,
-           "Copies its arrays once: time_s (T,) [s], pressure_kpa and setpoint_kpa (T, n) "
-           "[kPa], backbone (T, m, 3) in frame B, in space (T, m, 7), motion_index (T,), and "
-           "tracked (T,) or None: all frames. With setpoints_only, pressure_kpa has to be "
-           "setpoint_kpa. lifted: in space, rotations were made from positions. "
-           "Raises InputError naming the array whose shape does not fit.")
+      .def(
+          py::init(&make_episode), py::arg("time_s"), py::arg("pressure_kpa"),
+          py::arg("setpoint_kpa"), py::arg("backbone"), py::arg("motion_index"),
+          py::arg("tracked") = py::none(), py::arg("setpoints_only") = false,
+          py::arg("physics") = "", py::arg("lifted") = false, py::arg("log") = "",
+          "Copies its arrays once: time_s (T,) [s], pressure_kpa and setpoint_kpa (T, n) "
+          "[kPa], backbone (T, m, 3) in frame B, in space (T, m, 7), motion_index (T,), and "
+          "tracked (T,) or None: all frames. With setpoints_only, pressure_kpa has to be "
+          "setpoint_kpa. lifted: in space, rotations were made from positions. log: the "
+           "file that it is of. "
+          "Raises InputError naming the array whose shape does not fit.")
       .def_property_readonly(
           "time_s",
           [](const py::object& self) {

@@ -36,6 +36,13 @@ TEST(StepResponse, FindsDeadTimeAndRiseOfAFirstOrderAnswer) {
   }
 }
 
+// At 1 Hz a hold of 1.5 s is two frames.
+TEST(StepResponse, TellsAnAnswerAlsoWhereAFrameIsLongerThanAMean) {
+  const StepResponse found = step_response({0.0, kStepKpa}, 1.0, kStepKpa, 0.01);
+  EXPECT_TRUE(found.answered);
+  EXPECT_EQ(found.reached_kpa, kStepKpa);
+}
+
 TEST(StepResponse, AReadingThatStaysIsNoAnswer) {
   EXPECT_FALSE(step_response(std::vector<double>(60, 0.1), kPeriodS, kStepKpa, 0.1).answered);
   EXPECT_FALSE(step_response({}, kPeriodS, kStepKpa, 0.1).answered);

@@ -208,5 +208,13 @@ TEST_F(DriverProtocol, RefusesHellosOfOtherArmsRatesAndVersions) {
   refused("ready", "hello");
 }
 
+TEST_F(DriverProtocol, ADriverMayAnswerTheHelloWithItsFault) {
+  EXPECT_THAT(
+      [&] {
+        (void)parse_driver_hello(R"({"type":"fault","message":"no device at a port"})", host_);
+      },
+      ThrowsMessage<SystemFault>(HasSubstr("it reports a fault: no device at a port")));
+}
+
 }  // namespace
 }  // namespace limber

@@ -170,6 +170,9 @@ TEST_F(ProcessDriverTest, SaysWhichSegmentIsNotVented) {
   driver.vent();
   EXPECT_FALSE(driver.last_vent().confirmed);
   EXPECT_THAT(said_, ElementsAre("VENT NOT CONFIRMED: segment 0 at 24 kPa, shut off the supply"));
+  // Whoever shuts it off stands beside an arm that is moved no more.
+  EXPECT_THAT(ramp(driver, 1), StartsWith("VENT NOT CONFIRMED"));
+  EXPECT_THROW((void)driver.look(), SystemFault);
 }
 
 TEST_F(ProcessDriverTest, EveryBrokenAnswerVentsAndEndsTheDriver) {

@@ -123,6 +123,21 @@ TEST_F(SetpointImport, OfDefaultColumnsIsToldByTheirNames) {
   EXPECT_FALSE(import(log(), without_commands).recording.setpoints_only());
 }
 
+// Beside what was measured, in another unit.
+TEST_F(SetpointImport, RefusesSetPointsFarBeyondTheLimitsAlsoBesideMeasuredOnes) {
+  std::string text = header().substr(0, header().find(",x0")) + ",s1,s2,s3" +
+                     header().substr(header().find(",x0")) + "\n";
+  for (int k = 0; k < rows_; ++k) {
+    const double t = k / rate_hz_;
+    const Eigen::Vector3d p = truth_.pressures(t);
+    text += fmt::format("{:.6f},{:.6f},{:.6f},{:.6f},{:.2f},{:.2f},{:.2f}", t, p[0], p[1], p[2],
+                        1e3 * p[0], 1e3 * p[1], 1e3 * p[2]) +
+            pose_cells(t) + "\n";
+  }
+  expect_refusal(text, replaced(mapping(), "backbone:", "  setpoints: [s1, s2, s3]\nbackbone:"),
+                 {"'s1' (segment 0) reaches", "the limit of arm"});
+}
+
 TEST_F(SetpointImport, RefusesMappingsThatContradictThemselves) {
   expect_refusal(log(), replaced(setpoints_mapping(), "pressures:", "pressures:\n  measured: true"),
                  {"measured", "'setpoints' alone name nothing that was measured"});
@@ -132,6 +147,8 @@ TEST_F(SetpointImport, RefusesMappingsThatContradictThemselves) {
   expect_refusal(log(), both, {"measured", "'setpoints' beside other columns"});
   expect_refusal(log(), replaced(mapping(), "  columns:", "  right:"),
                  {"pressures", "or 'setpoints' alone, where nothing was measured"});
+  expect_refusal(log(), mapping() + "commands: {columns: [a, b, c]}\n",
+                 {"commands", "stands beside pressures"});
 }
 
 // What would fit is said in the words of the mapping.

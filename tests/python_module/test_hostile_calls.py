@@ -26,6 +26,69 @@ class HostileCalls(InFolder):
         self.assertEqual(result.returncode, 0, result.stdout[-3000:] + result.stderr[-3000:])
 
 
+class ReachingPastTheEnd(InFolder):
+    """What once read memory that was not there."""
+
+    def test_a_part_of_a_model_outlives_it(self):
+        model = limber.read_model(chain().model)
+        model.valves = limber.ValveParameters(has_sides=True)
+        valves, bounds = model.valves, model.bounds
+        lengths = np.array(bounds.min_length_m)
+        model.valves = model.bounds = model.learnt = None
+        junk = [np.full_like(lengths, 7.0) for _ in range(1000)]
+        self.assertTrue(valves.has_sides)
+        np.testing.assert_array_equal(bounds.min_length_m, lengths)
+        self.assertEqual(len(junk), 1000)
+
+    def test_numbers_out_of_range(self):
+        arm = chain().arm
+        for wrong in (lambda: arm.segment_of_gap(100), lambda: arm.segment_of_gap(-1),
+                      lambda: arm.frames_in(float("nan")), lambda: arm.frames_in(1e300),
+                      lambda: limber.VirtualArm(arm).settle(np.zeros(2), float("inf")),
+                      lambda: limber.ArmState(float("nan"), np.zeros(2)),
+                      lambda: limber.RecordedRegion(limber.read_model(chain().model).learnt, float("nan")),
+                      lambda: limber.learnt_region_of(limber.TrainingData([], []))):
+            with self.assertRaises(limber.InputError):
+                wrong()
+
+    def test_a_region_of_another_arm(self):
+        region = limber.RecordedRegion(limber.read_model(chain().model).learnt, 20.0)
+        other = limber.load_arm(ROOT / "arms" / "three_segment.yaml")
+        model = limber.MotionModel(limber.ForwardModel(other))
+        environment = limber.load_environment(ROOT / "environments" / "01_pillar.yaml")
+        with self.assertRaisesRegex(limber.InputError, "stay_within: of 2 segments"):
+            limber.PlanningProblem(other, model, environment, stay_within=region)
+
+    def test_a_state_without_its_past(self):
+        arm = chain().arm
+        network = limber.MotionModel(limber.ForwardModel(arm, limber.read_model(chain().model)))
+        if not limber.read_model(chain().model).reads_velocity:
+            self.skipTest("the chain's network reads no velocity")
+        state = limber.MotionModel(limber.ForwardModel(arm)).settled_state(
+            np.zeros(2), limber.start_state(chain().environment, arm).backbone)
+        with self.assertRaises(limber.InputError):
+            network.step(np.zeros(2, np.float32), state)
+
+    def test_a_driver_whose_states_are_of_no_arm(self):
+        arm, environment = chain().arm, chain().environment
+        problem = limber.PlanningProblem(arm, limber.MotionModel(limber.ForwardModel(arm)), environment)
+        plan = limber.make_planner().plan(problem, limber.PlannerLimits(iterations=300), 5).plan
+
+        class Driver:
+            def state(self):
+                return limber.ArmState(0.0, np.zeros(2), np.zeros((0, 3)))
+
+            def command(self, setpoint_kpa):
+                return self.state()
+
+            def vent(self):
+                pass
+
+        result = limber.execute(arm, environment, plan, Driver())
+        self.assertEqual(result.status, limber.ExecutionStatus.fault)
+        self.assertIn("0 backbone points", result.message)
+
+
 class WrongEpisodes(InFolder):
     """Each kind, to each function that takes an arm or a model and episodes."""
 

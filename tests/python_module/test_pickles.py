@@ -66,6 +66,10 @@ class Pickles(InFolder):
         for other in ways(episode):
             np.testing.assert_array_equal(other.backbone, episode.backbone)
             np.testing.assert_array_equal(other.tracked, episode.tracked)
+        named = limber.Episode(episode.time_s, episode.pressure_kpa, episode.setpoint_kpa, episode.backbone,
+                               episode.motion_index, log="a.csv")
+        for other in ways(named):
+            self.assertEqual(other.log, "a.csv")
 
     def test_everything_else_is_a_type_error(self):
         arm = chain().arm

@@ -36,6 +36,8 @@ class Project : public ::testing::Test {
     write_file_atomically(root_ / "project/table/trials/mine.yaml", kEnvironment);
     fs::create_directory_symlink(root_ / "outside", root_ / "project/out");
     fs::create_symlink(root_ / "outside/secret.yaml", root_ / "project/link.yaml");
+    write_file_atomically(root_ / "outside/far.safetensors", R"({"family.arms":{}})");
+    fs::create_symlink(root_ / "outside/far.safetensors", root_ / "project/models/far.safetensors");
   }
   void TearDown() override { fs::remove_all(root_); }
 
@@ -53,6 +55,7 @@ TEST_F(Project, OffersWhatFilesSayThatTheyAre) {
   EXPECT_THAT(environments, Not(Contains(HasSubstr("notes"))));
   EXPECT_THAT(environments, Not(Contains(HasSubstr("hidden"))));
   EXPECT_THAT(environments, Not(Contains(HasSubstr("secret"))));
+  EXPECT_THAT(environments, Not(Contains("link.yaml")));
 }
 
 TEST_F(Project, OffersRecordingsFamiliesAndExperiments) {

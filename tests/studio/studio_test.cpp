@@ -200,6 +200,8 @@ TEST_F(StudioServer, BodiesAreJsonAndSmall) {
   EXPECT_THAT(ask("POST /api/stop", json + "Content-Length: 99999999999999999999\r\n"),
               StartsWith("HTTP/1.1 413"));
   EXPECT_THAT(ask("POST /api/stop", json + "Content-Length: -1\r\n"), StartsWith("HTTP/1.1 413"));
+  EXPECT_THAT(ask("POST /api/stop", json + "Content-Length: 2\r\nContent-Encoding: gzip\r\n", "{}"),
+              StartsWith("HTTP/1.1 415"));
   EXPECT_THAT(ask("POST /api/stop", json), StartsWith("HTTP/1.1 411"));
   EXPECT_THAT(
       ask("POST /api/stop", json + "Transfer-Encoding: chunked\r\n", "2\r\n{}\r\n0\r\n\r\n"),

@@ -117,7 +117,7 @@ class Family(InFolder):
         self.verify_further_plans(found["replans"] + found["switches"], before["e"])
         self.assertNotIn("arm", self.run_json(*run, "--replan", "--no-adapt"))
         error = self.run_limber(*run, "--adapted-out", "x.safetensors", code=2).stderr
-        self.assertIn("--adapted-out: nothing was adapted", error)
+        self.assertIn("--adapted-out: nothing would be adapted", error)
 
     def verify_further_plans(self, count, e_before):
         """What was certified in the run, of the arm as it was known then, is certified again from the files."""

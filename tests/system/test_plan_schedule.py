@@ -57,6 +57,19 @@ class PlanSchedule(InFolder):
         (self.folder / "rounds/round_2/train.json").unlink()
         self.improve("--rounds", 2, "--resume")
         self.assertEqual(model.read_bytes(), first)
+        self.assertIn("another model, data or settings",
+                      self.run_limber("improve", *ARM, "--model", "m.safetensors", "--data", "t.h5", "--plans", 5,
+                                      "--resume", "--out", "rounds", code=2).stderr)
+
+    def test_nothing_of_the_users_is_replaced(self):
+        model = self.folder / "m.safetensors"
+        model.rename(self.folder / "model.safetensors")
+        before = (self.folder / "model.safetensors").read_bytes()
+        for model, told in (("model.safetensors", "would replace it"), ("other.safetensors", "exists already")):
+            (self.folder / "other.safetensors").write_bytes(before)
+            self.assertIn(told, self.run_limber("improve", *ARM, "--model", model, "--data", "t.h5", "--out", ".",
+                                                code=2).stderr)
+            self.assertEqual((self.folder / "model.safetensors").read_bytes(), before)
 
 
 if __name__ == "__main__":

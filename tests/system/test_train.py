@@ -194,6 +194,13 @@ class Train(InFolder):
         self.assertIn("is the file that", message)
         self.assertIn("also writes", message)
 
+    def test_a_recording_has_one_part(self):
+        (self.folder / "copy.h5").write_bytes((self.folder / "train.h5").read_bytes())
+        self.assertIn("copy.h5: the same recording as train.h5", self.refused("--data", "copy.h5"))
+        self.assertIn("--unseen copy.h5: learnt from", self.refused("--unseen", "copy.h5"))
+        for flags in (("--unseen", "copy.h5"), ("--validation", "copy.h5"), ("--keep-broken",)):
+            self.assertIn("--family: leave out", self.refused("--family", *flags))
+
     def test_another_arms_recording_is_refused(self):
         message = self.run_limber(
             "train", "--arm", "three_segment", "--data", "train.h5", code=2

@@ -125,6 +125,53 @@ TEST_F(GatedDriverTest, ARecordingKeepsTheLimitsAndWhereItSaysSoTheRate) {
               ThrowsMessage<SystemFault>(HasSubstr("its limit is 100.00 kPa")));
 }
 
+/// Of two segments, and says what it is told to say.
+class SayingArm final : public ArmDriver {
+ public:
+  explicit SayingArm(const ArmState& said) : said_(said) {}
+  const ArmState& state() const override { return said_; }
+  const ArmState& command(const Eigen::Ref<const Pressures>& /*setpoint_kpa*/) override {
+    return said_;
+  }
+  void vent() noexcept override {}
+
+ private:
+  ArmState said_;
+};
+
+TEST_F(GatedDriverTest, AStateOfAnotherArmIsAFault) {
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  const Backbone straight = Backbone::Zero(arm_.point_count(), 3);
+  const ArmState right{0.0, Pressures::Zero(2), {}, straight};
+  const auto fault_of = [&](const ArmState& said) {
+    SayingArm driver(said);
+    GatedDriver gated(arm_, driver, true);
+    try {
+      (void)gated.state();
+      (void)gated.command(Pressures::Zero(2));
+    } catch (const SystemFault& fault) {
+      return std::string(fault.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(fault_of(right), "");
+  ArmState wrong = right;
+  wrong.pressure_kpa = Pressures::Zero(3);
+  EXPECT_THAT(fault_of(wrong), HasSubstr("3 pressures and 5 backbone points"));
+  wrong = right;
+  wrong.backbone = Backbone(0, 3);
+  EXPECT_THAT(fault_of(wrong), HasSubstr("2 pressures and 0 backbone points"));
+  wrong = right;
+  wrong.setpoint_kpa = Pressures::Zero(1);
+  EXPECT_THAT(fault_of(wrong), HasSubstr("expected 2 and 5"));
+  wrong = right;
+  wrong.pressure_kpa[1] = none;
+  EXPECT_THAT(fault_of(wrong), HasSubstr("not finite"));
+  wrong = right;
+  wrong.time_s = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(fault_of(wrong), HasSubstr("not finite"));
+}
+
 TEST_F(GatedDriverTest, ABenchTestKeepsThemToo) {
   const ArmDescription one = small_arm(1);
   TrustingArm driver(one);

@@ -1,6 +1,7 @@
 #include "limber/run/safety_gate.hpp"
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -10,6 +11,7 @@
 #include "limber/sim/virtual_arm.hpp"
 #include "limber/world/straight_motion.hpp"
 #include "support/fake_arm.hpp"
+#include "support/space_arm.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace limber {
@@ -207,6 +209,49 @@ TEST_F(SafetyGateTest, EveryPlateStaysWithinTheFence) {
   EXPECT_THAT(gate.check_shape(seen(0.21F)), HasSubstr("outside of the fence"));
 }
 
+// An arm in space has more channels than segments, and its plates have a height.
+TEST_F(SafetyGateTest, OfAnArmInSpaceItWatchesEveryChamberAndPlate) {
+  const ArmDescription arm = testing_support::space_arm();
+  settings_.fence = Fence{-1.0, 1.0, -1.0, 1.0, -0.2, 0.2};
+  SafetyGate gate(arm, std::vector<PressureLimits>(6, PressureLimits(0.0, 100.0)), false,
+                  settings_);
+  ArmState state = measured(Pressures::Zero(6));
+  const auto seen_at = [&](float z_m) {
+    state.space_backbone = SpaceBackbone::Zero(arm.point_count(), kSpacePoseSize);
+    (*state.space_backbone)(arm.point_count() - 1, 2) = z_m;
+    return gate.check_shape(state);
+  };
+  EXPECT_THAT(seen_at(0.0F), IsEmpty());
+  EXPECT_THAT(seen_at(0.06F), IsEmpty());
+  EXPECT_THAT(seen_at(0.19F), HasSubstr("plate 5 jumped by 13.00 cm"));
+  EXPECT_THAT(seen_at(0.21F), HasSubstr("(0.000, 0.000, 0.210) m, outside of the fence"));
+  state.space_backbone.reset();
+  Pressures last = Pressures::Zero(6);
+  last[5] = 50.0F;
+  std::string wrong;
+  for (int k = 0; k < 60 && wrong.empty(); ++k) {
+    wrong = gate.check_command(last);
+    wrong = wrong.empty() ? gate.check_state(state) : wrong;
+  }
+  EXPECT_THAT(wrong, HasSubstr("chamber 2 of segment 1 stands still"));
+}
+
+TEST_F(SafetyGateTest, TheFollowingTimeMayBeLongerThanASecond) {
+  settings_.following_time_s = 2.0;
+  settings_.stuck_change_kpa = 1e9;
+  SafetyGate gate = this->gate(false);
+  // 1.6 s behind a set point that went to 50 kPa and back: within 2 s it was sent.
+  const auto delayed = [](int k) { return k >= 32 && k < 40 ? 50.0F : 0.0F; };
+  std::string wrong;
+  for (int k = 0; k < 60 && wrong.empty(); ++k) {
+    wrong = gate.check_command(pressures(k < 8 ? 50.0F : 0.0F, 0.0F));
+    ArmState state = measured(pressures(0.0F, 0.0F));
+    state.setpoint_kpa = pressures(delayed(k), 0.0F);
+    wrong = wrong.empty() ? gate.check_state(state) : wrong;
+  }
+  EXPECT_THAT(wrong, IsEmpty());
+}
+
 // The watch has to leave a healthy arm alone, whatever it is asked for.
 TEST_F(SafetyGateTest, AHealthyVirtualArmPassesJumpsAndStraightMotions) {
   const ArmDescription arm = load_arm(LIMBER_SOURCE_DIR "/arms/two_segment.yaml");
@@ -248,6 +293,7 @@ TEST(SafetySettings, AreReadFromTheArmFileAndDefaultWithoutIt) {
                         "  fence: {x_min_m: -0.1, x_max_m: 0.6, y_min_m: -0.4, y_max_m: 0.4}\n"));
   EXPECT_EQ(safety.following_error_kpa, 4.0);
   EXPECT_EQ(safety.fence->x_max_m, 0.6);
+  EXPECT_EQ(safety.fence->z_max_m, std::numeric_limits<double>::infinity());
   EXPECT_EQ(load_arm(folder.path() / "b.yaml").hash(), load_arm(folder.path() / "a.yaml").hash());
   EXPECT_THAT([&] { (void)load_safety(write("c.yaml", "safety: {jump_cm: 5}\n")); },
               ThrowsMessage<InputError>(HasSubstr("safety.jump_cm")));
