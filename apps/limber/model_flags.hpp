@@ -18,7 +18,6 @@ class ModelFlags {
 
   bool names_model() const { return !model_.empty(); }
   bool asks_no_load() const { return no_load_; }
-  bool asks_no_valves() const { return no_valves_; }
   bool names_valves() const { return !valves_.empty(); }
   const std::string& model_file() const { return model_; }
 

@@ -161,9 +161,8 @@ std::optional<Forest> ForestFlags::forest(const ArmDescription& arm, const Motio
                                           const std::string& model_file, const ArmStart& start,
                                           const CommonFlags& flags) const {
   const std::string path = path_beside(model_file);
-  const ForestKey key =
-      forest_key(arm, model_file.empty() ? "" : content_hash(read_file(model_file)),
-                 model.valves().parameters(), start);
+  const ForestKey key = forest_key(arm, model_file.empty() ? "" : file_hash(model_file),
+                                   model.valves().parameters(), start);
   std::error_code error;
   if (std::filesystem::exists(path, error) && build_) {
     if (kind_of(read_file(path)) != FileKind::forest) {

@@ -8,6 +8,7 @@
 
 #include "driver_flags.hpp"
 #include "limber/arm/arm_description.hpp"
+#include "limber/arm/pressure_limits.hpp"
 #include "limber/forward/error_room.hpp"
 #include "limber/planning/forest.hpp"
 #include "limber/report/track_report.hpp"

@@ -75,8 +75,8 @@ class AdaptVerb final : public Verb {
  private:
   void note_origin(const CompensationModel& family, const std::string& sources,
                    Adaptation& done) const {
-    const std::string hash = family.member_of_family ? family.member_of_family->family_hash
-                                                     : content_hash(read_file(family_file_));
+    const std::string hash =
+        family.member_of_family ? family.member_of_family->family_hash : file_hash(family_file_);
     if (done.model.member_of_family) {
       done.model.member_of_family->family_hash = hash;
     }

@@ -25,15 +25,18 @@ class BenchVerb final : public Verb {
 
   void add_flags(CLI::App& app) override {
     add_arm_flag(app, arm_);
-    app.add_option("--model", model_, "Network to measure in addition to the paper's shape");
+    auto* model =
+        app.add_option("--model", model_, "Network to measure in addition to the paper's shape");
     auto* queries = app.add_option("--queries", queries_, "Queries per measurement")
                         ->check(CLI::Range(std::int64_t{1'000}, std::int64_t{1'000'000'000}))
                         ->capture_default_str();
     app.add_flag("--quick", quick_, fmt::format("{} queries per measurement", kQuickQueries))
         ->excludes(queries);
-    app.add_option("--plot", plot_, "Bar chart to write, SVG");
+    auto* plot = app.add_option("--plot", plot_, "Bar chart to write, SVG");
     auto* training = app.add_option("--training", training_,
-                                    "Recording: instead, time the epochs of training on it");
+                                    "Recording: instead, time the epochs of training on it")
+                         ->excludes(model)
+                         ->excludes(plot);
     app.add_option("--preset", preset_, "Training preset to time: paper or best; both by default")
         ->check(CLI::IsMember({"paper", "best"}))
         ->needs(training);

@@ -184,7 +184,7 @@ class CalibrateVerb final : public Verb {
     RecordedCalibration settings;
     settings.arm = arm;
     settings.model = model;
-    settings.model_hash = content_hash(read_file(model_file_));
+    settings.model_hash = file_hash(model_file_);
     settings.plans.assign(plans_.begin(), plans_.end());
     settings.recordings.assign(recordings_.begin(), recordings_.end());
     settings.levels = settings_.levels;

@@ -101,13 +101,16 @@ class CharacterizeVerb final : public Verb {
     auto* mapping = app.add_option("--mapping", mapping_,
                                    "Of --commands: which columns are what; its command columns are "
                                    "the arm's own (docs/importing.md)");
-    app.add_option("--commands", command_logs_,
-                   "Find what the arm's own commands, as six motors of three segments, make of its "
-                   "segments in these logs instead, and print it for the arm file")
-        ->needs(mapping)
-        ->excludes(csv)
-        ->excludes(plot)
-        ->excludes(valves);
+    auto* commands =
+        app.add_option(
+               "--commands", command_logs_,
+               "Find what the arm's own commands, as six motors of three segments, make of its "
+               "segments in these logs instead, and print it for the arm file")
+            ->needs(mapping)
+            ->excludes(csv)
+            ->excludes(plot)
+            ->excludes(valves);
+    mapping->needs(commands);
     app.add_option("--plots", plots_, "Folder for valves.svg: a motion that was not fitted to")
         ->needs(valves);
     app.add_option("--out", out_,

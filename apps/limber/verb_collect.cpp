@@ -150,7 +150,7 @@ class CollectVerb final : public Verb {
     plans_.jobs = flags.jobs;
     plans_.progress = flags.progress();
     settings.episodes = plan_schedule(arm, model, plans_);
-    settings.episodes_are = describe(plans_, content_hash(read_file(model_file_)));
+    settings.episodes_are = describe(plans_, file_hash(model_file_));
   }
 
   /// @param driver  that moved the arm; null: the virtual one

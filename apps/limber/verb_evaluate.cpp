@@ -55,7 +55,7 @@ class EvaluateVerb final : public Verb {
     if (!model_.empty()) {
       network.emplace(arm, read_model_of_one_arm(model_));
     }
-    const std::string data_hash = content_hash(read_file(data_));  // names why it can't be read
+    const std::string data_hash = file_hash(data_);  // names why it can't be read
     const Recording recording = asked_with(read_usable(arm, data_), network, data_);
     tell_if_trained_on(flags, network, data_hash);
     const ForwardModel* compared = network ? &*network : nullptr;

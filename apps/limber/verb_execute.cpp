@@ -180,7 +180,7 @@ class ExecuteVerb final : public Verb {
     if (!plans_folder_) {
       return;
     }
-    const std::string model_hash = content_hash(read_file(model_.model_file()));
+    const std::string model_hash = file_hash(model_.model_file());
     std::size_t number = 0;
     for (FollowedPlan& followed : further_plans_) {
       const std::string name = fmt::format("{:02}", ++number);

@@ -100,7 +100,7 @@ class FamilyVerb final : public Verb {
       add_arms_of(recording, arms);
       std::ranges::move(recording.episodes, std::back_inserter(episodes));
       sources += fmt::format("{}{} {}", sources.empty() ? "" : ", ", share.name,
-                             content_hash(read_file(recording_path(share))));
+                             file_hash(recording_path(share)));
     }
     TrainingData data = hold_back_arms(std::move(episodes), arms, kHeldBackShare, flags.seed);
     add_mirrored_arms(arm, data);

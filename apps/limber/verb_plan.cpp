@@ -136,7 +136,7 @@ class PlanVerb final : public Verb {
       say(flags, "warning: {}", warning);
     }
     if (result.plan && model_.names_model()) {
-      result.plan->model_hash = content_hash(read_file(model_.model_file()));
+      result.plan->model_hash = file_hash(model_.model_file());
     }
     write(result, arm, environment);
     const std::string model_name = model.has_network() ? "network" : "no_load";
@@ -200,6 +200,12 @@ class PlanVerb final : public Verb {
                          const CommonFlags& flags) const {
     if (!forest_.builds()) {
       throw InputError("--environment is required: a file, or the name of one of limber's own");
+    }
+    for (const std::string& path : {out_, csv_, svg_, pressures_svg_, animation_}) {
+      if (!path.empty()) {
+        throw InputError(fmt::format(
+            "{}: a forest alone is grown without --environment, and no plan is made", path));
+      }
     }
     const std::optional<Forest> forest =
         forest_.forest(arm, model, model_.model_file(), start_state(Environment(), arm), flags);

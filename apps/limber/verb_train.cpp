@@ -316,7 +316,7 @@ class TrainVerb final : public Verb {
     model.training["windows"] = fmt::format("{}", fmt::join(windows, " "));
     model.training["validation"] = fmt::format("{}", fmt::join(choice.validation, "; "));
     if (!from_.empty()) {
-      model.training["from"] = content_hash(read_file(from_));
+      model.training["from"] = file_hash(from_);
     }
   }
 

@@ -199,7 +199,7 @@ class VerifyVerb final : public Verb {
     if (model_.asks_no_load()) {
       return std::nullopt;
     }
-    const std::string hash = content_hash(read_file(model_.model_file()));
+    const std::string hash = file_hash(model_.model_file());
     // Plans made through the library may not say which file their model came from. The certificate
     // finds out whether they hold with this one.
     if (plan.model == "network" && !plan.model_hash.empty() && plan.model_hash != hash) {

@@ -105,17 +105,16 @@ void bind_episode(py::module_& module) {
   py::class_<Episode>(module, "Episode",
                       "One unbroken run of the arm: T frames, n segments, m plates. Its arrays "
                       "are views of limber's own memory.")
-      .def(
-          py::init(&make_episode), py::arg("time_s"), py::arg("pressure_kpa"),
-          py::arg("setpoint_kpa"), py::arg("backbone"), py::arg("motion_index"),
-          py::arg("tracked") = py::none(), py::arg("setpoints_only") = false,
-          py::arg("physics") = "", py::arg("lifted") = false, py::arg("log") = "",
-          "Copies its arrays once: time_s (T,) [s], pressure_kpa and setpoint_kpa (T, n) "
-          "[kPa], backbone (T, m, 3) in frame B, in space (T, m, 7), motion_index (T,), and "
-          "tracked (T,) or None: all frames. With setpoints_only, pressure_kpa has to be "
-          "setpoint_kpa. lifted: in space, rotations were made from positions. log: the "
+      .def(py::init(&make_episode), py::arg("time_s"), py::arg("pressure_kpa"),
+           py::arg("setpoint_kpa"), py::arg("backbone"), py::arg("motion_index"),
+           py::arg("tracked") = py::none(), py::arg("setpoints_only") = false,
+           py::arg("physics") = "", py::arg("lifted") = false, py::arg("log") = "",
+           "Copies its arrays once: time_s (T,) [s], pressure_kpa and setpoint_kpa (T, n) "
+           "[kPa], backbone (T, m, 3) in frame B, in space (T, m, 7), motion_index (T,), and "
+           "tracked (T,) or None: all frames. With setpoints_only, pressure_kpa has to be "
+           "setpoint_kpa. lifted: in space, rotations were made from positions. log: the "
            "file that it is of. "
-          "Raises InputError naming the array whose shape does not fit.")
+           "Raises InputError naming the array whose shape does not fit.")
       .def_property_readonly(
           "time_s",
           [](const py::object& self) {

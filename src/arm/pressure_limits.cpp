@@ -81,4 +81,12 @@ std::vector<PressureLimits> limits_of(const ArmDescription& arm) {
   return limits;
 }
 
+ArmDescription with_limits(ArmDescription arm, const std::vector<PressureLimits>& limits) {
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    Segment& segment = arm.segments[i];
+    segment.pressure_limit_kpa = segment.pressure_limit_kpa.within(limits[i]);
+  }
+  return arm;
+}
+
 }  // namespace limber

@@ -76,12 +76,12 @@ struct OutputErrors {
 
   int operator()(const Eigen::VectorXd& x, Eigen::VectorXd& residual) const {
     const ValveMotion motion(coordinates.valves(x), has_sides, 1.0 / coordinates.rate_hz);
-    Eigen::VectorXd pressure;
+    std::vector<double> pressure;
     Eigen::Index at = 0;
     for (const ValveRun& run : *runs) {
       simulate(motion, run, pressure);
       for (int k = 1; k < run.count; ++k) {
-        residual[at++] = bent(pressure[k] - run.measured(run.first + k));
+        residual[at++] = bent(pressure[std::size_t(k)] - run.measured(run.first + k));
       }
     }
     return 0;
@@ -130,14 +130,14 @@ class Fitter {
     const ValveMotion motion(errors_.coordinates.valves(x), errors_.has_sides,
                              1.0 / errors_.coordinates.rate_hz);
     std::vector<double> sizes;
-    Eigen::VectorXd pressure;
+    std::vector<double> pressure;
     for (const ValveRun& run : *errors_.runs) {
       simulate(motion, run, pressure);
       for (int k = 1; k < run.count; ++k) {
         const double measured = run.measured(run.first + k);
         if (std::abs(run.setpoint(run.first + k) - measured) >
             kUnderWay * errors_.coordinates.limit_kpa) {
-          sizes.push_back(std::abs(pressure[k] - measured));
+          sizes.push_back(std::abs(pressure[std::size_t(k)] - measured));
         }
       }
     }

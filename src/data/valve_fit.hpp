@@ -24,14 +24,14 @@ struct ValveRun {
 
 /// Pressures of a run from its first measured one, by its set points alone: count numbers. Set
 /// points of before the episode are its first.
-inline void simulate(const ValveMotion& motion, const ValveRun& run, Eigen::VectorXd& pressure) {
-  pressure.resize(run.count);
+inline void simulate(const ValveMotion& motion, const ValveRun& run,
+                     std::vector<double>& pressure) {
   double p = run.measured(run.first);
-  pressure[0] = p;
+  pressure.assign(1, p);
   for (int k = 1; k < run.count; ++k) {
     const int frame = run.first + k - motion.frames_late();
     p = motion.after_frame(p, run.setpoint(frame - 1), run.setpoint(frame));
-    pressure[k] = p;
+    pressure.push_back(p);
   }
 }
 

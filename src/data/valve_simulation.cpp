@@ -17,11 +17,11 @@ FrameMatrix simulate_valves(const ValveParameters& valves, double rate_hz, const
   if (valves.is_ideal()) {
     return result;
   }
-  Eigen::VectorXd pressure;
+  std::vector<double> pressure;
   for (int i = 0; i < segments; ++i) {
     const ValveMotion motion(valves.segments[std::size_t(i)], valves.has_sides, 1.0 / rate_hz);
     simulate(motion, ValveRun{&episode, i, first, count}, pressure);
-    result.col(i) = pressure.cast<float>();
+    result.col(i) = Eigen::Map<const Eigen::VectorXd>(pressure.data(), count).cast<float>();
   }
   return result;
 }

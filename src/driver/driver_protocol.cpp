@@ -210,7 +210,7 @@ std::string to_line(const HostHello& hello) {
 }
 
 std::string to_line(const DriverHello& hello) {
-  Json json = {{"type", "hello"},          {"protocol", hello.protocol},
+  Json json = {{"type", "hello"},          {"protocol", kDriverProtocol},
                {"driver", hello.driver},   {"device", hello.device},
                {"rate_hz", hello.rate_hz}, {"segments", hello.segments},
                {"tracked", hello.tracked}, {"real_time", hello.real_time}};
@@ -336,7 +336,7 @@ DriverRequest parse_request(std::string_view line, const HostHello& arm) {
   }
   request.kind = type == "set" ? RequestKind::set : RequestKind::vent;
   request.seq = static_cast<std::int64_t>(root.at("seq").count(kMaxSeq));
-  request.time_s = root.at("t").number(-kMaxTimeS, kMaxTimeS);
+  (void)root.at("t").number(-kMaxTimeS, kMaxTimeS);
   if (request.kind == RequestKind::set) {
     request.setpoint_kpa = pressures(root.at("pressure_kpa"), arm.pressures());
   }

@@ -170,7 +170,7 @@ bool OutputFolder::is_own(const std::string& name) const {
       !fs::is_regular_file(fs::symlink_status(file))) {
     return false;
   }
-  return listed->second.empty() || listed->second == content_hash(read_file(file));
+  return listed->second.empty() || listed->second == file_hash(file);
 }
 
 bool OutputFolder::holds_foreign(const std::string& name) const {
@@ -274,7 +274,7 @@ void OutputFolder::write_with(const std::vector<std::string>& names,
   write_them();
   std::map<std::string, std::string> hashes;
   for (const std::string& name : names) {
-    hashes[name] = content_hash(read_file(folder_ / name));
+    hashes[name] = file_hash(folder_ / name);
   }
   const std::lock_guard lock(mutex_);
   for (const auto& [name, hash] : hashes) {

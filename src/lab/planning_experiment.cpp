@@ -67,7 +67,7 @@ class Experiment {
  public:
   explicit Experiment(const ExperimentSettings& settings)
       : settings_(settings),
-        model_bytes_hash_(content_hash(read_file(settings.model_file))),
+        model_bytes_hash_(file_hash(settings.model_file)),
         no_load_forward_(settings.arm),
         network_forward_(settings.arm, read_model_of_one_arm(settings.model_file)),
         no_load_(no_load_forward_, ValveModel(settings.arm, settings.valves)),

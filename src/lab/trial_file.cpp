@@ -213,7 +213,7 @@ PlanTrial read_fields(const JsonReader& json, const TrialKey& key, const ArmDesc
 /// The plan that was written with the trial, and no other.
 Plan read_trial_plan(const fs::path& path, const JsonReader& hash, const TrialKey& key,
                      const ArmDescription& arm) {
-  if (const std::string found = content_hash(read_file(path)); hash.text() != found) {
+  if (const std::string found = file_hash(path); hash.text() != found) {
     hash.refuse_found(
         fmt::format("{} has the hash '{}': another plan, or a changed one", path.string(), found));
   }
@@ -247,7 +247,7 @@ void write_trial(OutputFolder& folder, const TrialKey& key, const PlanTrial& tri
   if (trial.planning.plan) {
     const std::string name = plan_name(key.id);
     folder.write_with({name}, [&] { write_plan(folder.path() / name, *trial.planning.plan); });
-    belongs["plan"] = content_hash(read_file(folder.path() / name));
+    belongs["plan"] = file_hash(folder.path() / name);
   }
   Json json = planning_to_json(trial, environment);
   json["execution"] = trial.execution ? to_json(*trial.execution, environment) : Json(nullptr);

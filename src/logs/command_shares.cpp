@@ -240,11 +240,10 @@ CommandShares find_command_shares(const std::vector<std::filesystem::path>& logs
   const ArmDescription asked = with_commands(arm, names);
   const LevelTable levels = levels_in(logs, read_import_mapping(mapping, asked), asked);
   if (levels.row_count() < 2 * kPieces) {
-    throw InputError(
-        fmt::format("{} and {} more: {:.1f} s in which everything was logged; "
-                    "expected {:.0f} s at least",
-                    logs.front().string(), logs.size() - 1, kPeriod_s * double(levels.row_count()),
-                    kPeriod_s * 2.0 * double(kPieces)));
+    throw InputError(fmt::format(
+        "{}{}: {:.1f} s in which everything was logged; expected {:.0f} s at least",
+        logs.front().string(), logs.size() > 1 ? fmt::format(" and {} more", logs.size() - 1) : "",
+        kPeriod_s * double(levels.row_count()), kPeriod_s * 2.0 * double(kPieces)));
   }
   const LaggedRegression fit = regress_levels(levels);
   CommandShares found;

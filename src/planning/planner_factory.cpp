@@ -153,7 +153,7 @@ PlanResult plan(const ArmDescription& arm, const std::filesystem::path& model_fi
   require_bounded(network, model_file.string());
   PlanResult result = plan(arm, network, environment, limits, seed, settings);
   if (result.plan) {
-    result.plan->model_hash = content_hash(read_file(model_file));
+    result.plan->model_hash = file_hash(model_file);
   }
   return result;
 }

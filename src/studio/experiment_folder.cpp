@@ -178,9 +178,9 @@ ExperimentFolder::Run ExperimentFolder::run(const std::string& id) const {
         return environment_hash(load_environment(path, arm)) == run.plan.environment_hash;
       });
   if (!run.plan.model_hash.empty()) {
-    run.scene.model = find_by_hash(
-        project_, ProjectItem::model, "", "network",
-        [&](const fs::path& path) { return content_hash(read_file(path)) == run.plan.model_hash; });
+    run.scene.model =
+        find_by_hash(project_, ProjectItem::model, "", "network",
+                     [&](const fs::path& path) { return file_hash(path) == run.plan.model_hash; });
   }
   return run;
 }

@@ -101,7 +101,7 @@ void run_measure_job(const MeasureJob& job, const ProjectFolder& project, const 
                {"frames", frames},
                {"frames_used", frames_used}};
   json["learnt_from_it"] =
-      network != nullptr && learnt_from(network->compensation(), content_hash(read_file(path)));
+      network != nullptr && learnt_from(network->compensation(), file_hash(path));
   json["horizons"] = curves_to_json(report);
   json["coverage"] = coverage;
   events.push("measured", json.dump());

@@ -140,11 +140,14 @@ Eigen::MatrixXf changes_of(const RawFrames& raw, const std::vector<EpisodeRange>
 Normalisation measure_changes(const RawFrames& raw, const std::vector<EpisodeRange>& episodes,
                               const NetworkLayout& layout, Scaling scaling) {
   Eigen::MatrixXf changes = changes_of(raw, episodes);
-  for (Eigen::Index t = 0; t < changes.cols() && !raw.tracked.empty(); ++t) {
-    const auto at = static_cast<std::size_t>(t);
-    if (raw.tracked[at] == 0 || (t > 0 && raw.tracked[at - 1] == 0)) {
-      changes.col(t).setZero();
+  std::vector<Eigen::Index> known;
+  for (std::size_t t = 0; t < raw.tracked.size(); ++t) {
+    if (raw.tracked[t] != 0 && (t == 0 || raw.tracked[t - 1] != 0)) {
+      known.push_back(static_cast<Eigen::Index>(t));
     }
+  }
+  if (!known.empty()) {
+    changes = Eigen::MatrixXf(changes(Eigen::all, known));
   }
   Normalisation result = measure(changes, scaling, {angles_of_states(layout), kOfChanges});
   result.offset.setZero();

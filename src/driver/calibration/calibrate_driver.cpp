@@ -249,7 +249,6 @@ DriverCalibration calibrate_driver(const ArmDescription& arm,
     const DriverExchange& exchange = driver.timing().last;
     frame.sent_s = exchange.sent_s;
     frame.received_s = exchange.received_s;
-    frame.tracker_s = frame.state.tracker_s;
     frame.bodies = exchange.bodies;
     jumps.watch(frame);
     return frame;
@@ -273,7 +272,6 @@ DriverCalibration calibrate_driver(const ArmDescription& arm,
   }
   result.log = record_calibration(arm, pulse_kpa, rig);
   result.log.real_time = driver.is_real_time();
-  result.vent = driver.last_vent();
   result.estimate = estimate_calibration(
       arm, result.log, settings.answer(result.log.timing.channel), settings.tolerance);
   return result;

@@ -186,11 +186,11 @@ std::optional<double> apart_s(const CalibrationLog& log) {
   std::vector<double> apart;
   for (std::size_t k = log.timing.first; k < log.timing.end; ++k) {
     const CalibrationFrame& frame = log.frames[k];
-    if (frame.state.backbone && !frame.tracker_s) {
+    if (frame.state.backbone && !frame.state.tracker_s) {
       return std::nullopt;
     }
-    if (frame.tracker_s) {
-      apart.push_back(frame.state.time_s - *frame.tracker_s);
+    if (frame.state.tracker_s) {
+      apart.push_back(frame.state.time_s - *frame.state.tracker_s);
     }
   }
   return apart.empty() ? std::nullopt : std::optional(median(std::move(apart)));
@@ -214,8 +214,8 @@ void fit_shape_delay(const ArmDescription& arm, const CalibrationLog& log, const
   const std::size_t loop_first = log.timing.first + (log.timing.fast_first - log.timing.first) / 2;
   for (std::size_t k = 0; k < log.frames.size(); ++k) {
     const CalibrationFrame& frame = log.frames[k];
-    shape_time_s.push_back(apart && frame.tracker_s ? *frame.tracker_s + *apart
-                                                    : frame.state.time_s);
+    shape_time_s.push_back(apart && frame.state.tracker_s ? *frame.state.tracker_s + *apart
+                                                          : frame.state.time_s);
     if (k >= loop_first && k < log.timing.end) {
       pressure.time_s.push_back(frame.state.time_s);
       pressure.value.push_back(frame.state.pressure_kpa[sensor.channel]);

@@ -111,7 +111,7 @@ Json identity(const CalibrationSettings& settings) {
   Json json = {{"schema", "limber/calibration/3"},
                {"arm", {{"name", runs.arm.name}, {"hash", runs.arm.hash()}}},
                {"virtual_arm", content_hash(virtual_arm_to_yaml(runs.executed_arm))},
-               {"model", content_hash(read_file(settings.model_file))},
+               {"model", file_hash(settings.model_file)},
                {"valves", runs.valves.hash()},
                {"seed", runs.seed},
                {"max_queries", optional_json(runs.limits.queries)},

@@ -148,12 +148,11 @@ void train_stage(DemoResults& results) {
       identify_valves(results.training_recording.episodes, results.arm(), "train.h5"));
   results.training.model.learnt = learnt_region_of(data);
   note_unseen(results.arm(), results.training.model, results.unseen, settings.jobs);
-  results.training.model.training["data"] =
-      "train.h5 " + content_hash(read_file(results.file("train.h5")));
+  results.training.model.training["data"] = "train.h5 " + file_hash(results.file("train.h5"));
   results.output->write_with({"model.safetensors"}, [&] {
     write_model(results.file("model.safetensors"), results.training.model);
   });
-  results.model_hash = content_hash(read_file(results.file("model.safetensors")));
+  results.model_hash = file_hash(results.file("model.safetensors"));
   results.output->write_with({"learning_curve.csv"}, [&] {
     write_learning_curve_csv(results.file("learning_curve.csv"), results.training.curve);
   });

@@ -18,16 +18,14 @@ RestForecast forecast(
     const std::function<Pressures(std::size_t k, const MotionState& before)>& setpoint_kpa,
     double needed_m) {
   RestForecast result;
-  result.clearance_m = std::numeric_limits<double>::infinity();
+  double smallest_m = std::numeric_limits<double>::infinity();  // clearance so far
   MotionModel::Workspace workspace;
   Backbone before = state.backbone;
   for (std::size_t k = 0; k < frames; ++k) {
     before = state.backbone;
     model.step(setpoint_kpa(k, state), state, workspace);
-    ++result.queries;
-    const Clearance clearance =
-        checker.motion_clearance(before, state.backbone, result.clearance_m);
-    result.clearance_m = clearance.value_m;
+    const Clearance clearance = checker.motion_clearance(before, state.backbone, smallest_m);
+    smallest_m = clearance.value_m;
     if (result.is_safe() && !(clearance.value_m >= needed_m)) {
       result.unsafe_frame = static_cast<int>(k);
       result.unsafe_obstacle = clearance.obstacle;

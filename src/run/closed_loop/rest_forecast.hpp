@@ -10,11 +10,9 @@ namespace limber {
 
 /// What becomes of an arm that follows set points from a state.
 struct RestForecast {
-  Pose end;                  ///< of the tip, after the last of them
-  double clearance_m = 0.0;  ///< smallest on the way; +∞ without obstacles
+  Pose end;               ///< of the tip, after the last of them
   int unsafe_frame = -1;  ///< first whose motion keeps less than was asked for, from 0; −1: none
   int unsafe_obstacle = -1;  ///< the obstacle it is too near to
-  std::uint64_t queries = 0;
 
   bool is_safe() const { return unsafe_frame < 0; }
 };

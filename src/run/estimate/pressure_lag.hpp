@@ -20,15 +20,14 @@ class PressureLag {
 
   /// Takes in a frame's set points and the pressures measured after it; the first ones are those of
   /// a settled arm.
-  /// @return frames(), after it
+  /// @return by how many frames they are behind, as far as is known: while pressures stand still,
+  /// all of them look the same
   int note(const Pressures& setpoint_kpa, const Pressures& measured_kpa);
 
   /// Of the frame that is measured, by the set points alone. @pre noted, and valves are not ideal
   const Pressures& expected_kpa() const {
     return predicted_kpa_[static_cast<std::size_t>(frames_)];
   }
-  /// As far as is known: while pressures stand still, all of them look the same.
-  int frames() const { return frames_; }
 
  private:
   const ValveModel& valves_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "limber/arm/damped_solve.hpp"
+#include "limber/arm/pressure_limits.hpp"
 #include "limber/run/executor.hpp"
 
 namespace limber {
@@ -15,19 +16,11 @@ constexpr double kAfterPlanS = 10.0;
 constexpr double kSettledM = 0.001;
 constexpr double kSettledS = 1.0;
 
-/// Within the plan's limits, too.
-ArmDescription narrowed(ArmDescription arm, const std::vector<PressureLimits>& limits) {
-  for (std::size_t i = 0; i < limits.size(); ++i) {
-    arm.segments[i].pressure_limit_kpa = arm.segments[i].pressure_limit_kpa.within(limits[i]);
-  }
-  return arm;
-}
-
 }  // namespace
 
 JacobianController::JacobianController(const ArmDescription& arm, const Plan& plan,
                                        const PoseGoal& goal, const JacobianGains& gains)
-    : arm_(narrowed(arm, plan.limits)),
+    : arm_(with_limits(arm, plan.limits)),
       model_(arm),
       plan_(plan),
       goal_(goal),

@@ -9,6 +9,7 @@
 #include <Eigen/Cholesky>
 
 #include "limber/arm/damped_solve.hpp"
+#include "limber/arm/pressure_limits.hpp"
 #include "limber/run/executor.hpp"
 #include "limber/world/straight_motion.hpp"
 
@@ -24,13 +25,6 @@ constexpr double kStepShares[] = {0.25, 0.5, 0.75, 1.0};
 constexpr int kMinSamples = 8;
 
 }  // namespace
-
-ArmDescription with_limits(ArmDescription arm, const std::vector<PressureLimits>& limits) {
-  for (std::size_t i = 0; i < limits.size(); ++i) {
-    arm.segments[i].pressure_limit_kpa = arm.segments[i].pressure_limit_kpa.within(limits[i]);
-  }
-  return arm;
-}
 
 TipTracker::TipTracker(const ArmDescription& arm, const MotionModel& model, const TipPath& path,
                        const TrackStart& start, const TipTrackerSettings& settings,

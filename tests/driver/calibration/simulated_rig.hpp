@@ -88,7 +88,8 @@ class SimulatedRig {
       frame.state.backbone.reset();
     }
     if (frame.state.backbone || frame.bodies) {
-      frame.tracker_s = frame.state.time_s - wrong_.tracker_latency_s + wrong_.tracker_ahead_s;
+      frame.state.tracker_s =
+          frame.state.time_s - wrong_.tracker_latency_s + wrong_.tracker_ahead_s;
     }
     const double end_s = std::round(frame_end_s_ * 1e3 + 50.0) * 1e-3;
     while (time_s_ < end_s - 0.5 * kStepS) {

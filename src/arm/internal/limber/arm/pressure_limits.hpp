@@ -31,4 +31,7 @@ double corner_kpa(const PressureLimits& limits, int state);
 /// Of every channel, base first.
 std::vector<PressureLimits> limits_of(const ArmDescription& arm);
 
+/// The arm, in the plane, within narrower limits; none: the arm.
+ArmDescription with_limits(ArmDescription arm, const std::vector<PressureLimits>& limits);
+
 }  // namespace limber

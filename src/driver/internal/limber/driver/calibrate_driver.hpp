@@ -23,7 +23,6 @@ struct DriverCalibration {
   CalibrationEstimate estimate;
   CalibrationLog log;
   DriverHello hello;
-  VentResult vent;  ///< the last one
 };
 
 /// `limber driver calibrate`: channels may be crossed, so each is moved alone, at a tenth of the

@@ -19,7 +19,6 @@ struct CalibrationFrame {
   Pressures setpoint_kpa;           ///< of the wire's channels
   ArmState state;                   ///< its time is the driver's
   std::optional<BodyPoses> bodies;  ///< in place of the state's backbone, of a tracker in 3D
-  std::optional<double> tracker_s;  ///< when the shape was seen, on the tracker's clock
 };
 
 /// (x, y, z) of each body, z = 0 where it is not seen; none where nothing was.

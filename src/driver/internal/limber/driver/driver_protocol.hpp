@@ -37,7 +37,6 @@ struct HostHello {
 
 /// What the driver answers.
 struct DriverHello {
-  int protocol = kDriverProtocol;
   std::string driver;     ///< its name and version
   std::string device;     ///< what the device speaks, in words
   double rate_hz = 0.0;   ///< of the frames that it serves
@@ -55,7 +54,6 @@ enum class RequestKind { hello, set, vent, bye };
 struct DriverRequest {
   RequestKind kind = RequestKind::bye;
   std::int64_t seq = 0;
-  double time_s = 0.0;     ///< since limber's first request, on its own clock
   Pressures setpoint_kpa;  ///< of `set`
   HostHello hello;         ///< of `hello`
 };

@@ -15,11 +15,9 @@ class StateLag {
   static constexpr int kMaxFrames = 3;
 
   /// Takes in the set points of a frame and the state that answered them.
-  /// @return frames(), after it
+  /// @return by how many frames states are behind, as far as is known: while set points stand
+  /// still, all of them look the same
   int note(const Pressures& setpoint_kpa, const ArmState& state);
-
-  /// As far as is known: while set points stand still, all of them look the same.
-  int frames() const { return frames_; }
 
  private:
   std::deque<Pressures> commanded_kpa_;  // the latest first

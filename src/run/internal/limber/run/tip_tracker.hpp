@@ -24,9 +24,6 @@ struct TrackStart {
   double distance_m = 0.0;  ///< of that tip from the point
 };
 
-/// The arm within narrower limits; none: the arm.
-ArmDescription with_limits(ArmDescription arm, const std::vector<PressureLimits>& limits);
-
 /// Within the arm's limits. Near the lap's posture, if the model's tip comes to within 1 cm of the
 /// path's first point from there; else wherever it comes nearest.
 TrackStart find_track_start(const ArmDescription& arm, const MotionModel& model,
