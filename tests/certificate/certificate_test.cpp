@@ -313,7 +313,7 @@ TEST(CertifiedPlanner, APlanThatIsRefusedIsADefectAndNoSolution) {
   const Solved& s = solved();
   PlannerLimits limits;
   limits.iterations = 1500;
-  const PlanResult result = make_certified_planner(std::make_unique<BrokenPlanner>())
+  const PlanResult result = make_certified_planner(std::make_unique<BrokenPlanner>(), 0)
                                 ->plan({s.arm, s.model, s.environment}, limits, 3);
   ASSERT_EQ(result.status, PlanStatus::not_certified) << result.reason;
   EXPECT_FALSE(result.plan);

@@ -39,7 +39,7 @@ TEST(CertifiedPlanner, ReturnsTheBestPlanThatItsCertificateLetsStand) {
   const std::vector<Pressures> straight{way.front(), way.back()};
   ASSERT_LT(motion_cost_kpa(way.front(), way.back()), 0.95 * sound.plan->cost_kpa)
       << "no way round: nothing would be refused";
-  const PlanResult result = make_certified_planner(std::make_unique<Reckless>(way, straight))
+  const PlanResult result = make_certified_planner(std::make_unique<Reckless>(way, straight), 0)
                                 ->plan({s.arm, s.model, s.environment},
                                        [] {
                                          PlannerLimits limits;

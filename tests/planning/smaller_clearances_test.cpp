@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "planning/planner_setting.hpp"
+#include "src/planning/search/default_planner.hpp"
 
 namespace limber {
 namespace {

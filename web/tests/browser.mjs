@@ -43,11 +43,15 @@ pageTest('the goal is dragged, a new plan follows, and undo takes the drag back'
 });
 
 pageTest('obstacles are added, moved, resized, turned and deleted', async (page) => {
+  await certified(page);
   await page.getByLabel('Plan while dragging').uncheck();
   const count = () => page.locator('.things li').count();
   const before = await count();
+  const savePlan = page.getByRole('button', { name: 'Save plan' });
+  assert.ok(await savePlan.isEnabled());
   await page.getByRole('button', { name: 'Add a rectangle' }).click();
   assert.equal(await count(), before + 1);
+  assert.ok(await savePlan.isDisabled(), 'the plan was of the scene without it');
   let at = [await fieldValue(page, /^x/), await fieldValue(page, /^y/)];
   await drag(page, at, [0.2, -0.3]);
   at = [await fieldValue(page, /^x/), await fieldValue(page, /^y/)];

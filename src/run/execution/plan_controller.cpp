@@ -135,6 +135,7 @@ Decision PlanController::move(const ArmEstimate& arm) {
   next_frame_ = frame.frame;
   is_in_frame_ = true;
   Decision decision = sent(frame.kpa);
+  decision.is_certified = frame.is_certified;
   decision.begins_at_rest = std::exchange(begins_at_rest_, false);
   if (!waits_) {
     decision.plan = plan_;
@@ -220,13 +221,18 @@ Decision PlanController::hold_frame(const ArmEstimate& arm) {
   FrameSetpoint frame = setpoint(progress(), frame_, arm);
   frames_not_certified_ += frame.is_certified ? 0 : 1;
   frame_ = frame.frame;
-  return sent(frame.kpa);
+  Decision decision = sent(frame.kpa);
+  decision.is_certified = frame.is_certified;
+  return decision;
 }
 
 /// Holds whatever becomes of it: a plan that starts there is being made.
 Decision PlanController::hold_still(const ArmEstimate& arm) {
-  frames_not_certified_ += may_hold(arm) ? 0 : 1;
-  return sent(Pressures(sent_kpa_));
+  const bool is_certified = may_hold(arm);
+  frames_not_certified_ += is_certified ? 0 : 1;
+  Decision decision = sent(Pressures(sent_kpa_));
+  decision.is_certified = is_certified;
+  return decision;
 }
 
 /// A plan's own hold counts: planner and executor judge the goal at the same moment.

@@ -23,6 +23,7 @@ int found_lag(int lag, double noise_kpa) {
   RandomStream random(7, static_cast<std::uint64_t>(lag));
   Eigen::VectorXf state = kValves.settled_state(setpoint(0));
   std::deque<Pressures> shown(static_cast<std::size_t>(lag), setpoint(0));
+  int result = 0;
   for (int frame = 0; frame < 30; ++frame) {
     if (frame > 0) {
       kValves.step(setpoint(frame), state);
@@ -33,9 +34,9 @@ int found_lag(int lag, double noise_kpa) {
     for (float& kpa : measured) {
       kpa += float(noise_kpa * random.normal());
     }
-    found.note(setpoint(frame), measured);
+    result = found.note(setpoint(frame), measured);
   }
-  return found.frames();
+  return result;
 }
 
 TEST(PressureLag, IsHowOldTheStatesAre) {

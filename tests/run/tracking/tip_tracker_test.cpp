@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "limber/arm/pressure_limits.hpp"
 #include "limber/run/executor.hpp"
 #include "limber/run/track_errors.hpp"
 #include "support/bending_arms.hpp"

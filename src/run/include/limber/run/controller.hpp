@@ -46,6 +46,7 @@ struct Decision {
   std::size_t frame = 0;
   int motion = 0;               ///< Episode::motion_index of the frame
   bool begins_at_rest = false;  ///< a further plan: the first one's hold has ended
+  bool is_certified = true;     ///< from where the arm is, as far as the controller looks at that
 
   std::string reason = {};     ///< of an end before its time
   bool has_left_plan = false;  ///< an end before the plan's: none leads on
