@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <optional>
 #include <string>
@@ -47,14 +48,17 @@ class VentWatch {
 /// sent recently is.
 class OwnVentWatch {
  public:
-  /// @param frames  that a set point may take to come into force
-  explicit OwnVentWatch(int frames) : kept_(static_cast<std::size_t>(frames) + 1) {}
+  /// @param frames  in which a set point comes into force
+  explicit OwnVentWatch(int frames)
+      : kept_(static_cast<std::size_t>(std::max(frames, kFewestFrames))) {}
 
   void note_sent(const Pressures& setpoint_kpa);
   void clear() { sent_kpa_.clear(); }
   bool has_vented(const ArmState& state) const;
 
  private:
+  static constexpr int kFewestFrames = 5;  // at low rates: a state may be of the frame before
+
   std::size_t kept_;
   std::deque<Pressures> sent_kpa_;  // the last ones, newest first; any of them may be in force
 };
