@@ -36,12 +36,6 @@ double seconds(Clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
 }
 
-void throw_if_wrong(const std::string& wrong) {
-  if (!wrong.empty()) {
-    throw SystemFault(wrong);
-  }
-}
-
 }  // namespace
 
 /// One driver from its start to its end.
@@ -101,11 +95,7 @@ class ProcessDriver::Session {
       return;
     }
     try {
-      try {
-        watch_vent(reply_time());
-      } catch (const BrokenDriver& broken) {
-        stop_broken(broken.what());
-      }
+      watch_vent(reply_time());
     } catch (const std::exception& error) {
       say(error.what());
       link_.end();
@@ -114,11 +104,7 @@ class ProcessDriver::Session {
 
   const ArmState& look() {
     throw_if_wrong(fault_);
-    try {
-      watch_vent(reply_time());
-    } catch (const BrokenDriver& broken) {
-      stop_broken(broken.what());
-    }
+    watch_vent(reply_time());
     throw_if_wrong(fault_);
     return state_;
   }
@@ -180,8 +166,7 @@ class ProcessDriver::Session {
   }
 
   Clock::duration reply_time() const {
-    return real_time() ? frames(kReplyFrames)
-                       : std::chrono::duration_cast<Clock::duration>(kSimulatedReplyTime);
+    return real_time() ? frames(kReplyFrames) : Clock::duration(kSimulatedReplyTime);
   }
 
   void require_size(const Eigen::Ref<const Pressures>& setpoint_kpa) const {
@@ -236,8 +221,8 @@ class ProcessDriver::Session {
     timing_.frames_unseen += hello().tracked && !seen ? 1 : 0;
   }
 
-  /// Vents, and watches the pressures come down.
-  void watch_vent(Clock::duration first_reply_time) {
+  /// Vents, and watches the pressures come down. @throws SystemFault as stop_broken
+  void watch_vent(Clock::duration first_reply_time) try {
     const Time start = Clock::now();
     running_ = false;
     own_vent_.clear();
@@ -265,6 +250,8 @@ class ProcessDriver::Session {
     end_vent(watch);
     punctual_.reset();
     gate_->note_vented(state_);
+  } catch (const BrokenDriver& broken) {
+    stop_broken(broken.what());
   }
 
   void end_vent(const VentWatch& watch) {
@@ -282,12 +269,11 @@ class ProcessDriver::Session {
   /// After the first vent: what a vented arm reads says whether the driver's unit is right.
   void require_vented() {
     started_ = true;
-    if (vent_.confirmed) {
-      return;
+    if (!vent_.confirmed) {
+      link_.say_bye();
+      link_.end();
+      throw SystemFault(not_zero_message(vent_.pressure_kpa, settings_.safety));
     }
-    link_.say_bye();
-    link_.end();
-    throw SystemFault(not_zero_message(vent_.pressure_kpa, settings_.safety));
   }
 
   void say(const std::string& message) {

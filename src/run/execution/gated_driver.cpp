@@ -1,9 +1,6 @@
 #include "limber/run/gated_driver.hpp"
 
-#include <string>
-
 #include "limber/arm/pressure_limits.hpp"
-#include "limber/common/error.hpp"
 #include "limber/run/episode_recorder.hpp"
 
 namespace limber {
@@ -17,9 +14,7 @@ const ArmState& GatedDriver::state() const {
 }
 
 const ArmState& GatedDriver::command(const Eigen::Ref<const Pressures>& setpoint_kpa) {
-  if (const std::string wrong = gate_.check_command(setpoint_kpa); !wrong.empty()) {
-    throw SystemFault(wrong);
-  }
+  throw_if_wrong(gate_.check_command(setpoint_kpa));
   driver_.command(setpoint_kpa);
   return state();
 }

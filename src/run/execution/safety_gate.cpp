@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "limber/arm/names.hpp"
+#include "limber/common/error.hpp"
 #include "limber/common/units.hpp"
 
 namespace limber {
@@ -58,6 +59,12 @@ std::string another_scale(const PlatePositions& shape, double arm_length_m) {
 }
 
 }  // namespace
+
+void throw_if_wrong(const std::string& wrong) {
+  if (!wrong.empty()) {
+    throw SystemFault(wrong);
+  }
+}
 
 SafetyGate::SafetyGate(const ArmDescription& arm, std::vector<PressureLimits> limits_kpa,
                        bool check_rate, const SafetySettings& settings)

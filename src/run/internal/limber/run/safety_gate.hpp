@@ -76,4 +76,7 @@ class SafetyGate {
   int frames_unseen_ = 0;                 // … and how many frames ago
 };
 
+/// @throws SystemFault with these words, as the gate returns them; not where there are none.
+void throw_if_wrong(const std::string& wrong);
+
 }  // namespace limber
