@@ -11,8 +11,7 @@ from program import PROGRAM, ROOT, InFolder
 
 RECORDS = ROOT / "docs/log/reproduction"
 MODULE = pathlib.Path(PROGRAM).parents[1] / "python"
-PAGES = tuple(ROOT / "docs" / page for page in (
-    "reproduction.md", "log/2026-11-26-reproduction-random.md", "log/2026-11-27-reproduction-tables.md"))
+PAGES = (ROOT / "docs/reproduction.md", *sorted((ROOT / "docs/log").glob("*-reproduction-*.md")))
 
 
 def script(name, *arguments):
