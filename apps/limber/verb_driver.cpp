@@ -115,26 +115,39 @@ namespace fs = std::filesystem;
 class DriverCalibrate {
  public:
   void add_to(CLI::App& app) {
-    app.add_flag("--yes", yes_, "calibrate: confirm every step, for scripts; needs --handedness");
-    app.add_option(
-           "--handedness", handedness_,
-           "calibrate: of the tracker's frame seen from above, right (y to the left of x) or "
-           "left (mirrored); of one that sees in 3D, right where that of its axes which is "
-           "steepest points up, left where down; by default you are asked which way the arm "
-           "bends")
-        ->check(CLI::IsMember({"right", "left"}));
-    app.add_option("--base-marker", base_marker_m_,
-                   "calibrate: X,Y where the base's marker body sits as built, in metres from the "
-                   "base's origin, x along the arm, y to its left; by default unknown")
-        ->delimiter(',')
-        ->expected(2);
-    app.add_option("--tolerance-m", tolerance_.position_m,
-                   "calibrate: refuse a base known less well than that")
-        ->check(CLI::PositiveNumber)
-        ->capture_default_str();
-    app.add_option("--tolerance-rad", tolerance_.heading_rad, "calibrate: the same of its heading")
-        ->check(CLI::PositiveNumber)
-        ->capture_default_str();
+    own_ = {
+        app.add_flag("--yes", yes_,
+                     "calibrate: confirm every step, for scripts; needs --handedness"),
+        app.add_option(
+               "--handedness", handedness_,
+               "calibrate: of the tracker's frame seen from above, right (y to the left of x) or "
+               "left (mirrored); of one that sees in 3D, right where that of its axes which is "
+               "steepest points up, left where down; by default you are asked which way the arm "
+               "bends")
+            ->check(CLI::IsMember({"right", "left"})),
+        app.add_option("--base-marker", base_marker_m_,
+                       "calibrate: X,Y where the base's marker body sits as built, in metres from "
+                       "the base's origin, x along the arm, y to its left; by default unknown")
+            ->delimiter(',')
+            ->expected(2),
+        app.add_option("--tolerance-m", tolerance_.position_m,
+                       "calibrate: refuse a base known less well than that")
+            ->check(CLI::PositiveNumber)
+            ->capture_default_str(),
+        app.add_option("--tolerance-rad", tolerance_.heading_rad,
+                       "calibrate: the same of its heading")
+            ->check(CLI::PositiveNumber)
+            ->capture_default_str()};
+  }
+
+  /// @throws InputError naming a flag of calibrate that was given to check
+  void refuse_own_flags() const {
+    for (const CLI::Option* option : own_) {
+      if (option->count() > 0) {
+        throw InputError(fmt::format("{}: of limber driver calibrate; check has no use for it",
+                                     option->get_name()));
+      }
+    }
   }
 
   /// @param driver  without a calibration
@@ -209,6 +222,7 @@ class DriverCalibrate {
   std::string handedness_;
   std::vector<double> base_marker_m_;
   CalibrationTolerance tolerance_;
+  std::vector<const CLI::Option*> own_;
 };
 
 class DriverVerb final : public Verb {
@@ -226,11 +240,10 @@ class DriverVerb final : public Verb {
         ->required();
     add_arm_flag(app, arm_);
     app.add_option("--driver", driver_, "exec:COMMAND, the program (docs/driver.md)")->required();
-    app.add_option(
-           "--limit-scale", limit_scale_,
-           "check: pressure limits are this times the arm's, over 0 and at most 1; calibrate "
-           "always moves within a tenth")
-        ->capture_default_str();
+    check_only_ = app.add_option("--limit-scale", limit_scale_,
+                                 "check: pressure limits are this times the arm's, over 0 and at "
+                                 "most 1; calibrate always moves within a tenth")
+                      ->capture_default_str();
     app.add_option("--out", out_,
                    "check: folder for check.json, report.html, valves.yaml and the driver's log; "
                    "calibrate: the calibration's file")
@@ -252,8 +265,13 @@ class DriverVerb final : public Verb {
       if (wire_.is_calibrated()) {
         throw InputError("--calibration: calibrate finds one; it goes with check");
       }
+      if (check_only_->count() > 0) {
+        throw InputError(
+            "--limit-scale: calibrate always moves within a tenth; it goes with check");
+      }
       return calibrate_.run(arm, wire_.settings(driver_, arm, arm_file), out_, flags);
     }
+    calibrate_.refuse_own_flags();
     const fs::path folder = out_;
     require_writable_folder(folder);
     for (const char* file : {"check.json", "report.html", "valves.yaml", "check.driver.jsonl"}) {
@@ -298,6 +316,7 @@ class DriverVerb final : public Verb {
   std::string out_;
   WireFlags wire_;
   DriverCalibrate calibrate_;
+  const CLI::Option* check_only_ = nullptr;
   double limit_scale_ = 1.0;
 };
 

@@ -121,8 +121,7 @@ class FamilyVerb final : public Verb {
       result.model = with_tube(arm, std::move(result.model), flags);
     }
     write_model(out_, result.model);
-    std::error_code ignored;  // what stays behind does no harm
-    fs::remove_all(folder(), ignored);
+    remove_parts();
     report(flags, data, result);
     return kExitDone;
   }
@@ -134,6 +133,20 @@ class FamilyVerb final : public Verb {
   fs::path folder() const { return out_ + ".parts"; }
   fs::path recording_path(const Share& share) const {
     return folder() / fmt::format("{}.h5", share.name);
+  }
+
+  fs::path checkpoint() const { return folder() / "training.checkpoint"; }
+
+  /// Those that this command wrote. What else lies there stays, and the folder with it.
+  void remove_parts() const {
+    std::error_code ignored;  // what stays behind does no harm
+    for (const Share& share : kShares) {
+      fs::remove(recording_path(share), ignored);
+    }
+    fs::remove(checkpoint(), ignored);
+    fs::remove(calibration().model_file, ignored);
+    fs::remove_all(calibration().folder, ignored);
+    fs::remove(folder(), ignored);
   }
 
   Recording record(const ArmDescription& arm, const PhysicsVariation& variation, const Share& share,
@@ -169,7 +182,7 @@ class FamilyVerb final : public Verb {
     settings.seed = flags.seed;
     settings.jobs = flags.jobs;
     settings.progress = flags.progress();
-    settings.checkpoint = folder() / "training.checkpoint";
+    settings.checkpoint = checkpoint();
     settings.resume = resume_ && fs::exists(settings.checkpoint);
     return settings;
   }

@@ -129,13 +129,14 @@ py::array_t<float> result_array(const py::object& out, const Shape& shape) {
   return array;
 }
 
-void require_no_part_of(const py::array& out, const py::array& input, const char* name) {
+void require_own_memory(const py::array& out, const py::array& input, const char* name,
+                        bool may_be_input) {
   const auto* out_begin = static_cast<const char*>(out.data());
   const auto* in_begin = static_cast<const char*>(input.data());
-  if (out_begin != in_begin && out_begin < in_begin + input.nbytes() &&
+  if ((out_begin != in_begin || !may_be_input) && out_begin < in_begin + input.nbytes() &&
       in_begin < out_begin + out.nbytes()) {
-    throw InputError(
-        fmt::format("out is a part of {}; expected {} itself, or memory of its own", name, name));
+    throw InputError(fmt::format("out overlaps {}; expected {}memory of its own", name,
+                                 may_be_input ? fmt::format("{} itself, or ", name) : ""));
   }
 }
 

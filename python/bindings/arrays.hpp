@@ -66,8 +66,10 @@ void require_finite(const DoubleArray& array, const char* name);
 /// The array that results go to: `out` where one is given, else a fresh one.
 /// @throws InputError unless `out` is None or a writable C-contiguous float32 array of the shape.
 py::array_t<float> result_array(const py::object& out, const Shape& shape);
-/// @throws InputError where `out` shares a part of an input, but does not begin with it.
-void require_no_part_of(const py::array& out, const py::array& input, const char* name);
+/// @throws InputError where `out` shares memory with an input. An input of the same rows, which are
+/// read before they are written, may be `out` itself.
+void require_own_memory(const py::array& out, const py::array& input, const char* name,
+                        bool may_be_input);
 
 /// The first axis of a batch: how many queries. @throws InputError where there is none.
 py::ssize_t batch_size(const py::array& array, const char* name);

@@ -121,12 +121,13 @@ py::array_t<float> batch(const ForwardModel& model, const FloatArray& previous_k
   require_query_shapes(model, rows, previous_kpa, current_kpa, previous, before);
   py::array_t<float> next =
       result_array(out, {rows, model.point_count(), pose_size(model.dimension())});
-  require_no_part_of(next, previous, "previous");
+  // Each row of a shape is read before it is written; commands are read for some rows at once.
+  require_own_memory(next, previous, "previous", true);
   if (before) {
-    require_no_part_of(next, *before, "before");
+    require_own_memory(next, *before, "before", true);
   }
-  require_no_part_of(next, previous_kpa, "previous_kpa");
-  require_no_part_of(next, current_kpa, "current_kpa");
+  require_own_memory(next, previous_kpa, "previous_kpa", false);
+  require_own_memory(next, current_kpa, "current_kpa", false);
   const auto from = batch_map(previous_kpa);
   const auto to = batch_map(current_kpa);
   const auto now = batch_map(previous);

@@ -50,57 +50,67 @@ std::string read_name(const YamlReader& node, const std::vector<ArmCommand>& bef
   return name;
 }
 
-/// The keys are segments, the values shares.
-std::vector<double> read_shares(const YamlReader& node, int segments) {
-  std::vector<double> shares(static_cast<std::size_t>(segments), 0.0);
+/// What a channel moves.
+const char* part_of(const ArmDescription& arm) {
+  return arm.is_spatial() ? "chamber" : "segment";
+}
+
+/// The keys are channels, the values shares.
+std::vector<double> read_shares(const YamlReader& node, const ArmDescription& arm) {
+  const char* const part = part_of(arm);
+  const int channels = arm.channel_count();
+  std::vector<double> shares(static_cast<std::size_t>(channels), 0.0);
   for (const std::string& key : node.keys()) {
-    int segment = 0;
-    while (segment < segments && key != std::to_string(segment)) {
-      ++segment;
+    int channel = 0;
+    while (channel < channels && key != std::to_string(channel)) {
+      ++channel;
     }
-    if (segment == segments) {
+    if (channel == channels) {
       node.at(key).refuse(
-          fmt::format("no segment '{}'; expected 0, the base, to {}", key, segments - 1));
+          fmt::format("no {} '{}'; expected 0 to {}, the base first", part, key, channels - 1));
     }
-    shares[std::size_t(segment)] =
-        node.at(key).number("a share of the command in the segment's, with sign");
+    shares[std::size_t(channel)] =
+        node.at(key).number(fmt::format("a share of the command in the {}'s, with sign", part));
   }
   if (std::ranges::all_of(shares, [](double share) { return share == 0.0; })) {
-    node.refuse("the command acts on nothing; expected segments and shares, as in {0: 1, 1: -0.5}");
+    node.refuse(fmt::format(
+        "the command acts on nothing; expected {}s and shares, as in {{0: 1, 1: -0.5}}", part));
   }
   return shares;
 }
 
 void require_own_commands(const YamlReader& node, const std::vector<ArmCommand>& commands,
-                          int segments) {
-  const Eigen::MatrixXd shares = shares_of(commands, segments);
-  for (int i = 0; i < segments; ++i) {
+                          const ArmDescription& arm) {
+  const int channels = arm.channel_count();
+  const Eigen::MatrixXd shares = shares_of(commands, channels);
+  for (int i = 0; i < channels; ++i) {
     if (shares.row(i).isZero(0.0)) {
-      node.refuse(fmt::format("no command acts on {}; every segment has to be moved by one",
-                              segment_name(i)));
+      node.refuse(fmt::format("no command acts on {}; every {} has to be moved by one",
+                              channel_name(arm, i), part_of(arm)));
     }
   }
-  for (int i = 1; i < segments; ++i) {
+  for (int i = 1; i < channels; ++i) {
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> rows(shares.topRows(i + 1).transpose());
     rows.setThreshold(kSmallestPivot);
     if (rows.rank() <= i) {
       node.refuse(fmt::format(
-          "{} {} can't move {} apart from the segments before it. Where one command bends several "
+          "{} {} can't move {} apart from the {}s before it. Where one command bends several "
           "discs, make them one segment with all their plates: its length is the sum of theirs",
-          commands.size(), commands.size() == 1 ? "command" : "commands", segment_name(i)));
+          commands.size(), commands.size() == 1 ? "command" : "commands", channel_name(arm, i),
+          part_of(arm)));
     }
   }
 }
 
 }  // namespace
 
-std::vector<ArmCommand> read_arm_commands(const YamlReader& node, int segments) {
+std::vector<ArmCommand> read_arm_commands(const YamlReader& node, const ArmDescription& arm) {
   std::vector<ArmCommand> commands;
   for (const YamlReader& element : node.elements()) {
     element.refuse_unknown_keys({"name", "acts_on"});
     ArmCommand command;
     command.name = read_name(element.at("name"), commands);
-    command.shares = read_shares(element.at("acts_on"), segments);
+    command.shares = read_shares(element.at("acts_on"), arm);
     commands.push_back(std::move(command));
   }
   if (commands.empty() || commands.size() > kMaxCommands) {
@@ -109,7 +119,7 @@ std::vector<ArmCommand> read_arm_commands(const YamlReader& node, int segments) 
                     "has a command of its own",
                     commands.size(), kMaxCommands));
   }
-  require_own_commands(node, commands, segments);
+  require_own_commands(node, commands, arm);
   return commands;
 }
 

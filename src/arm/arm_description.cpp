@@ -97,6 +97,23 @@ void read_command_and_rate(const YamlReader& root, ArmDescription& arm) {
       node.at("rate_limit_per_s").positive(fmt::format("a rate in {}/s", arm.command.unit));
 }
 
+/// So slow that no motion ends: a unit was mistaken, and counts of frames would overflow.
+void require_usable_rate(const YamlReader& root, const ArmDescription& arm) {
+  constexpr double kMaxFrames = 1e6;  // of a command from one limit to the other
+  double widest = 0.0;
+  for (int i = 0; i < arm.channel_count(); ++i) {
+    widest = std::max(widest, 2.0 * arm.limits_of_channel(i).half_width_kpa());
+  }
+  if (widest > kMaxFrames * arm.pressure_step_limit_kpa()) {
+    const YamlReader node = root.has("command") ? root.at("command").at("rate_limit_per_s")
+                                                : root.at("pressure_rate_limit_kpa_per_s");
+    node.refuse(fmt::format(
+        "{} found; expected a rate at which a command gets from limit to limit within {:.0f} "
+        "frames",
+        arm.pressure_rate_limit_kpa_per_s, kMaxFrames));
+  }
+}
+
 std::string schema_line() {
   return fmt::format("schema: {}\n", kSchema);
 }
@@ -243,8 +260,9 @@ ArmDescription read_arm(const YamlReader& root, PolynomialsOf polynomials) {
     segments.refuse(
         fmt::format("{} segments found; expected 1 to {}", arm.segments.size(), kMaxSegments));
   }
+  require_usable_rate(root, arm);
   if (root.has("commands")) {
-    arm.commands = read_arm_commands(root.at("commands"), arm.channel_count());
+    arm.commands = read_arm_commands(root.at("commands"), arm);
   }
   if (root.has("virtual_arm")) {
     if (!arm.command.is_pressure_kpa()) {
@@ -255,6 +273,9 @@ ArmDescription read_arm(const YamlReader& root, PolynomialsOf polynomials) {
     }
     arm.virtual_arm = {root.mapping_as_text("virtual_arm"), root.file()};
   }
+  if (root.has("safety")) {
+    arm.safety_yaml = root.mapping_as_text("safety");
+  }
   return arm;
 }
 
@@ -263,13 +284,16 @@ ArmDescription load_arm(const std::filesystem::path& path, PolynomialsOf polynom
 }
 
 std::string arm_to_yaml(const ArmDescription& arm) {
-  const std::string& section = arm.virtual_arm.yaml;
-  const std::size_t begin = std::min(section.find_first_not_of('\n'), section.size());
-  return schema_line() + arm_keys_to_yaml(arm) + section.substr(begin);
+  std::string text = schema_line() + arm_keys_to_yaml(arm);
+  for (const std::string& section : {arm.virtual_arm.yaml, arm.safety_yaml}) {
+    text += section.substr(std::min(section.find_first_not_of('\n'), section.size()));
+  }
+  return text;
 }
 
-ArmDescription read_arm_keys(const std::string& keys, const std::string& name) {
-  return read_arm(YamlReader::from_text(schema_line() + keys, name));
+ArmDescription read_arm_keys(const std::string& keys, const std::string& name,
+                             PolynomialsOf polynomials) {
+  return read_arm(YamlReader::from_text(schema_line() + keys, name), polynomials);
 }
 
 std::string arm_keys_to_yaml(const ArmDescription& arm) {

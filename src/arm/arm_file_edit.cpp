@@ -1,5 +1,6 @@
 // An arm file with fitted numbers in place of its own: what people wrote beside them stays.
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -53,8 +54,10 @@ class MappingEditor {
     }
     const auto begin = std::size_t(node.Mark().pos);
     const std::size_t end = yaml_.find(']', begin);
-    const bool same = std::equal(node.begin(), node.end(), numbers.begin(), numbers.end(),
-                                 [](const YAML::Node& a, double b) { return a.as<double>() == b; });
+    const double none = std::numeric_limits<double>::quiet_NaN();  // of what is no number
+    const bool same =
+        std::equal(node.begin(), node.end(), numbers.begin(), numbers.end(),
+                   [&](const YAML::Node& a, double b) { return a.as<double>(none) == b; });
     if (!same && yaml_[begin] == '[' && end != std::string::npos) {
       edits_.push_back({begin, end + 1 - begin, text});
     }

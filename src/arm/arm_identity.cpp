@@ -21,11 +21,18 @@ class Comparison {
       : there_(there), here_(here) {}
 
   std::vector<std::string> run() {
+    if (there_.is_spatial() != here_.is_spatial()) {
+      add("dimension", there_.is_spatial() ? 3 : 2, here_.is_spatial() ? 3 : 2);
+      return found_;
+    }
     word("command.name", there_.command.name, here_.command.name);
     word("command.unit", there_.command.unit, here_.command.unit);
     word("no_load", to_string(there_.no_load), to_string(here_.no_load));
     number("frame_rate_hz", there_.frame_rate_hz, here_.frame_rate_hz);
     number("actuator_radius_m", there_.actuator_radius_m, here_.actuator_radius_m);
+    for (int axis = 0; axis < 3; ++axis) {
+      number(fmt::format("gravity[{}]", axis), there_.gravity[axis], here_.gravity[axis]);
+    }
     if (there_.segment_count() != here_.segment_count()) {
       add("segments", there_.segment_count(), here_.segment_count());
       return found_;
@@ -33,7 +40,9 @@ class Comparison {
     for (std::size_t i = 0; i < here_.segments.size(); ++i) {
       segment(fmt::format("segments[{}].", i), there_.segments[i], here_.segments[i]);
     }
-    commands();
+    if (there_.channel_count() == here_.channel_count()) {
+      commands();
+    }
     return found_;
   }
 
@@ -45,7 +54,7 @@ class Comparison {
       return;
     }
     for (std::size_t k = 0; k < here_.commands.size(); ++k) {
-      for (std::size_t i = 0; i < here_.segments.size(); ++i) {
+      for (std::size_t i = 0; i < here_.commands[k].shares.size(); ++i) {
         number(fmt::format("commands[{}].acts_on[{}]", k, i), there_.commands[k].shares[i],
                here_.commands[k].shares[i]);
       }
@@ -85,24 +94,65 @@ class Comparison {
     if (there.gaps != here.gaps) {
       add(prefix + "gaps", there.gaps, here.gaps);
     }
-    limits(prefix + (here_.command.is_pressure_kpa() ? "pressure_limit_kpa" : "limit"),
-           there.pressure_limit_kpa, here.pressure_limit_kpa);
+    if (here_.is_spatial()) {
+      chambers(prefix, there, here);
+      return;
+    }
+    limits(prefix + limit_key(), there.pressure_limit_kpa, here.pressure_limit_kpa);
     if (there_.no_load == here_.no_load && here_.no_load == NoLoadKind::curvature) {
       number(prefix + "curvature_per_unit", there.curvature_per_unit, here.curvature_per_unit);
     }
     if (there_.no_load == here_.no_load && here_.no_load == NoLoadKind::strain_polynomial) {
-      strain(prefix + "strain_polynomial", there, here);
+      strain(prefix, there.strain_polynomial, here.strain_polynomial, here.pressure_limit_kpa);
     }
   }
 
-  void strain(const std::string& key, const Segment& there, const Segment& here) {
-    const StrainDifference largest = max_strain_difference(
-        there.strain_polynomial, here.strain_polynomial, here.pressure_limit_kpa.largest_kpa());
+  const char* limit_key() const {
+    return here_.command.is_pressure_kpa() ? "pressure_limit_kpa" : "limit";
+  }
+
+  void chambers(const std::string& segment, const Segment& there, const Segment& here) {
+    if (there.chambers.size() != here.chambers.size()) {
+      add(segment + "chambers", there.chambers.size(), here.chambers.size());
+      return;
+    }
+    for (std::size_t c = 0; c < here.chambers.size(); ++c) {
+      const std::string prefix = fmt::format("{}chambers[{}].", segment, c);
+      const Chamber& a = there.chambers[c];
+      const Chamber& b = here.chambers[c];
+      number(prefix + "angle_deg", a.angle_deg, b.angle_deg);
+      number(prefix + "radius_m", a.radius_m, b.radius_m);
+      if (a.sense != b.sense) {
+        add(prefix + "sense", a.sense, b.sense);
+      }
+      limits(prefix + limit_key(), a.limit_kpa, b.limit_kpa);
+      strain(prefix, a.strain_polynomial, b.strain_polynomial, b.limit_kpa);
+    }
+    if (there_.no_load == here_.no_load) {
+      shape(segment + "shape_of_strains", there.shape_of_strains, here.shape_of_strains);
+    }
+  }
+
+  void shape(const std::string& key, const Eigen::MatrixXd& there, const Eigen::MatrixXd& here) {
+    if (there.cols() != here.cols()) {
+      add(key + " columns", there.cols(), here.cols());
+      return;
+    }
+    for (Eigen::Index row = 0; row < here.rows(); ++row) {
+      for (Eigen::Index column = 0; column < here.cols(); ++column) {
+        number(fmt::format("{}[{}][{}]", key, row, column), there(row, column), here(row, column));
+      }
+    }
+  }
+
+  void strain(const std::string& prefix, const StrainPolynomial& there,
+              const StrainPolynomial& here, const PressureLimits& limits) {
+    const StrainDifference largest = max_strain_difference(there, here, limits.largest_kpa());
     if (!(largest.strain <= kSameStrain)) {
-      found_.push_back(fmt::format("{}: a strain of {:.6f} there, {:.6f} here at {:.4g} {}", key,
-                                   strain_at(there.strain_polynomial, largest.pressure_kpa),
-                                   strain_at(here.strain_polynomial, largest.pressure_kpa),
-                                   largest.pressure_kpa, here_.command.unit));
+      found_.push_back(fmt::format(
+          "{}strain_polynomial: a strain of {:.6f} there, {:.6f} here at {:.4g} {}", prefix,
+          strain_at(there, largest.pressure_kpa), strain_at(here, largest.pressure_kpa),
+          largest.pressure_kpa, here_.command.unit));
     }
   }
 
@@ -125,7 +175,8 @@ std::optional<double> rate_limit_of(const ArmIdentity& made_for, const std::stri
   if (made_for.description.empty()) {
     return std::nullopt;
   }
-  return read_arm_keys(made_for.description, file + ": arm_description")
+  return read_arm_keys(made_for.description, file + ": arm_description",
+                       PolynomialsOf::characterisation)
       .pressure_rate_limit_kpa_per_s;
 }
 
@@ -138,7 +189,8 @@ std::string why_another_arm(const ArmIdentity& made_for, const ArmDescription& a
     return "what differs is not known, because an earlier limber wrote the file and kept only a "
            "hash; the arm file of a demo is arm.yaml in its folder";
   }
-  const ArmDescription there = read_arm_keys(made_for.description, file + ": arm_description");
+  const ArmDescription there = read_arm_keys(made_for.description, file + ": arm_description",
+                                             PolynomialsOf::characterisation);
   std::vector<std::string> differences = arm_differences(there, arm);
   if (differences.size() > kMaxNamed) {
     const std::string more = fmt::format("and {} more", differences.size() - kMaxNamed);

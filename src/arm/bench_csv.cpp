@@ -30,8 +30,8 @@ class BenchCsv {
     BenchData data(static_cast<std::size_t>(segments_));
     bool header_read = false;
     std::vector<CsvCell> row;
-    while (csv_.next(row)) {
-      if (is_blank(row) || row.front().text.starts_with('#')) {
+    for (csv_.skip_lines_with('#'); csv_.next(row); csv_.skip_lines_with('#')) {
+      if (is_blank(row)) {
         continue;
       }
       if (header_read) {

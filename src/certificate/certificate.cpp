@@ -34,7 +34,7 @@ struct Certifier::Problem {
   const ValveParameters& valves;
   const Environment& environment;
   std::string arm_hash, valves_hash, environment_hash;
-  std::string network_refusal;  // why the network can't judge this; empty: it can
+  std::string refusal;  // why this can't be judged; empty: it can
   ExactArm model;
   SweptClearance clearance;
 };
@@ -310,11 +310,13 @@ class Certifier::Certification {
 namespace {
 
 std::string why_not_usable(const CompensationModel* network, const ArmDescription& arm,
-                           const ValveParameters& valves) {
+                           const ValveParameters& valves, const Environment& environment) {
   try {
+    require_start_of(arm, environment);
     if (network != nullptr) {
       require_model_of(*network, arm, "the plan's model");
       require_no_valves_before(*network, valves, "the plan's model");
+      validate(*network, "the plan's model");
     }
   } catch (const InputError& error) {
     return error.what();
@@ -344,7 +346,7 @@ Certifier::Certifier(const ArmDescription& arm, const CompensationModel* network
                            arm.hash(),
                            valves.hash(),
                            limber::environment_hash(environment),
-                           why_not_usable(network, arm, valves),
+                           why_not_usable(network, arm, valves, environment),
                            {arm, network},
                            {arm, environment.obstacles, Certificate::kClearanceToleranceM}}) {}
 
@@ -374,8 +376,8 @@ void Certifier::require_plan_of_problem(const Plan& plan) const {
         problem.environment_hash));
   }
   require_same("kind of model", plan.model, problem.network != nullptr ? "network" : "no_load");
-  if (!problem.network_refusal.empty()) {
-    throw InputError(problem.network_refusal);
+  if (!problem.refusal.empty()) {
+    throw InputError(problem.refusal);
   }
 }
 

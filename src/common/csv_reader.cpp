@@ -51,6 +51,18 @@ bool CsvReader::next(std::vector<CsvCell>& row) {
   }
 }
 
+void CsvReader::skip_lines_with(char first) {
+  while (position_ < text_.size()) {
+    const std::size_t begin = text_.find_first_not_of(" \t", position_);
+    if (begin == std::string::npos || text_[begin] != first) {
+      return;
+    }
+    for (position_ = begin; !at_line_end(); ++position_) {
+    }
+    end_line();
+  }
+}
+
 bool CsvReader::at_line_end() const {
   return position_ >= text_.size() || text_[position_] == '\n' || text_[position_] == '\r';
 }

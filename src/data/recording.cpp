@@ -173,7 +173,8 @@ void require_same_sums(const Recording& recording, const ArmDescription& arm,
       recording.arm_hash == arm.hash()) {
     return;
   }
-  const ArmDescription there = read_arm_keys(recording.arm_description, file + ": arm_description");
+  const ArmDescription there = read_arm_keys(recording.arm_description, file + ": arm_description",
+                                             PolynomialsOf::characterisation);
   for (const std::string& difference : arm_differences(there, arm)) {
     if (!there.commands.empty() && difference.starts_with("commands")) {
       throw InputError(fmt::format(

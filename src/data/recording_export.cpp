@@ -56,7 +56,8 @@ std::string command_mapping(const Recording& recording) {
   std::string text =
       recording.command.is_pressure_kpa() ? "pressures:\n  unit: kPa\n" : "commands:\n";
   const std::string& arm = recording.arm_description;
-  if (!arm.empty() && !read_arm_keys(arm, "arm_description").commands.empty()) {
+  if (!arm.empty() &&
+      !read_arm_keys(arm, "arm_description", PolynomialsOf::characterisation).commands.empty()) {
     text += "  of: segments\n";
   }
   for (const std::string& what : command_names(recording)) {

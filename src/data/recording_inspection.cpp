@@ -210,7 +210,8 @@ std::vector<PressureLimits> limits_of(const ArmDescription* arm,
 /// The arm that the recording describes itself.
 ArmDescription own_arm(const Recording& recording, const std::string& file) {
   ArmDescription own =
-      read_arm_keys(recording.arm_description, file + ": attribute 'arm_description'");
+      read_arm_keys(recording.arm_description, file + ": attribute 'arm_description'",
+                    PolynomialsOf::characterisation);
   if (own.channel_count() != recording.channel_count() || own.dimension != recording.dimension ||
       own.point_count() != recording.point_count) {
     throw InputError(fmt::format(

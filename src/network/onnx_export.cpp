@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "limber/arm/arm_identity.hpp"
 #include "limber/arm/names.hpp"
@@ -310,6 +311,7 @@ void write_onnx(const std::filesystem::path& path, const CompensationModel& mode
   if (model.dimension == Dimension::space) {
     add_metadata(file, "dimension", std::to_string(position_size(model.dimension)));
     add_metadata(file, "chamber_count", std::to_string(model.chamber_count));
+    add_metadata(file, "past_commands", fmt::format("{}", fmt::join(model.past_commands, ",")));
   }
   add_metadata(file, "preset", model.preset);
   add_metadata(file, "learnt_from", commands_are(model.learnt_from_setpoints));

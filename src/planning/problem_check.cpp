@@ -94,11 +94,17 @@ void check_start_limits(const PlanningProblem& problem, ProblemCheck& result) {
 void check_start(const PlanningProblem& problem, const CollisionChecker& checker,
                  ProblemCheck& result) {
   const std::optional<ArmStart>& given = problem.environment.start;
-  const auto fault = given ? find_start_fault(given->backbone, problem.arm) : std::nullopt;
-  if (fault) {
-    result.refusal = PlanStatus::invalid_start;
-    result.reason = fmt::format("start.backbone[{}]: {}", fault->row, fault->message);
-    return;
+  for (const bool before : {false, true}) {
+    if (!given || (before && given->before.rows() == 0)) {
+      break;
+    }
+    const auto fault = find_start_fault(before ? given->before : given->backbone, problem.arm);
+    if (fault) {
+      result.refusal = PlanStatus::invalid_start;
+      result.reason = fmt::format("start.{}[{}]: {}", before ? "backbone_before" : "backbone",
+                                  fault->row, fault->message);
+      return;
+    }
   }
   const Clearance clearance =
       checker.clearance(start_state(problem.environment, problem.arm).backbone);

@@ -37,6 +37,8 @@ void make_ideal(VirtualArmParameters& parameters) {
   parameters.plate_offset_rad = 0.0;
   parameters.base_misalignment_rad = 0.0;
   parameters.pressure_dead_band_kpa = 0.0;
+  parameters.weak_side_loss = 0.0;
+  parameters.leak_share = 0.0;
 }
 
 /// Holds set points until nothing moves: the pressure that `channel` then has, and `strain()`.

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "limber/common/content_hash.hpp"
+#include "limber/common/error.hpp"
 #include "limber/common/yaml_reader.hpp"
 
 namespace limber {
@@ -107,7 +108,29 @@ std::string environment_hash(const Environment& environment) {
   return content_hash(body_to_yaml(environment));
 }
 
+void require_start_of(const ArmDescription& arm, const Environment& environment) {
+  if (!environment.start) {
+    return;
+  }
+  const ArmStart& start = *environment.start;
+  const auto require = [&](const char* what, Eigen::Index found, int expected) {
+    if (found != expected) {
+      throw InputError(fmt::format("environment '{}': start.{}: {} found; expected {}, of arm '{}'",
+                                   environment.name, what, found, expected, arm.name));
+    }
+  };
+  require("pressures_kpa", start.pressures_kpa.size(), arm.channel_count());
+  for (const Pressures& setpoint_kpa : start.setpoints_kpa) {
+    require("setpoints_kpa", setpoint_kpa.size(), arm.channel_count());
+  }
+  require("backbone", start.backbone.rows(), arm.point_count());
+  if (start.before.rows() > 0) {
+    require("backbone_before", start.before.rows(), arm.point_count());
+  }
+}
+
 ArmStart start_state(const Environment& environment, const ArmDescription& arm) {
+  require_start_of(arm, environment);
   if (environment.start) {
     return *environment.start;
   }

@@ -238,6 +238,7 @@ PoseGoal read_goal(const YamlReader& node) {
 /// @param beyond  the limits, share of their range that is allowed
 void require_pressures_fit(const YamlReader& node, const Pressures& kpa, const ArmDescription& arm,
                            double beyond = 0.0) {
+  require_planar(arm, "an environment");
   if (kpa.size() != arm.channel_count()) {
     node.refuse(fmt::format("{} {}s found; expected {}, one per segment of arm '{}'", kpa.size(),
                             arm.command.name, arm.channel_count(), arm.name));
@@ -254,11 +255,14 @@ void require_pressures_fit(const YamlReader& node, const Pressures& kpa, const A
   }
 }
 
-void require_one_pose_per_plate(const YamlReader& node, const Backbone& backbone,
-                                const ArmDescription& arm) {
+/// That the arm can have: one pose per plate, near enough to each other.
+void require_shape(const YamlReader& node, const Backbone& backbone, const ArmDescription& arm) {
   if (backbone.rows() != arm.point_count()) {
     node.refuse(fmt::format("{} poses found; expected {}, one per plate of arm '{}'",
                             backbone.rows(), arm.point_count(), arm.name));
+  }
+  if (const std::optional<StartFault> fault = find_start_fault(backbone, arm)) {
+    node.elements()[static_cast<std::size_t>(fault->row)].refuse(fault->message);
   }
 }
 
@@ -271,12 +275,9 @@ void require_start_fits(const YamlReader& root, const ArmStart& start, const Arm
   for (std::size_t k = 0; k < setpoints.size(); ++k) {
     require_pressures_fit(setpoints[k], start.setpoints_kpa[k], arm);
   }
-  require_one_pose_per_plate(backbone, start.backbone, arm);
+  require_shape(backbone, start.backbone, arm);
   if (root.at("start").has(kBefore)) {
-    require_one_pose_per_plate(root.at("start").at(kBefore), start.before, arm);
-  }
-  if (const std::optional<StartFault> fault = find_start_fault(start.backbone, arm)) {
-    backbone.elements()[static_cast<std::size_t>(fault->row)].refuse(fault->message);
+    require_shape(root.at("start").at(kBefore), start.before, arm);
   }
 }
 

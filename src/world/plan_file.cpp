@@ -22,7 +22,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kPlanSchema = "limber/plan/2";
 constexpr double kCostToleranceKpa = 1e-6;
-constexpr double kMax = 1e6;  // of any number in a plan; nothing real comes near
+constexpr double kMax = 1e9;       // of a number in a plan; nothing real comes near, in Pa neither
+constexpr double kMaxCost = 1e12;  // a sum over all frames
 
 Json numbers(const Pressures& q) {
   // As the shortest decimal that reads back to the same float, not as a float widened to double.
@@ -182,7 +183,8 @@ double read_clearance(const JsonReader& field) {
   return field.is_null() ? std::numeric_limits<double>::infinity() : field.number(-kMax, kMax);
 }
 
-std::optional<PlanTube> read_tube(const JsonReader& root) {
+/// @param plates  of its frames
+std::optional<PlanTube> read_tube(const JsonReader& root, Eigen::Index plates) {
   if (!root.has("tube")) {
     return std::nullopt;
   }
@@ -190,8 +192,12 @@ std::optional<PlanTube> read_tube(const JsonReader& root) {
   PlanTube tube;
   tube.level = field.at("level").number(0.0, 1.0);
   tube.plate_radius_m =
-      field.at("plate_radius_m").numbers(std::string::npos, "lengths in metres", 0.0, kMax);
-  tube.growth.start_share = number_at(field, "start_share", 0.0);
+      field.at("plate_radius_m")
+          .numbers(static_cast<std::size_t>(plates), "lengths in metres", 0.0, kMax);
+  tube.growth.start_share = field.at("start_share").number(0.0, 1.0);
+  if (tube.growth.start_share == 0.0) {
+    field.at("start_share").refuse_found("expected more than 0, and at most 1");
+  }
   tube.growth.full_after_m = number_at(field, "full_after_m", 0.0);
   tube.end_radius_m = number_at(field, "end_radius_m", 0.0);
   tube.end_heading_rad = number_at(field, "end_heading_rad", 0.0);
@@ -244,15 +250,15 @@ Plan read_fields(const JsonReader& root) {
   plan.planner = root.at("planner").text();
   plan.seed = root.at("seed").count(std::numeric_limits<std::uint64_t>::max());
   plan.margin_m = number_at(root, "margin_m", 0.0);
-  plan.tube = read_tube(root);
   plan.frame_rate_hz = root.at("frame_rate_hz").number(1.0, 1000.0);
-  plan.cost_kpa = number_at(root, quantity_key(plan.command, "cost").c_str(), 0.0);
+  plan.cost_kpa = root.at(quantity_key(plan.command, "cost").c_str()).number(0.0, kMaxCost);
   plan.clearance_m = read_clearance(root.at("clearance_m"));
   plan.goal_distance_m = number_at(root, "goal_distance_m", 0.0);
   plan.goal_orientation_rad = number_at(root, "goal_orientation_rad", 0.0);
   plan.limits = read_limits(root, plan.command);
   plan.hold_frame_count = static_cast<int>(root.at("hold_frame_count").count(1000000));
   plan.frames = read_frames(root.at("frames"), plan.command);
+  plan.tube = read_tube(root, plan.frames.front().backbone.rows());
   const Eigen::Index segments = plan.frames.front().setpoint_kpa.size();
   const std::string waypoints = quantity_key(plan.command, "waypoints");
   for (const JsonReader& point : root.at(waypoints.c_str()).elements("a list of configurations")) {

@@ -137,7 +137,7 @@ TEST(BrokenArmCommands, AreRefusedByNameAndLine) {
   expect_six_refused("name: motor_1", "name: -motor_1", "without a sign");
   expect_six_refused("name: motor_1", "name: \"a,b\"", "commas");
   expect_six_refused("acts_on: {0: 1.0}", "acts_on: {3: 1.0}",
-                     "commands[0].acts_on.3: no segment '3'; expected 0, the base, to 2");
+                     "commands[0].acts_on.3: no segment '3'; expected 0 to 2, the base first");
   expect_six_refused("acts_on: {0: 1.0}", "acts_on: {base: 1.0}", "no segment 'base'");
   expect_six_refused("acts_on: {0: 1.0}", "acts_on: {}", "the command acts on nothing");
   expect_six_refused("acts_on: {0: 1.0}", "acts_on: {0: 0}", "the command acts on nothing");

@@ -172,6 +172,7 @@ TEST(ArmDescription, SurvivesTheRoundTripExactly) {
   arm.actuator_radius_m = 0.1 + 0.2;  // 0.30000000000000004
   arm.segments[2].strain_polynomial = {1.0 / 3.0e3, 1e-300, 0.0, 5e-324};
   arm.virtual_arm.yaml = "virtual_arm:\n  friction_coefficient: 0.33333333333333331\n";
+  arm.safety_yaml = "safety:\n  jump_m: 0.02\n  fence: {x_m: [-0.1, 0.4], y_m: [-0.3, 0.3]}\n";
   const ArmDescription back = read(arm_to_yaml(arm));
   EXPECT_EQ(arm_to_yaml(back), arm_to_yaml(arm));
   EXPECT_EQ(back.hash(), arm.hash());
@@ -179,6 +180,16 @@ TEST(ArmDescription, SurvivesTheRoundTripExactly) {
   EXPECT_EQ(back.actuator_radius_m, arm.actuator_radius_m);
   EXPECT_EQ(back.segments[2].strain_polynomial, arm.segments[2].strain_polynomial);
   EXPECT_THAT(back.virtual_arm.yaml, ::testing::EndsWith(arm.virtual_arm.yaml));
+  EXPECT_THAT(back.safety_yaml,
+              ::testing::HasSubstr("fence: {x_m: [-0.1, 0.4], y_m: [-0.3, 0.3]}"));
+}
+
+TEST(ArmDescription, ARateAtWhichNoMotionEndsIsRefused) {
+  ArmDescription arm = arm_of(2);
+  arm.pressure_rate_limit_kpa_per_s = 1e-6;
+  EXPECT_THAT([&] { (void)read(arm_to_yaml(arm)); },
+              ThrowsMessage<InputError>(HasSubstr(
+                  "pressure_rate_limit_kpa_per_s: 1e-06 found; expected a rate at which")));
 }
 
 TEST(ArmDescription, AnyNameSurvivesTheRoundTrip) {

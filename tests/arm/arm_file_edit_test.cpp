@@ -75,6 +75,14 @@ segments:
   EXPECT_EQ(with_strain_polynomials(edited, arm), edited);
 }
 
+TEST(WithStrainPolynomials, APlaceholderMakesWayForTheFit) {
+  const std::string text = with("[1.0e-3, 1.0e-5, 0, 0]", "[TODO, 0, 0, 0]");
+  ArmDescription arm =
+      read_arm(YamlReader::from_text(text, "a.yaml"), PolynomialsOf::characterisation);
+  arm.segments[0].strain_polynomial = {2e-3, 0.0, 0.0, 0.0};
+  EXPECT_EQ(with_strain_polynomials(text, arm), with("[1.0e-3, 1.0e-5, 0, 0]", "[0.002, 0, 0, 0]"));
+}
+
 TEST(WithStrainPolynomials, WritesAnewWhatCannotBeEditedInPlace) {
   ArmDescription arm = read(kGood);
   arm.segments[0].strain_polynomial = {2e-3, 0.0, 0.0, 0.0};

@@ -7,6 +7,7 @@
 
 #include "arm/test_arms.hpp"
 #include "limber/common/error.hpp"
+#include "support/space_arm.hpp"
 
 namespace limber {
 namespace {
@@ -105,6 +106,55 @@ TEST(ArmIdentity, NamesEveryKeyOfAnArmOfAnotherCommand) {
   EXPECT_THAT(arm_differences(arm, other),
               ElementsAre("segments[0].limit: 1.5 there, 2 here",
                           "segments[0].curvature_per_unit: 4 there, -4 here"));
+}
+
+TEST(ArmIdentity, NamesEveryKeyOfAnArmInSpace) {
+  const ArmDescription arm = testing_support::space_arm();
+  const auto expect = [&](const std::function<void(ArmDescription&)>& change,
+                          const std::string& difference) {
+    ArmDescription other = arm;
+    change(other);
+    EXPECT_NE(other.hash(), arm.hash());
+    EXPECT_THAT(arm_differences(arm, other), ElementsAre(HasSubstr(difference)));
+  };
+  expect([](ArmDescription& a) { a.gravity[0] = -1.0; }, "gravity[0]: 1 there, -1 here");
+  expect([](ArmDescription& a) { a.segments[1].chambers.pop_back(); },
+         "segments[1].chambers: 3 there, 2 here");
+  expect([](ArmDescription& a) { a.segments[1].chambers[2].angle_deg = 290.0; },
+         "segments[1].chambers[2].angle_deg: 300 there, 290 here");
+  expect([](ArmDescription& a) { a.segments[0].chambers[0].radius_m = 0.03; },
+         "segments[0].chambers[0].radius_m: 0.02 there, 0.03 here");
+  expect([](ArmDescription& a) { a.segments[0].chambers[0].sense = -1; },
+         "segments[0].chambers[0].sense: 1 there, -1 here");
+  expect(
+      [](ArmDescription& a) {
+        a.segments[0].chambers[1].limit_kpa = {0.0, 90.0};
+      },
+      "segments[0].chambers[1].pressure_limit_kpa: [0, 100] there, [0, 90] here");
+  expect([](ArmDescription& a) { a.segments[0].chambers[1].strain_polynomial[0] = 0.003; },
+         "segments[0].chambers[1].strain_polynomial: a strain of");
+  EXPECT_THAT(arm_differences(arm, arm_of(2)), ElementsAre("dimension: 3 there, 2 here"));
+}
+
+TEST(ArmIdentity, FitsOfAnArmInSpaceAreCompared) {
+  ArmDescription arm = testing_support::space_arm();
+  arm.no_load = NoLoadKind::fitted;
+  for (Segment& segment : arm.segments) {
+    segment.shape_of_strains = Eigen::MatrixXd::Constant(3, 6, 0.5);
+  }
+  ArmDescription other = arm;
+  other.segments[1].shape_of_strains(2, 4) = 0.6;
+  EXPECT_THAT(arm_differences(arm, other),
+              ElementsAre("segments[1].shape_of_strains[2][4]: 0.5 there, 0.6 here"));
+}
+
+// `collect` records arms that are not characterised yet, and their recordings are read later.
+TEST(ArmIdentity, AnArmWithoutPolynomialsIsTheOneThatTheyWereFittedTo) {
+  const ArmDescription fitted = arm_of(1);
+  ArmDescription raw = fitted;
+  raw.segments[0].strain_polynomial = {};
+  EXPECT_THAT(why_another_arm(identity_of(raw), fitted, "r.h5"),
+              HasSubstr("segments[0].strain_polynomial: a strain of 0.000000 there"));
 }
 
 TEST(ArmIdentity, NumbersAgreeToAMillionth) {

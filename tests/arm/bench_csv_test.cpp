@@ -55,6 +55,13 @@ TEST_F(BenchCsvFile, ReadsWhatSpreadsheetsWrite) {
   EXPECT_EQ(data[0][1].pressure_kpa, -0.5);  // a gauge's noise around zero
 }
 
+TEST_F(BenchCsvFile, QuotesInACommentAreNoCells) {
+  const BenchData data =
+      read("  # rig, \"new\npressure_kpa,strain\n10,-0.05\n# 3\" tube\n20,-0.1\n");
+  ASSERT_EQ(data[0].size(), 2u);
+  EXPECT_EQ(data[0][1].pressure_kpa, 20.0);
+}
+
 TEST_F(BenchCsvFile, NamesLineAndColumnOfEveryFault) {
   expect_refusal("", ":1:1: an empty file; expected the header pressure_kpa,strain");
   expect_refusal("pressure_kpa,strain\n", ":1:1: no rows below the header");

@@ -145,9 +145,15 @@ class Arrays(unittest.TestCase):
         np.testing.assert_array_equal(state, expected)
 
     def test_out_may_not_be_a_part_of_an_input(self):
-        with self.assertRaisesRegex(limber.InputError, "out is a part of previous"):
+        with self.assertRaisesRegex(limber.InputError, "out overlaps previous; expected previous itself"):
             self.model.step_batch(self.before[1:], self.after[1:], self.backbones[:-1],
                                   self.backbones[1:])
+
+    def test_out_may_not_begin_where_commands_do(self):
+        memory = np.zeros(self.backbones.size, np.float32)
+        commands = memory[:self.before.size].reshape(self.before.shape)
+        with self.assertRaisesRegex(limber.InputError, "out overlaps previous_kpa; expected memory of its own"):
+            self.model.step_batch(commands, self.after, self.backbones, memory.reshape(self.backbones.shape))
 
     def test_out_of_another_kind_is_refused(self):
         for out in (np.empty(self.backbones.shape), np.asfortranarray(self.backbones), [1.0]):

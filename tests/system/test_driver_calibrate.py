@@ -180,6 +180,13 @@ class Calibrating(InFolder):
             self.assertLessEqual(max(map(abs, setpoint)), 10.001)
             self.assertLessEqual(sum(abs(p) > 0 for p in setpoint), 1)
 
+    def test_flags_of_the_other_action_are_refused(self):
+        for action, flags in (("check", ("--yes",)), ("check", ("--tolerance-m", 0.002)),
+                              ("calibrate", ("--limit-scale", 0.5))):
+            refused = self.run_limber("driver", action, *ARM, "--driver", self.served(1), "--out", "out", *flags, code=2)
+            self.assertIn(f"{flags[0]}: ", refused.stderr)
+            self.assertFalse((self.folder / "out").exists())
+
     def test_refusals(self):
         truth = self.truth(1)
         result = self.run_limber("driver", "calibrate", *ARM, "--driver", self.served(1), "--yes", "--out", "c.yaml",

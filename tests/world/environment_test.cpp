@@ -219,6 +219,28 @@ TEST(Environment, ShapeBeforeAStartInMotionFitsTheArmAndCountsInTheHash) {
                                       HasSubstr("15 poses found; expected 16, one per plate"))));
 }
 
+TEST(Environment, AShapeBeforeThatNoArmHasIsRefused) {
+  const ArmDescription arm = three_segment_arm();
+  Environment e = read(kGood);
+  const Pressures q = Pressures::Constant(3, 20.0F);
+  e.start = ArmStart{q, no_load_backbone(NoLoadModel(arm), q)};
+  e.start->before = Backbone::Constant(16, 3, 0.9F);
+  EXPECT_THAT(
+      [&] { (void)read_environment(YamlReader::from_text(environment_to_yaml(e), "e.yaml"), arm); },
+      ThrowsMessage<InputError>(AllOf(HasSubstr("start.backbone_before["), HasSubstr("plate"))));
+}
+
+TEST(Environment, AStartOfAnotherArmIsRefused) {
+  const ArmDescription arm = three_segment_arm();
+  Environment e = read(kGood);
+  e.start = ArmStart{Pressures::Zero(3), Backbone::Zero(2, 3)};
+  EXPECT_THAT([&] { (void)start_state(e, arm); },
+              ThrowsMessage<InputError>(HasSubstr("start.backbone: 2 found; expected 16")));
+  e.start = ArmStart{Pressures::Zero(2), Backbone::Zero(16, 3)};
+  EXPECT_THAT([&] { (void)start_state(e, arm); },
+              ThrowsMessage<InputError>(HasSubstr("start.pressures_kpa: 2 found; expected 3")));
+}
+
 // Of an arm that is driven by angles, nothing has to be called kPa. Old files are still read.
 TEST(Environment, AStartMayNameItsCommandsWithoutAUnit) {
   const ArmDescription arm = three_segment_arm();

@@ -198,6 +198,38 @@ TEST(PlanFile, NamesFileAndFieldOfBrokenKeys) {
   });
 }
 
+TEST(PlanFile, ATubeHasARadiusForEveryPlateAndAStart) {
+  const auto with_tube = [](std::vector<double> radii_m, double start_share) {
+    return [=](Json& j) {
+      j["tube"] = {{"level", 0.95},       {"plate_radius_m", radii_m}, {"start_share", start_share},
+                   {"full_after_m", 0.1}, {"end_radius_m", 0.01},      {"end_heading_rad", 0.1},
+                   {"goal_inside", true}};
+    };
+  };
+  const std::vector<double> radii_m(16, 0.01);
+  expect_refused({
+      {"no radius", with_tube({}, 0.4), {"tube.plate_radius_m", "0 numbers found; expected 16"}},
+      {"no width at the start", with_tube(radii_m, 0.0), {"tube.start_share", "0", "more than 0"}},
+      {"wider at the start", with_tube(radii_m, 1.5), {"tube.start_share", "from 0 to 1"}},
+  });
+}
+
+// In pascals the cost of an ordinary plan is a million.
+TEST(PlanFile, NumbersInSmallUnitsAreReadBack) {
+  const TemporaryFolder folder;
+  Plan plan = small_plan(three_segment_arm());
+  for (PlanFrame& frame : plan.frames) {
+    frame.setpoint_kpa *= 1e5F;
+  }
+  for (Pressures& waypoint : plan.waypoints_kpa) {
+    waypoint *= 1e5F;
+  }
+  plan.cost_kpa = path_cost_kpa(plan.frames, &PlanFrame::setpoint_kpa);
+  ASSERT_GT(plan.cost_kpa, 1e6);
+  write_plan(folder.path() / "p.json", plan);
+  EXPECT_EQ(read_plan(folder.path() / "p.json").cost_kpa, plan.cost_kpa);
+}
+
 TEST(PlanFile, NamesFrameAndFieldOfBrokenFrames) {
   expect_refused({
       {"null as number",

@@ -63,8 +63,7 @@ int min_runs(double level, double confidence) {
   return static_cast<int>(std::ceil(std::log(1.0 - confidence) / std::log(level) - kRounding));
 }
 
-std::optional<std::size_t> narrowest_factor(std::size_t start, std::size_t count,
-                                            int max_wider_tests,
+std::optional<std::size_t> narrowest_factor(std::size_t start, std::size_t count, int max_tests,
                                             const std::function<bool(std::size_t)>& holds) {
   if (holds(start)) {
     std::size_t narrowest = start;
@@ -73,9 +72,12 @@ std::optional<std::size_t> narrowest_factor(std::size_t start, std::size_t count
     }
     return narrowest;
   }
-  for (int test = 1; test < max_wider_tests && start > 0; ++test) {
-    if (holds(--start)) {
-      return start;
+  for (int tests = 1; tests < max_tests && start > 0; ++tests) {
+    const std::size_t refused = start;
+    start -= std::min<std::size_t>(start, 2);
+    if (holds(start)) {
+      const bool has_between = start + 1 < refused && tests + 1 < max_tests;
+      return has_between && holds(start + 1) ? start + 1 : start;
     }
   }
   return std::nullopt;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <iterator>
+#include <map>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -96,19 +98,20 @@ std::string evidence_page(const nlohmann::ordered_json& evidence) {
 namespace fs = std::filesystem;
 
 constexpr const char* kCalibrationFile = "calibration.json";
-// Wide tubes are only passed through; where factors end up, a step changes coverage by about 1 %.
+// Wide tubes are only passed through; where factors end up, a step changes coverage by about half
+// a percent.
 constexpr double kWideFactors[] = {2.2, 1.95, 1.7};
 constexpr double kFirstNarrow = 1.5;
-constexpr double kStep = 0.975;
-constexpr int kFactors = 32;               // down to 0.73
+constexpr double kStep = 0.9874;
+constexpr int kFactors = 60;               // down to 0.73
 constexpr double kScreenConfidence = 0.5;  // a screen only finds what is worth testing
-constexpr int kMaxWiderTests = 3;          // of one level; they share its confidence
+constexpr int kMaxTests = 3;  // of a level whose first test failed; they share its confidence
 constexpr double kAuditConfidence = 0.99;  // that an audit contradicts
 
 /// What has to be the same for runs of two starts to be one calibration.
 Json identity(const CalibrationSettings& settings) {
   const TubeRunSettings& runs = settings.runs;
-  Json json = {{"schema", "limber/calibration/3"},
+  Json json = {{"schema", "limber/calibration/4"},
                {"arm", {{"name", runs.arm.name}, {"hash", runs.arm.hash()}}},
                {"virtual_arm", content_hash(virtual_arm_to_yaml(runs.executed_arm))},
                {"model", file_hash(settings.model_file)},
@@ -127,6 +130,26 @@ Json identity(const CalibrationSettings& settings) {
                            {"seconds", runs.unseen->seconds}};
   }
   return json;
+}
+
+/// What screens found for a level: the narrowest factor that held, and the widest that didn't.
+struct Screened {
+  std::optional<double> narrowest;
+  std::optional<double> too_narrow;
+};
+
+std::size_t index_of(double value, const std::vector<double>& values) {
+  return static_cast<std::size_t>(std::find(values.begin(), values.end(), value) - values.begin());
+}
+
+/// The wide ones, and every second of the narrow ones.
+std::vector<double> screened_factors() {
+  std::vector<double> screened;
+  const std::vector<double> factors = tube_factors();
+  for (std::size_t k = 0; k < factors.size(); k += k < std::size(kWideFactors) ? 1 : 2) {
+    screened.push_back(factors[k]);
+  }
+  return screened;
 }
 
 class Calibration {
@@ -220,44 +243,52 @@ class Calibration {
     shape_.source = "virtual arm";
   }
 
-  /// Down the list until no level's bound holds any more. candidates_[l] is the last factor that
-  /// held for level l; widest_with_plans_ the first one that most environments have a plan with.
+  /// Of each level the narrowest factor that a screen's bound holds for, by halving the list:
+  /// narrower tubes leave fewer runs inside, and too wide ones too few environments with a plan.
   void screen() {
-    candidates_.assign(settings_.levels.size(), std::nullopt);
-    std::vector<bool> open(settings_.levels.size(), true);
-    for (std::size_t k = 0; k < factors_.size(); ++k) {
-      if (std::find(open.begin(), open.end(), true) == open.end()) {
-        return;
-      }
-      const TubeRuns runs = run_phase(fmt::format("screen_{:02}", k), settings_.screen_runs,
-                                      &shape_, factors_[k], true);
-      const int outside = runs.outside(factors_[k]);
-      settings_.say(fmt::format("factor {:.3f}: {} of {} runs outside", factors_[k], outside,
-                                runs.executed()));
-      if (runs.executed() < settings_.screen_runs) {
-        continue;  // too wide: most environments have no plan
-      }
-      widest_with_plans_ = widest_with_plans_.value_or(k);
-      const double bound = share_at_most(outside, runs.executed(), kScreenConfidence);
-      for (std::size_t l = 0; l < open.size(); ++l) {
-        open[l] = open[l] && bound <= 1.0 - settings_.levels[l];
-        if (open[l]) {
-          candidates_[l] = k;
+    const std::vector<double> factors = screened_factors();
+    std::map<std::size_t, std::optional<int>> outside;
+    for (const double level : settings_.levels) {
+      Screened& found = screened_.emplace_back();
+      std::size_t begin = 0;
+      std::size_t end = factors.size();
+      while (begin < end) {
+        const std::size_t middle = (begin + end) / 2;
+        if (outside.count(middle) == 0) {
+          outside[middle] = screen_factor(middle, factors[middle]);
+        }
+        const std::optional<int> count = outside[middle];
+        if (!count) {
+          begin = middle + 1;
+        } else if (share_at_most(*count, settings_.screen_runs, kScreenConfidence) <= 1.0 - level) {
+          found.narrowest = factors[middle];
+          begin = middle + 1;
+        } else {
+          found.too_narrow = factors[middle];
+          end = middle;
         }
       }
     }
   }
 
+  /// Runs outside; none if most environments have no plan with so wide a tube.
+  std::optional<int> screen_factor(std::size_t k, double factor) {
+    const TubeRuns runs =
+        run_phase(fmt::format("screen_{:02}", k), settings_.screen_runs, &shape_, factor, true);
+    const int outside = runs.outside(factor);
+    settings_.say(
+        fmt::format("factor {:.3f}: {} of {} runs outside", factor, outside, runs.executed()));
+    return runs.executed() < settings_.screen_runs ? std::nullopt : std::optional(outside);
+  }
+
   std::optional<TubeLevel> find_level(double level) {
-    const auto l = static_cast<std::size_t>(
-        std::find(settings_.levels.begin(), settings_.levels.end(), level) -
-        settings_.levels.begin());
-    if (!candidates_[l]) {
+    const Screened& screened = screened_[index_of(level, settings_.levels)];
+    if (!screened.narrowest) {
       fail(level,
-           widest_with_plans_
+           screened.too_narrow
                ? fmt::format("even factor {:.3g} of the shape is too narrow; wider tubes leave "
                              "too few environments with a plan",
-                             factors_[*widest_with_plans_])
+                             *screened.too_narrow)
                : "no tube of the list leaves enough environments with a plan; a model with "
                  "smaller errors is needed, or a larger budget");
       return std::nullopt;
@@ -269,7 +300,8 @@ class Calibration {
       narrowest = found ? found : narrowest;
       return found.has_value();
     };
-    if (!narrowest_factor(*candidates_[l], factors_.size(), kMaxWiderTests, holds)) {
+    if (!narrowest_factor(index_of(*screened.narrowest, factors_), factors_.size(), kMaxTests,
+                          holds)) {
       fail(level, fmt::format("no factor held its test on {} runs", settings_.test_runs));
       return std::nullopt;
     }
@@ -282,7 +314,7 @@ class Calibration {
     const TubeRuns runs = run_phase(fmt::format("test_{:g}_{}", 100.0 * level, test),
                                     settings_.test_runs, &shape_, factor);
     const int outside = runs.outside(factor);
-    const double confidence = 1.0 - (1.0 - settings_.confidence) / kMaxWiderTests;
+    const double confidence = 1.0 - (1.0 - settings_.confidence) / kMaxTests;
     settings_.say(fmt::format("level {}: factor {:.3f}: {} of {} runs outside", level, factor,
                               outside, runs.executed()));
     if (share_at_most(outside, runs.executed(), confidence) > 1.0 - level) {
@@ -323,9 +355,8 @@ class Calibration {
   const Json identity_;
   std::optional<OutputFolder> folder_;
   Tube shape_;
-  double expected_error_m_ = 0.0;  // of the arm whose tube is the shape; 0: of no family
-  std::vector<std::optional<std::size_t>> candidates_;
-  std::optional<std::size_t> widest_with_plans_;
+  double expected_error_m_ = 0.0;   // of the arm whose tube is the shape; 0: of no family
+  std::vector<Screened> screened_;  // of each level
   Json evidence_;
   CalibrationResult result_;
 };
@@ -360,7 +391,7 @@ void require_usable(const CalibrationSettings& settings) {
       throw InputError(fmt::format("a share of {}: expected more than 0 and less than 1", share));
     }
   }
-  const double confidence = 1.0 - (1.0 - settings.confidence) / kMaxWiderTests;
+  const double confidence = 1.0 - (1.0 - settings.confidence) / kMaxTests;
   for (const auto& [flag, runs, sure] :
        {std::tuple{"--screen-runs", settings.screen_runs, kScreenConfidence},
         std::tuple{"--test-runs", settings.test_runs, confidence}}) {

@@ -53,8 +53,9 @@ void require_same_arm(const Recording& found, const Recording& wanted, const std
   }
   std::vector<std::string> keys;
   if (!found.arm_description.empty() && !wanted.arm_description.empty()) {
-    keys = arm_differences(read_arm_keys(found.arm_description, file),
-                           read_arm_keys(wanted.arm_description, "the arm"));
+    constexpr auto kPolynomials = PolynomialsOf::characterisation;
+    keys = arm_differences(read_arm_keys(found.arm_description, file, kPolynomials),
+                           read_arm_keys(wanted.arm_description, "the arm", kPolynomials));
   }
   throw InputError(
       fmt::format("{}: --resume: recorded with arm '{} {}'; this run has '{} "

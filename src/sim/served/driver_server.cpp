@@ -256,6 +256,9 @@ class DriverServer {
   }
 
   ArmState wrong_state(ArmState state) {
+    if (last_.pressure_kpa.size() == 0) {
+      last_ = state;  // the first reply is wrong already
+    }
     switch (settings_.fault->kind) {
       case Kind::over:
         state.pressure_kpa[0] = kOverLimit * static_cast<float>(host_.limit_kpa[0].largest_kpa());
@@ -264,8 +267,11 @@ class DriverServer {
         state.pressure_kpa[0] = last_.pressure_kpa[0];
         break;
       case Kind::jump:
-        (state.backbone ? state.backbone->bottomRows(1)(0, 1)
-                        : state.space_backbone->bottomRows(1)(0, 1)) += kJumpM;
+        if (state.backbone) {
+          state.backbone->bottomRows(1)(0, 1) += kJumpM;
+        } else if (state.space_backbone) {
+          state.space_backbone->bottomRows(1)(0, 1) += kJumpM;
+        }
         break;
       case Kind::sealed:
         state.pressure_kpa = last_.pressure_kpa;

@@ -36,15 +36,25 @@ TEST(NarrowestFactor, EndsWithTheList) {
   EXPECT_EQ(found.tested, Tests({8, 9}));
 }
 
-TEST(NarrowestFactor, WidensAfterARefusalAndNeverNarrowsAgain) {
-  const Found found = search_from(6, 5);
-  EXPECT_EQ(found.factor, 4U);
-  EXPECT_EQ(found.tested, Tests({6, 5, 4}));
+TEST(NarrowestFactor, WidensByTwoAfterARefusalAndTriesTheOneBetween) {
+  const Found between_holds = search_from(6, 6);
+  EXPECT_EQ(between_holds.factor, 5U);
+  EXPECT_EQ(between_holds.tested, Tests({6, 4, 5}));
+  const Found between_refused = search_from(6, 5);
+  EXPECT_EQ(between_refused.factor, 4U);
+  EXPECT_EQ(between_refused.tested, Tests({6, 4, 5}));
 }
 
-TEST(NarrowestFactor, GivesUpAfterThreeRefusalsOrTheWidest) {
+TEST(NarrowestFactor, MakesThreeTestsAtMostAfterARefusal) {
+  EXPECT_EQ(search_from(6, 4).factor, 2U);
+  EXPECT_EQ(search_from(6, 4).tested, Tests({6, 4, 2}));
   EXPECT_EQ(search_from(9, 2).factor, std::nullopt);
-  EXPECT_EQ(search_from(9, 2).tested, Tests({9, 8, 7}));
+  EXPECT_EQ(search_from(9, 2).tested, Tests({9, 7, 5}));
+}
+
+TEST(NarrowestFactor, TestsNoFactorTwiceAtTheWidest) {
+  EXPECT_EQ(search_from(1, 1).factor, 0U);
+  EXPECT_EQ(search_from(1, 1).tested, Tests({1, 0}));
   EXPECT_EQ(search_from(1, 0).factor, std::nullopt);
   EXPECT_EQ(search_from(1, 0).tested, Tests({1, 0}));
 }

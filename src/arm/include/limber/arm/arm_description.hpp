@@ -135,6 +135,7 @@ struct ArmDescription {
   /// Where things fall in the frame of the base, of unit length; 0 where the file does not say.
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
   VirtualArmSection virtual_arm;
+  std::string safety_yaml;  ///< `safety:` and its entries, not read yet, for arms that are moved
 
   /// What bends: shapes, lengths and curvatures have one of each.
   int segment_count() const { return static_cast<int>(segments.size()); }
@@ -181,12 +182,14 @@ ArmDescription read_arm(const YamlReader& root, PolynomialsOf polynomials = Poly
 /// The arm as YAML, readable by `load_arm`; floating-point values survive the round trip exactly.
 std::string arm_to_yaml(const ArmDescription& arm);
 
-/// The same without schema and `virtual_arm`: the keys that `hash` covers, and the name. Other
-/// files hold it as text.
+/// The same without schema, `virtual_arm` and `safety`: the keys that `hash` covers, and the name.
+/// Other files hold it as text.
 std::string arm_keys_to_yaml(const ArmDescription& arm);
 
 /// The inverse. @param name  stands for the file in messages. @throws InputError as `read_arm`.
-ArmDescription read_arm_keys(const std::string& keys, const std::string& name);
+/// @param polynomials  of recordings: arms are also recorded before they are characterised
+ArmDescription read_arm_keys(const std::string& keys, const std::string& name,
+                             PolynomialsOf polynomials = PolynomialsOf::model);
 
 /// `yaml`, the text of the arm's file, with what a fit changes: no_load, and each segment's
 /// length_m, strain_polynomial and curvature_per_unit. Everything else, comments too, stays as it

@@ -32,6 +32,9 @@ class CsvReader {
   /// @throws InputError if a quote is never closed.
   bool next(std::vector<CsvCell>& row);
 
+  /// Passes over lines that begin with `first`, whatever quotes they hold.
+  void skip_lines_with(char first);
+
   /// Line on which the last row began, from 1; 1 before the first.
   std::size_t line() const { return line_ == 0 ? 1 : line_; }
   const std::string& name() const { return name_; }

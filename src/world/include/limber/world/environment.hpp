@@ -90,8 +90,11 @@ std::string environment_to_yaml(const Environment& environment);
 /// Hash of everything that planning depends on; name, comments and layout of the file excluded.
 std::string environment_hash(const Environment& environment);
 
-/// Start of `environment` for `arm`: as given (which the reader has checked against the arm), or
-/// the arm at rest.
+/// @throws InputError where the environment's start, if it has one, is of another number of
+/// commands or plates than the arm.
+void require_start_of(const ArmDescription& arm, const Environment& environment);
+
+/// Start of `environment` for `arm`: as given, or the arm at rest. @throws as `require_start_of`
 ArmStart start_state(const Environment& environment, const ArmDescription& arm);
 
 }  // namespace limber
