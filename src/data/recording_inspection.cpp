@@ -234,6 +234,15 @@ void look_at_chambers(const ArmDescription& arm, const SpaceFit& fit,
   }
 }
 
+/// Arms are also recorded before their bench test.
+bool is_characterised(const ArmDescription& arm) {
+  return arm.no_load != NoLoadKind::strain_polynomial ||
+         std::ranges::all_of(arm.segments, [](const Segment& segment) {
+           return why_unusable(segment.strain_polynomial, segment.pressure_limit_kpa.largest_kpa())
+               .empty();
+         });
+}
+
 /// By the arm file, or by the arm that the recording describes.
 void fit_simple_models(const Recording& recording, const ArmDescription* arm,
                        const std::string& file, RecordingInspection& inspection) {
@@ -244,6 +253,9 @@ void fit_simple_models(const Recording& recording, const ArmDescription* arm,
     return;
   }
   const ArmDescription used = arm != nullptr ? *arm : own_arm(recording, file);
+  if (!is_characterised(used)) {
+    return;
+  }
   if (!in_space) {
     inspection.episode_errors = errors_of_any(used, recording.episodes);
     return;

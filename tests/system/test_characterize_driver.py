@@ -51,6 +51,20 @@ class Characterizing(InFolder):
         with h5py.File(self.folder / "fitted.bench.partial.h5") as file:
             self.assertEqual(len(file["episodes"]), 1)
 
+    def test_what_was_recorded_before_the_bench_test_is_read(self):
+        self.run_limber("collect", "--arm", "one.yaml", "--schedule", "random", "--count", 2, "--out", "r.h5")
+        self.assertIn("nothing suspicious", self.run_limber("inspect", "r.h5").stdout)
+        (self.folder / "csv").mkdir()
+        self.run_limber("export", "r.h5", "--csv", "csv")
+        self.assertTrue((self.folder / "csv/mapping.yaml").exists())
+
+    def test_an_arm_that_is_written_anew_keeps_its_safety(self):
+        self.write("safe.yaml", yaml.safe_dump({**ARM, "safety": {"jump_m": 0.05}, "virtual_arm": {}}))
+        self.write("fence.yaml", (self.folder / "safe.yaml").read_text().replace("strain_polynomial: []", "strain_polynomial:"))
+        for arm in ("safe.yaml", "fence.yaml"):
+            self.run_limber("characterize", "--arm", arm, "--out", "fitted.yaml", "--force", "--steps", 5)
+            self.assertEqual(yaml.safe_load((self.folder / "fitted.yaml").read_text())["safety"], {"jump_m": 0.05})
+
     def test_refusals(self):
         whole = self.on_driver("--out", "f.yaml", arm="two_segment", code=2)
         self.assertIn("limber characterize --recording", whole.stderr)
