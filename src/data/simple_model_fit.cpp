@@ -23,7 +23,6 @@ constexpr double kHuber = 1.345;     // of the scale: 95 % efficient without out
 constexpr double kMinSpread = 0.01;  // of the limit: a command that changed by less
 constexpr int kBlocksOfOne = 10;
 constexpr int kMaxBlocks = 50;
-constexpr double kTwoSided95 = 1.96;
 constexpr double kTiny_rad = 1e-9;
 constexpr double kAtRest = 0.03;  // of the limit: a command that is about zero …
 constexpr double kRest_s = 0.5;   // … for so long

@@ -13,6 +13,7 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/statistics.hpp"
+#include "limber/common/units.hpp"
 #include "limber/world/straight_motion.hpp"
 
 namespace limber {
@@ -319,8 +320,8 @@ std::string scale_complaint(const std::string& channel, double setpoint_kpa, dou
     const char* says;
   };
   constexpr std::array<Scale, 6> kScales = {{
-      {1.0 / 6.894757, "the driver sends psi; the wire is in kPa"},
-      {6.894757, "the driver takes set points for psi; the wire is in kPa"},
+      {1.0 / kKpaPerPsi, "the driver sends psi; the wire is in kPa"},
+      {kKpaPerPsi, "the driver takes set points for psi; the wire is in kPa"},
       {10.0, "the driver sends mbar; the wire is in kPa"},
       {0.1, "the driver takes set points for mbar; the wire is in kPa"},
       {0.01, "the driver sends bar; the wire is in kPa"},

@@ -18,6 +18,7 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/utf8.hpp"
 #include "limber/common/version.hpp"
 
 namespace limber {
@@ -188,7 +189,7 @@ void DriverLog::write(const char* key, std::string_view line) {
   }
   const double at_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // which only a whole text may have
+  // A byte order mark only a whole text may have.
   const bool is_json = !line.starts_with(kByteOrderMark) && nlohmann::json::accept(line);
   const std::string body = is_json ? std::string(line) : as_text(line);
   const std::string text = fmt::format("{{\"at_s\": {:.6f}, \"{}\": {}}}\n", at_s, key, body);

@@ -21,25 +21,13 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kTurn = 2.0 * M_PI;
-constexpr double kLongestChord = 1.2;   // over the length at rest; noise and stretch leave less
-constexpr double kShortestChord = 0.2;  // an arc of 4.6 rad has this
+constexpr double kLongestChord = 1.2;  // over the length at rest; noise and stretch leave less
 constexpr double kNotedLength = 0.03;
 constexpr double kMaxHeadingOff_rad = 2.0;  // of the middle one; arms bend by less between points
 constexpr double kShortestArc = 0.05;  // chord over length; beyond, the points are no neighbours
 
 // ---- missing points
 // ---------------------------------------------------------------------------
-
-/// Which rows are complete, as tracked or after short gaps were bridged.
-struct RowState {
-  std::vector<bool> tracked;
-  std::vector<bool> bridged;
-};
-
-bool is_tracked(const PointTracks& tracks, Eigen::Index t, Eigen::Index i) {
-  return std::isfinite(tracks.x_m(t, i)) && std::isfinite(tracks.y_m(t, i)) &&
-         (!tracks.has_headings() || std::isfinite(tracks.theta_rad(t, i)));
-}
 
 /// Rows t of (from, to) on the straight line between both.
 void bridge(Eigen::Index from, Eigen::Index to, Eigen::Index i, PointTracks& tracks) {
@@ -54,23 +42,6 @@ void bridge(Eigen::Index from, Eigen::Index to, Eigen::Index i, PointTracks& tra
       tracks.theta_rad(t, i) = a + part * std::remainder(tracks.theta_rad(to, i) - a, kTurn);
     }
   }
-}
-
-RowState fill_short_gaps(const std::string& log, double longest_gap_s, PointTracks& tracks,
-                         RunReport& report) {
-  const Eigen::Index rows = tracks.row_count();
-  RowState state{std::vector<bool>(std::size_t(rows), true),
-                 std::vector<bool>(std::size_t(rows), false)};
-  for (Eigen::Index i = 0; i < tracks.point_count(); ++i) {
-    const Eigen::Index missing = bridge_hidden_rows(
-        tracks.time_s, longest_gap_s, [&](Eigen::Index t) { return is_tracked(tracks, t, i); },
-        [&](Eigen::Index before, Eigen::Index t) { bridge(before, t, i, tracks); }, state.tracked,
-        state.bridged);
-    const std::string& name = tracks.names[std::size_t(i)];
-    note_point(log, name, tracks.plates[std::size_t(i)], missing, rows, report);
-  }
-  note_hidden_rows(log, longest_gap_s, state.tracked, state.bridged, report);
-  return state;
 }
 
 // ---- distances
@@ -260,6 +231,21 @@ class SegmentTangents {
   bool open_ = false;
 };
 
+/// Headings of points along an arm of which each segment is an arc, from positions alone: T×k.
+/// @param tracks  in frame B, every cell finite, the base first: its heading is 0.
+Eigen::MatrixXd tangent_headings(const PointTracks& tracks, const ArmDescription& arm) {
+  const SegmentTangents tangents(tracks, arm);
+  Eigen::MatrixXd theta_rad(tracks.row_count(), tracks.point_count());
+  std::vector<double> directions;
+  std::vector<double> headings;
+  for (Eigen::Index t = 0; t < tracks.row_count(); ++t) {
+    chord_directions(tracks, t, directions);
+    tangents.headings(directions, headings);
+    theta_rad.row(t) = Eigen::Map<const Eigen::RowVectorXd>(headings.data(), tracks.point_count());
+  }
+  return theta_rad;
+}
+
 // ---- plates between points
 // --------------------------------------------------------------------
 
@@ -280,13 +266,13 @@ Pose on_curve(const Pose& a, const Pose& b, double part) {
 }
 
 /// Poses of every plate, from those of the points.
-Eigen::MatrixXd poses_of_plates(const PointTracks& tracks, const RowState& state,
+Eigen::MatrixXd poses_of_plates(const PointTracks& tracks, const std::vector<bool>& tracked,
                                 const ArmDescription& arm) {
   const std::vector<double> rest = rest_positions_m(arm);
   Eigen::MatrixXd poses =
       Eigen::MatrixXd::Constant(tracks.row_count(), kPoseSize * arm.point_count(), kNan);
   for (Eigen::Index t = 0; t < tracks.row_count(); ++t) {
-    if (!state.tracked[std::size_t(t)]) {
+    if (!tracked[std::size_t(t)]) {
       continue;
     }
     const auto pose_at = [&](Eigen::Index i) {
@@ -312,19 +298,6 @@ Eigen::MatrixXd poses_of_plates(const PointTracks& tracks, const RowState& state
 
 }  // namespace
 
-Eigen::MatrixXd tangent_headings(const PointTracks& tracks, const ArmDescription& arm) {
-  const SegmentTangents tangents(tracks, arm);
-  Eigen::MatrixXd theta_rad(tracks.row_count(), tracks.point_count());
-  std::vector<double> directions;
-  std::vector<double> headings;
-  for (Eigen::Index t = 0; t < tracks.row_count(); ++t) {
-    chord_directions(tracks, t, directions);
-    tangents.headings(directions, headings);
-    theta_rad.row(t) = Eigen::Map<const Eigen::RowVectorXd>(headings.data(), tracks.point_count());
-  }
-  return theta_rad;
-}
-
 BackboneTrack build_backbone(const std::string& log, PointTracks tracks,
                              const ImportMapping& mapping, const ArmDescription& arm,
                              RunReport& report) {
@@ -332,13 +305,14 @@ BackboneTrack build_backbone(const std::string& log, PointTracks tracks,
     report.note("logged headings left out: 'headings: tangent'");
     tracks.theta_rad.resize(0, 0);
   }
-  RowState state = fill_short_gaps(log, mapping.longest_gap_s, tracks, report);
+  BackboneTrack track;
+  fill_gaps(log, mapping.longest_gap_s, tracks, track, report, bridge);
   // Before looking for the base: a wrong unit or order would cause a stranger message there.
-  require_distances(log, state.tracked, mapping, arm, tracks, report);
+  require_distances(log, track.tracked, mapping, arm, tracks, report);
   if (tracks.has_headings()) {
-    require_headings_along(log, state.tracked, tracks);
+    require_headings_along(log, track.tracked, tracks);
   }
-  align_base(log, state.tracked, mapping.alignment, arm, tracks, report);
+  align_base(log, track.tracked, mapping.alignment, arm, tracks, report);
   if (tracks.has_headings()) {
     unwrap_along_arm(tracks);
   } else {
@@ -349,11 +323,8 @@ BackboneTrack build_backbone(const std::string& log, PointTracks tracks,
     report.note("plates without a point of their own, put on the curve between their neighbours",
                 {}, arm.point_count() - tracks.point_count());
   }
-  BackboneTrack track;
-  track.poses = poses_of_plates(tracks, state, arm);
+  track.poses = poses_of_plates(tracks, track.tracked, arm);
   track.time_s = std::move(tracks.time_s);
-  track.tracked = std::move(state.tracked);
-  track.bridged = std::move(state.bridged);
   return track;
 }
 

@@ -25,8 +25,4 @@ BackboneTrack build_backbone(const std::string& log, PointTracks tracks,
                              const ImportMapping& mapping, const ArmDescription& arm,
                              RunReport& report);
 
-/// Headings of points along an arm of which each segment is an arc, from positions alone: T×k.
-/// @param tracks  in frame B, every cell finite, the base first: its heading is 0.
-Eigen::MatrixXd tangent_headings(const PointTracks& tracks, const ArmDescription& arm);
-
 }  // namespace limber

@@ -1,6 +1,7 @@
 #include "base_alignment.hpp"
 
 #include <cmath>
+#include <complex>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,22 +13,7 @@ namespace limber {
 
 namespace {
 
-constexpr double kBaseStandsStill_m = 0.005;  // motion capture is better than that
-
-/// Mean direction of many angles, whatever their turns.
-class MeanAngle {
- public:
-  void add(double angle_rad) {
-    cosine_ += std::cos(angle_rad);
-    sine_ += std::sin(angle_rad);
-  }
-  double value() const { return std::atan2(sine_, cosine_); }
-
- private:
-  double cosine_ = 0.0;
-  double sine_ = 0.0;
-};
-
+// Mean directions are those of the sum of unit vectors, whatever the angles' turns.
 class BaseFinder {
  public:
   BaseFinder(const std::string& log, const std::vector<bool>& tracked,
@@ -42,13 +28,11 @@ class BaseFinder {
   }
 
   Pose find() const {
-    switch (alignment_.kind) {
-      case BaseAlignment::Kind::none:
-        return {};
-      case BaseAlignment::Kind::fixed:
-        return alignment_.pose;
-      default:
-        break;
+    if (alignment_.kind == BaseAlignment::Kind::none) {
+      return {};
+    }
+    if (alignment_.kind == BaseAlignment::Kind::fixed) {
+      return alignment_.pose;
     }
     if (tracks_.plates.front() != 0) {
       refuse("no point is the base, plate 0");
@@ -66,11 +50,11 @@ class BaseFinder {
   Eigen::VectorXd heading_offsets() const {
     Eigen::VectorXd offsets(tracks_.point_count());
     for (int i = 0; i < tracks_.point_count(); ++i) {
-      MeanAngle mean;
+      std::complex<double> mean;
       for (const Eigen::Index t : rows_) {
-        mean.add(tracks_.theta_rad(t, i));
+        mean += std::polar(1.0, tracks_.theta_rad(t, i));
       }
-      offsets[i] = mean.value();
+      offsets[i] = std::arg(mean);
     }
     return offsets;
   }
@@ -103,23 +87,23 @@ class BaseFinder {
   }
 
   double straight_heading() const {
-    MeanAngle mean;
+    std::complex<double> mean;
     const int tip = tracks_.point_count() - 1;
     for (const Eigen::Index t : rows_) {
-      mean.add(std::atan2(tracks_.y_m(t, tip) - tracks_.y_m(t, 0),
-                          tracks_.x_m(t, tip) - tracks_.x_m(t, 0)));
+      mean += std::polar(1.0, std::atan2(tracks_.y_m(t, tip) - tracks_.y_m(t, 0),
+                                         tracks_.x_m(t, tip) - tracks_.x_m(t, 0)));
     }
-    return mean.value();
+    return std::arg(mean);
   }
 
   /// The measured one; else the tangent at the base of the arc through the first three points.
   double base_heading() const {
-    MeanAngle mean;
+    std::complex<double> mean;
     if (tracks_.has_headings()) {
       for (const Eigen::Index t : rows_) {
-        mean.add(tracks_.theta_rad(t, 0));
+        mean += std::polar(1.0, tracks_.theta_rad(t, 0));
       }
-      return mean.value();
+      return std::arg(mean);
     }
     if (tracks_.point_count() < 3 || tracks_.plates[2] > arm_.segments.front().gaps) {
       refuse(
@@ -131,9 +115,9 @@ class BaseFinder {
     const double both = rest_m[std::size_t(tracks_.plates[2])];
     for (const Eigen::Index t : rows_) {
       const double turn = std::remainder(chord(t, 1) - chord(t, 0), 2.0 * M_PI);
-      mean.add(chord(t, 0) - turn * first / both);
+      mean += std::polar(1.0, chord(t, 0) - turn * first / both);
     }
-    return mean.value();
+    return std::arg(mean);
   }
 
   const std::string& log_;

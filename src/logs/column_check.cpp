@@ -63,11 +63,6 @@ void find_undecidable(const LevelCorrelations& levels, double given, Eigen::Inde
 
 constexpr double kNothing = 0.2;  // of correlations: nothing follows its column
 
-/// A column's name with the other sign.
-std::string other_sign(const std::string& name) {
-  return name.starts_with('-') ? name.substr(1) : "-" + name;
-}
-
 /// "segment 0: a - b, segment 1: -(c)", for an arm file's `commands`.
 std::string fitting_sums(const ColumnFit& fit, const CommandColumns& commands) {
   std::vector<std::string> sums;
@@ -90,7 +85,7 @@ std::string fitting_mapping(const ColumnFit& fit, const CommandColumns& commands
     const auto at = static_cast<std::size_t>(segment.column);
     if (!commands.columns.empty()) {
       const std::string& name = commands.columns[at];
-      first.push_back(segment.turned ? other_sign(name) : name);
+      first.push_back(!segment.turned ? name : name.starts_with('-') ? name.substr(1) : "-" + name);
     } else {
       first.push_back(segment.turned ? commands.left[at] : commands.right[at]);
       second.push_back(segment.turned ? commands.right[at] : commands.left[at]);
@@ -113,41 +108,6 @@ std::string correlations_text(const ColumnFit& fit) {
                         : fmt::format("{} can't be told", segment_name(Eigen::Index(i))));
   }
   return fmt::format("{}", fmt::join(parts, ", "));
-}
-
-std::string positive_side(const ArmDescription& arm) {
-  return arm.no_load == NoLoadKind::curvature
-             ? "to the side of curvature_per_unit's sign, left for +"
-             : "right, towards -y";
-}
-
-std::string refusal(const std::string& log, const ColumnFit& fit, const ImportMapping& mapping,
-                    const ArmDescription& arm) {
-  bool permuted = false;
-  bool all_turned = true;
-  bool turned = false;
-  for (std::size_t i = 0; i < fit.segments.size(); ++i) {
-    const FittedColumn& segment = fit.segments[i];
-    permuted = permuted || segment.column != static_cast<Eigen::Index>(i);
-    turned = turned || segment.turned;
-    all_turned = all_turned && (segment.turned || segment.undecidable != Undecidable::no);
-  }
-  std::string what;
-  if (permuted) {
-    what = fmt::format("the {}s' columns are not in the segments' order{}", arm.command.name,
-                       turned ? ", and some have the other sign" : "");
-  } else {
-    what = fmt::format("{} bends to the other side than its {} says: positive bends {}",
-                       all_turned ? "the arm" : "a segment", arm.command.name, positive_side(arm));
-  }
-  return fmt::format(
-      "{}: {}. What would fit: '{}'. Correlations of levels then: {}. Change the mapping{}{}", log,
-      what, fitting_mapping(fit, mapping.commands), correlations_text(fit),
-      mapping.commands.summed ? ", or 'commands' in the arm file" : "",
-      all_turned && turned
-          ? "; or the plane is seen from the other side: turn y (or 'up'); or the arm gets longer "
-            "under pressure, and bends away from it: the right is the side that it bends to"
-          : "");
 }
 
 std::string why(const FittedColumn& segment) {
@@ -212,11 +172,39 @@ ColumnFit fit_columns(const LevelCorrelations& levels, const ArmDescription& arm
 
 void refuse_columns(const std::string& log, const ColumnFit& fit, const ImportMapping& mapping,
                     const ArmDescription& arm) {
-  throw InputError(refusal(log, fit, mapping, arm));
+  bool permuted = false;
+  bool all_turned = true;
+  bool turned = false;
+  for (std::size_t i = 0; i < fit.segments.size(); ++i) {
+    const FittedColumn& segment = fit.segments[i];
+    permuted = permuted || segment.column != static_cast<Eigen::Index>(i);
+    turned = turned || segment.turned;
+    all_turned = all_turned && (segment.turned || segment.undecidable != Undecidable::no);
+  }
+  std::string what;
+  if (permuted) {
+    what = fmt::format("the {}s' columns are not in the segments' order{}", arm.command.name,
+                       turned ? ", and some have the other sign" : "");
+  } else {
+    what = fmt::format("{} bends to the other side than its {} says: positive bends {}",
+                       all_turned ? "the arm" : "a segment", arm.command.name,
+                       arm.no_load == NoLoadKind::curvature
+                           ? "to the side of curvature_per_unit's sign, left for +"
+                           : "right, towards -y");
+  }
+  throw InputError(fmt::format(
+      "{}: {}. What would fit: '{}'. Correlations of levels then: {}. Change the mapping{}{}", log,
+      what, fitting_mapping(fit, mapping.commands), correlations_text(fit),
+      mapping.commands.summed ? ", or 'commands' in the arm file" : "",
+      all_turned && turned
+          ? "; or the plane is seen from the other side: turn y (or 'up'); or the arm gets longer "
+            "under pressure, and bends away from it: the right is the side that it bends to"
+          : ""));
 }
 
 void check_columns(const std::vector<std::string>& logs, const std::vector<LevelTable>& levels,
-                   const ImportMapping& mapping, const ArmDescription& arm, ColumnReport& checks) {
+                   const ImportMapping& mapping, const ArmDescription& arm,
+                   std::vector<SegmentCheck>& checks) {
   LevelTable all = levels.front();
   for (std::size_t run = 1; run < levels.size(); ++run) {
     append(all, levels[run]);
@@ -239,7 +227,7 @@ void check_columns(const std::vector<std::string>& logs, const std::vector<Level
   }
   for (std::size_t i = 0; i < fit.segments.size(); ++i) {
     const FittedColumn& segment = fit.segments[i];
-    checks.segments.push_back({segment.as_given, segment.follows_weakly, why(segment)});
+    checks.push_back({segment.as_given, segment.follows_weakly, why(segment)});
   }
 }
 

@@ -59,6 +59,7 @@ ColumnFit fit_columns(const LevelCorrelations& levels, const ArmDescription& arm
 /// @param logs  names, one for each of `levels`.
 /// @throws InputError; also where no segment follows its column at all.
 void check_columns(const std::vector<std::string>& logs, const std::vector<LevelTable>& levels,
-                   const ImportMapping& mapping, const ArmDescription& arm, ColumnReport& checks);
+                   const ImportMapping& mapping, const ArmDescription& arm,
+                   std::vector<SegmentCheck>& checks);
 
 }  // namespace limber

@@ -203,16 +203,6 @@ CommandColumns as_counted_in(const std::vector<std::string>& names, CommandColum
   return commands;
 }
 
-void hold_setpoints(Eigen::MatrixXd& values) {
-  for (Eigen::Index t = 1; t < values.rows(); ++t) {
-    for (Eigen::Index k = 0; k < values.cols(); ++k) {
-      if (std::isnan(values(t, k))) {
-        values(t, k) = values(t - 1, k);
-      }
-    }
-  }
-}
-
 void sum_commands(const ImportMapping& mapping, const ArmDescription& arm, CommandTrack& commands,
                   RunReport& report) {
   if (!mapping.commands.summed) {
@@ -220,11 +210,15 @@ void sum_commands(const ImportMapping& mapping, const ArmDescription& arm, Comma
   }
   const Eigen::MatrixXd shares = command_shares(arm);
   if (!commands.measured) {
-    hold_setpoints(commands.values);
+    for (auto column : commands.values.colwise()) {
+      hold_over_gaps(column);
+    }
   }
   commands.values = summed(commands.values, shares);
   if (commands.setpoint.size() > 0) {
-    hold_setpoints(commands.setpoint);
+    for (auto column : commands.setpoint.colwise()) {
+      hold_over_gaps(column);
+    }
     commands.setpoint = summed(commands.setpoint, shares);
   }
   std::vector<std::string> sums = sums_of(arm);

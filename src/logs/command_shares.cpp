@@ -25,12 +25,11 @@ namespace limber {
 
 namespace {
 
-constexpr double kPeriod_s = 0.1;  // of LevelTable
+constexpr double kPeriod_s = 1.0 / kLevelRate_hz;
 constexpr int kMaxLagPeriods = 10;
 constexpr double kClearlyLess = 0.002;  // of what is left unexplained: no lag for less than that
 constexpr Eigen::Index kPieces = 10;    // of the jackknife
-constexpr double kTwoSided95 = 1.96;
-constexpr double kMinShare = 0.05;  // of a segment's largest
+constexpr double kMinShare = 0.05;      // of a segment's largest
 // Of the largest variance: commands moved too little along such a direction to say what it does.
 constexpr double kUnmoved = 1e-3;
 constexpr double kAlike = 0.99;        // of correlations

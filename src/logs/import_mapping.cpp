@@ -197,21 +197,8 @@ PointSource read_point(const YamlReader& node) {
 }
 
 std::vector<PointSource> read_points(const YamlReader& node, const ArmDescription& arm) {
-  std::vector<PointSource> points;
   const std::vector<YamlReader> elements = node.elements();
-  for (const YamlReader& element : elements) {
-    points.push_back(read_point(element));
-    const PointSource& p = points.back();
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-      const PointSource& q = points[i];
-      const bool same = !p.x.empty() ? (p.x == q.x && p.y == q.y)
-                                     : (p.body == q.body && p.marker == q.marker &&
-                                        p.right == q.right && p.left == q.left);
-      if (same) {
-        element.refuse(fmt::format("the same source as {} before it", point_name(i)));
-      }
-    }
-  }
+  std::vector<PointSource> points = read_sources(elements, read_point);
   if (points.size() < 2) {
     node.refuse(fmt::format("{} points found; expected at least 2", points.size()));
   }

@@ -219,9 +219,9 @@ std::string to_text(const RunReport& run) {
                             run.episodes, run.frames, run.frames_not_tracked);
 }
 
-nlohmann::ordered_json to_json(const ColumnReport& columns) {
+nlohmann::ordered_json to_json(const std::vector<SegmentCheck>& columns) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const SegmentCheck& segment : columns.segments) {
+  for (const SegmentCheck& segment : columns) {
     json.push_back({{"correlation", segment.correlation},
                     {"follows_weakly", segment.follows_weakly},
                     {"undecidable", segment.undecidable.empty()
@@ -231,11 +231,11 @@ nlohmann::ordered_json to_json(const ColumnReport& columns) {
   return json;
 }
 
-std::string to_text(const ColumnReport& columns) {
+std::string to_text(const std::vector<SegmentCheck>& columns) {
   std::string text = "columns: levels of commands and segments correlate by";
   std::string notes;
-  for (std::size_t i = 0; i < columns.segments.size(); ++i) {
-    const SegmentCheck& segment = columns.segments[i];
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const SegmentCheck& segment = columns[i];
     const std::string name = segment_name(static_cast<Eigen::Index>(i));
     text += fmt::format("{} {:.2f}", i == 0 ? "" : ",", segment.correlation);
     if (segment.follows_weakly) {
@@ -322,35 +322,19 @@ void RunReport::note(const std::string& what, const std::string& first, std::int
   notes.push_back({what, count, first});
 }
 
-std::int64_t ImportReport::episodes() const {
-  std::int64_t sum = 0;
+std::int64_t ImportReport::sum(std::int64_t RunReport::*number) const {
+  std::int64_t total = 0;
   for (const RunReport& run : runs) {
-    sum += run.episodes;
+    total += run.*number;
   }
-  return sum;
-}
-
-std::int64_t ImportReport::frames() const {
-  std::int64_t sum = 0;
-  for (const RunReport& run : runs) {
-    sum += run.frames;
-  }
-  return sum;
-}
-
-std::int64_t ImportReport::frames_not_tracked() const {
-  std::int64_t sum = 0;
-  for (const RunReport& run : runs) {
-    sum += run.frames_not_tracked;
-  }
-  return sum;
+  return total;
 }
 
 nlohmann::ordered_json to_json(const ImportReport& report) {
   nlohmann::ordered_json json;
-  json["episodes"] = report.episodes();
-  json["frames"] = report.frames();
-  json["frames_not_tracked"] = report.frames_not_tracked();
+  json["episodes"] = report.sum(&RunReport::episodes);
+  json["frames"] = report.sum(&RunReport::frames);
+  json["frames_not_tracked"] = report.sum(&RunReport::frames_not_tracked);
   json["logs"] = nlohmann::ordered_json::array();
   for (const RunReport& run : report.runs) {
     json["logs"].push_back(to_json(run));
@@ -368,12 +352,13 @@ std::string to_text(const ImportReport& report) {
     text += (many ? one_line(run) : to_text(run)) + "\n";
   }
   text += many ? notes_of_all(report.runs) : std::string();
-  text += report.columns.segments.empty() ? "" : to_text(report.columns);
+  text += report.columns.empty() ? "" : to_text(report.columns);
   if (report.episode_errors) {
     text += episodes_to_text(*report.episode_errors);
   }
-  return text + fmt::format("{} episodes, {} frames, {} of them not tracked", report.episodes(),
-                            report.frames(), report.frames_not_tracked());
+  return text + fmt::format("{} episodes, {} frames, {} of them not tracked",
+                            report.sum(&RunReport::episodes), report.sum(&RunReport::frames),
+                            report.sum(&RunReport::frames_not_tracked));
 }
 
 }  // namespace limber

@@ -13,8 +13,6 @@ namespace limber {
 namespace {
 
 constexpr double kTimeRounding_s = 1e-6;
-
-constexpr double kRate_hz = 10.0;
 constexpr double kMinTurn_rad = 0.02;  // standard deviation; markers 50 mm apart see 0.01 in noise
 constexpr double kMinChange = 0.02;    // of the limit, from lowest to highest
 constexpr double kForgotten = 0.05;    // of an autocorrelation; what follows is noise
@@ -120,13 +118,14 @@ LevelTable levels_of(const BackboneTrack& motion, const CommandTrack& commands,
   const Turns told{commands.time_s, commands.values, !commands.measured};
   const double start_s = std::max(motion.time_s.front(), commands.time_s.front());
   const double end_s = std::min(motion.time_s.back(), commands.time_s.back());
-  const auto max_rows = static_cast<Eigen::Index>(std::max(0.0, end_s - start_s) * kRate_hz) + 1;
+  const auto max_rows =
+      static_cast<Eigen::Index>(std::max(0.0, end_s - start_s) * kLevelRate_hz) + 1;
   const Eigen::Index n = arm.segment_count();
   const Eigen::Index columns = commands.values.cols();
   LevelTable levels{Eigen::MatrixXd(max_rows, n), Eigen::MatrixXd(max_rows, columns), {}};
   Eigen::Index rows = 0;
   for (Eigen::Index k = 0; k < max_rows; ++k) {
-    const double time_s = start_s + double(k) / kRate_hz;
+    const double time_s = start_s + double(k) / kLevelRate_hz;
     for (Eigen::Index i = 0; i < n; ++i) {
       levels.turn_rad(rows, i) = seen.at(time_s, i);
     }

@@ -26,8 +26,10 @@ Turns turns_of(const BackboneTrack& motion, const ArmDescription& arm);
 /// Told: what the no-load model makes of the commands; where that is straight, the commands.
 Turns turns_of(const CommandTrack& commands, const ArmDescription& arm);
 
-/// What a log's segments turned by and what its columns said, on one clock, at 10 Hz. Levels, not
-/// rates: friction and lag change how a segment gets somewhere more than where it gets.
+inline constexpr double kLevelRate_hz = 10.0;
+
+/// What a log's segments turned by and what its columns said, on one clock, at that rate. Levels,
+/// not rates: friction and lag change how a segment gets somewhere more than where it gets.
 struct LevelTable {
   Eigen::MatrixXd turn_rad;            ///< T×n, positive to the left
   Eigen::MatrixXd command;             ///< T×n (T×M before sums), as the log has it

@@ -103,7 +103,7 @@ void check_clock(const std::string& log, const TimeColumn& time, const std::vect
         found(log, time, rate_hz), lowest_hz, kFastestLog_hz, arm.name, arm.frame_rate_hz,
         advice(time, rate_hz, lowest_hz));
     if (rate_hz >= kSlowArm_hz && unit_guess(time, rate_hz, lowest_hz).empty()) {
-      throw SlowLog(message, rate_hz);
+      throw SlowLog(message);
     }
     throw InputError(message);
   }

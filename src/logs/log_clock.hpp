@@ -12,12 +12,7 @@ namespace limber {
 /// A log with a plausible clock that is slower than the arm: another frame rate in the arm file
 /// would do.
 class SlowLog : public InputError {
- public:
-  SlowLog(const std::string& message, double rate_hz) : InputError(message), rate_hz_(rate_hz) {}
-  double rate_hz() const { return rate_hz_; }
-
- private:
-  double rate_hz_;
+  using InputError::InputError;
 };
 
 /// What is said where several logs are to be imported and some are slower than the arm.

@@ -1,6 +1,7 @@
 #include "limber/logs/log_import.hpp"
 
 #include <algorithm>
+#include <type_traits>
 
 #include <fmt/format.h>
 
@@ -19,7 +20,8 @@
 #include "log_table.hpp"
 #include "motive_csv.hpp"
 #include "motive_plates.hpp"
-#include "space_import.hpp"
+#include "space_backbone.hpp"
+#include "space_tracks.hpp"
 
 namespace limber {
 
@@ -28,14 +30,17 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The clocks of both logs, before anything is measured or allocated by them.
+template <class Tracks>
 void check_clocks(const std::string& log, const std::string& command_log,
-                  const ImportMapping& mapping, const ArmDescription& arm, LogRun& run) {
+                  const ImportMapping& mapping, const ArmDescription& arm, RunOf<Tracks>& run) {
   check_clock(log, run.time, run.points.time_s, arm);
   run.report.rate_hz = median_rate_hz(run.points.time_s);
   run.report.duration_s = run.points.time_s.back() - run.points.time_s.front();
   if (!run.one_clock) {
     check_clock(command_log, mapping.commands.time, run.commands.time_s, arm);
-    check_span(command_log, mapping.commands.time, run.commands.time_s, log, run.points.time_s);
+    if (!arm.is_spatial()) {
+      check_span(command_log, mapping.commands.time, run.commands.time_s, log, run.points.time_s);
+    }
   }
 }
 
@@ -73,26 +78,27 @@ void refuse_columns_behind_clocks(const std::string& log, const std::string& com
 /// Adds the offset, given or found, to the commands' times.
 void bring_clocks_together(const std::string& log, const std::string& command_log,
                            const ImportOptions& options, const ArmDescription& arm,
-                           const BackboneTrack& motion, LogRun& run) {
+                           const BackboneTrack& motion, CommandTrack& commands, RunReport& report) {
   ClockReport clock;
   if (options.time_offset_s) {
     clock.offset_s = *options.time_offset_s;
   } else {
-    const ClockMatch match = match_clocks(motion, run.commands, arm);
-    refuse_columns_behind_clocks(log, command_log, options.mapping, arm, motion, run.commands,
-                                 match);
+    const ClockMatch match = match_clocks(motion, commands, arm);
+    refuse_columns_behind_clocks(log, command_log, options.mapping, arm, motion, commands, match);
     if (!match.is_decisive()) {
       refuse_clocks(log, command_log, arm, match);
     }
     clock = {match.offset_s, true, match.correlation, match.lag_s, match.runner_up};
   }
-  run.commands = shifted(std::move(run.commands), clock.offset_s);
-  run.report.clock = clock;
+  commands = shifted(std::move(commands), clock.offset_s);
+  report.clock = clock;
 }
 
+/// @param levels  gets those of the run, of an arm in the plane
+template <class Tracks>
 std::vector<Episode> import_run(const fs::path& log, const std::string& command_log,
                                 const ImportOptions& options, const ArmDescription& arm,
-                                LogRun& run, LevelTable& levels) {
+                                RunOf<Tracks>& run, std::vector<LevelTable>& levels) {
   const std::string name = name_of(log, run.report);
   put_in_order(name, run.points, run.report);
   const std::string& commands_from = command_log.empty() ? name : command_log;
@@ -106,21 +112,30 @@ std::vector<Episode> import_run(const fs::path& log, const std::string& command_
   const BackboneTrack motion =
       build_backbone(name, std::move(run.points), options.mapping, arm, run.report);
   if (!run.one_clock || options.time_offset_s) {
-    bring_clocks_together(name, commands_from, options, arm, motion, run);
+    bring_clocks_together(name, commands_from, options, arm, motion, run.commands, run.report);
   }
-  levels = levels_of(motion, run.commands, arm);
-  return resample(name, motion, run.commands, arm, options.mapping.longest_gap_s, run.report);
+  if (!arm.is_spatial()) {
+    levels.push_back(levels_of(motion, run.commands, arm));
+  }
+  std::vector<Episode> episodes =
+      resample(name, motion, run.commands, arm, options.mapping.longest_gap_s, run.report);
+  for (Episode& episode : episodes) {
+    episode.log = run.report.name;
+    episode.lifted = run.report.space && run.report.space->lifted;
+  }
+  return episodes;
 }
 
 /// Reads every log again for its rate alone, so that one message says what all of them ask for.
 template <class ReadRuns>
-[[noreturn]] void refuse_all_slow_logs(const std::vector<fs::path>& logs, const ArmDescription& arm,
+[[noreturn]] void refuse_all_slow_logs(const std::vector<fs::path>& logs,
+                                       const ImportOptions& options, const ArmDescription& arm,
                                        const ReadRuns& read_runs) {
   std::vector<std::string> names;
   std::vector<double> rates_hz;
   for (std::size_t i = 0; i < logs.size(); ++i) {
     throw_if_interrupted();
-    for (LogRun& run : read_runs(logs[i], i)) {
+    for (auto& run : read_runs(logs[i], i, options, arm)) {
       const std::string name = name_of(logs[i], run.report);
       RunReport unused;
       put_in_order(name, run.points, unused);
@@ -131,6 +146,7 @@ template <class ReadRuns>
   refuse_slow_logs(names, rates_hz, arm);
 }
 
+/// @param read_runs  (log, its number, options, arm) to its runs
 template <class ReadRuns>
 ImportResult import_logs(const std::vector<fs::path>& logs, const ImportOptions& options,
                          const ArmDescription& arm, const char* kind, const ReadRuns& read_runs) {
@@ -139,29 +155,30 @@ ImportResult import_logs(const std::vector<fs::path>& logs, const ImportOptions&
   std::vector<std::string> run_names;
   std::vector<LevelTable> levels;
   for (std::size_t i = 0; i < logs.size(); ++i) {
+    throw_if_interrupted();
     const std::string command_log =
         options.command_logs.empty() ? std::string() : options.command_logs[i].string();
-    for (LogRun& run : read_runs(logs[i], i)) {
+    for (auto& run : read_runs(logs[i], i, options, arm)) {
       run_names.push_back(name_of(logs[i], run.report));
-      LevelTable& own = levels.emplace_back();
       try {
-        for (Episode& episode : import_run(logs[i], command_log, options, arm, run, own)) {
-          episode.log = run.report.name;
+        for (Episode& episode : import_run(logs[i], command_log, options, arm, run, levels)) {
           result.recording.episodes.push_back(std::move(episode));
         }
       } catch (const SlowLog&) {
-        if (logs.size() > 1) {
-          refuse_all_slow_logs(logs, arm, read_runs);
+        if (logs.size() > 1 && !arm.is_spatial()) {
+          refuse_all_slow_logs(logs, options, arm, read_runs);
         }
         throw;
       }
       result.report.runs.push_back(std::move(run.report));
     }
   }
-  check_columns(run_names, levels, with_sums_named(options.mapping, arm), arm,
-                result.report.columns);
-  if (result.recording.untracked_count() < result.recording.frame_count()) {
-    result.report.episode_errors = errors_of_any(arm, result.recording.episodes);
+  if (!arm.is_spatial()) {
+    check_columns(run_names, levels, with_sums_named(options.mapping, arm), arm,
+                  result.report.columns);
+    if (result.recording.untracked_count() < result.recording.frame_count()) {
+      result.report.episode_errors = errors_of_any(arm, result.recording.episodes);
+    }
   }
   describe(kind, logs, options.mapping, result);
   return result;
@@ -181,25 +198,70 @@ ImportOptions as_counted(const fs::path& log, ImportOptions options, const ArmDe
   return options;
 }
 
+/// Of an arm in space they are on the motion log's clock, or `time_offset_s` off it: nothing is
+/// found by correlation.
+template <class Tracks>
+void add_command_log(const fs::path& log, const ImportOptions& options, const ArmDescription& arm,
+                     RunOf<Tracks>& run) {
+  if (arm.is_spatial() && !options.time_offset_s) {
+    throw InputError(fmt::format(
+        "{}: clocks of two logs are not compared for arms in space. Give what is to be added to "
+        "its times: --time-offset-s 0, where both logs have one clock",
+        log.string()));
+  }
+  run.one_clock = false;
+  run.commands = read_command_log(log, options.mapping, arm, run.report);
+}
+
+template <class Tracks>
+std::vector<RunOf<Tracks>> read_csv(const fs::path& log, std::size_t number,
+                                    const ImportOptions& options, const ArmDescription& arm) {
+  const bool inside = options.command_logs.empty();
+  std::vector<RunOf<Tracks>> runs;
+  if constexpr (std::is_same_v<Tracks, SpaceTracks>) {
+    const ImportMapping& mapping = options.mapping;
+    runs = read_runs<Tracks>(
+        log, mapping, arm, inside,
+        [&](WantedColumns& wanted) { want_space_points(log.string(), mapping, wanted); },
+        [&](const LogTable& table, const RowGroup& group, RunReport& report) {
+          return space_tracks_of(table, group, mapping, report);
+        });
+  } else {
+    runs = read_csv_runs(log, options.mapping, arm, inside);
+  }
+  if (!inside) {
+    require_one_recording(log, runs.size());
+    add_command_log(options.command_logs[number], options, arm, runs.front());
+  }
+  return runs;
+}
+
+template <class Tracks>
+std::vector<RunOf<Tracks>> read_motive(const fs::path& log, std::size_t number,
+                                       const ImportOptions& options, const ArmDescription& arm) {
+  std::vector<RunOf<Tracks>> runs(1);
+  RunOf<Tracks>& run = runs.front();
+  const MotiveTake take = read_motive_csv(log, run.report);
+  run.report.name = log.filename().string();
+  run.report.rows = static_cast<std::int64_t>(take.time_s.size());
+  run.time = {"Time (Seconds)", 1.0, "s"};
+  if constexpr (std::is_same_v<Tracks, SpaceTracks>) {
+    run.points = space_motive_tracks(log.string(), take, options.mapping, arm, run.report);
+  } else {
+    run.points = motive_points(log.string(), take, options.mapping, arm, run.report);
+  }
+  add_command_log(options.command_logs[number], options, arm, run);
+  return runs;
+}
+
 }  // namespace
 
 ImportResult import_csv(const std::vector<fs::path>& logs, const ImportOptions& asked,
                         const ArmDescription& arm) {
   require_logs(logs);
   const ImportOptions options = as_counted(first_of(logs), asked, arm);
-  if (arm.is_spatial()) {
-    return import_space_csv(logs, options, arm);
-  }
-  return import_logs(logs, options, arm, "csv", [&](const fs::path& log, std::size_t i) {
-    const bool inside = options.command_logs.empty();
-    std::vector<LogRun> runs = read_csv_runs(log, options.mapping, arm, inside);
-    if (!inside) {
-      require_one_recording(log, runs.size());
-      runs.front().commands =
-          read_command_log(options.command_logs[i], options.mapping, arm, runs.front().report);
-    }
-    return runs;
-  });
+  return arm.is_spatial() ? import_logs(logs, options, arm, "csv", read_csv<SpaceTracks>)
+                          : import_logs(logs, options, arm, "csv", read_csv<PointTracks>);
 }
 
 ImportResult import_motive(const std::vector<fs::path>& logs, const ImportOptions& asked,
@@ -211,21 +273,8 @@ ImportResult import_motive(const std::vector<fs::path>& logs, const ImportOption
         logs.front().string(), arm.command.name));
   }
   const ImportOptions options = as_counted(first_of(logs), asked, arm);
-  if (arm.is_spatial()) {
-    return import_space_motive(logs, options, arm);
-  }
-  return import_logs(logs, options, arm, "motive", [&](const fs::path& log, std::size_t i) {
-    std::vector<LogRun> runs(1);
-    LogRun& run = runs.front();
-    const MotiveTake take = read_motive_csv(log, run.report);
-    run.report.name = log.filename().string();
-    run.report.rows = static_cast<std::int64_t>(take.time_s.size());
-    run.time = {"Time (Seconds)", 1.0, "s"};
-    run.points = motive_points(log.string(), take, options.mapping, arm, run.report);
-    run.one_clock = false;
-    run.commands = read_command_log(options.command_logs[i], options.mapping, arm, run.report);
-    return runs;
-  });
+  return arm.is_spatial() ? import_logs(logs, options, arm, "motive", read_motive<SpaceTracks>)
+                          : import_logs(logs, options, arm, "motive", read_motive<PointTracks>);
 }
 
 }  // namespace limber

@@ -13,29 +13,6 @@ namespace limber {
 
 namespace {
 
-void keep(std::vector<double>& values, const std::vector<std::size_t>& order) {
-  if (values.empty()) {
-    return;
-  }
-  std::vector<double> kept;
-  kept.reserve(order.size());
-  for (const std::size_t row : order) {
-    kept.push_back(values[row]);
-  }
-  values = std::move(kept);
-}
-
-void keep(Eigen::MatrixXd& matrix, const std::vector<std::size_t>& order) {
-  if (matrix.size() == 0) {
-    return;
-  }
-  Eigen::MatrixXd kept(static_cast<Eigen::Index>(order.size()), matrix.cols());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    kept.row(static_cast<Eigen::Index>(i)) = matrix.row(static_cast<Eigen::Index>(order[i]));
-  }
-  matrix = std::move(kept);
-}
-
 void append(std::vector<std::string>& names, const std::vector<std::string>& more) {
   names.insert(names.end(), more.begin(), more.end());
 }
@@ -134,18 +111,41 @@ class RowOrder {
 
 }  // namespace
 
+void keep_rows(std::vector<double>& values, const std::vector<std::size_t>& order) {
+  if (values.empty()) {
+    return;
+  }
+  std::vector<double> kept;
+  kept.reserve(order.size());
+  for (const std::size_t row : order) {
+    kept.push_back(values[row]);
+  }
+  values = std::move(kept);
+}
+
+void keep_rows(Eigen::MatrixXd& matrix, const std::vector<std::size_t>& order) {
+  if (matrix.size() == 0) {
+    return;
+  }
+  Eigen::MatrixXd kept(static_cast<Eigen::Index>(order.size()), matrix.cols());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    kept.row(static_cast<Eigen::Index>(i)) = matrix.row(static_cast<Eigen::Index>(order[i]));
+  }
+  matrix = std::move(kept);
+}
+
 void keep_rows(PointTracks& tracks, const std::vector<std::size_t>& order) {
-  keep(tracks.time_s, order);
-  keep(tracks.x_m, order);
-  keep(tracks.y_m, order);
-  keep(tracks.theta_rad, order);
+  keep_rows(tracks.time_s, order);
+  keep_rows(tracks.x_m, order);
+  keep_rows(tracks.y_m, order);
+  keep_rows(tracks.theta_rad, order);
 }
 
 void keep_rows(CommandTrack& track, const std::vector<std::size_t>& order) {
-  keep(track.time_s, order);
-  keep(track.values, order);
-  keep(track.setpoint, order);
-  keep(track.motion, order);
+  keep_rows(track.time_s, order);
+  keep_rows(track.values, order);
+  keep_rows(track.setpoint, order);
+  keep_rows(track.motion, order);
 }
 
 std::vector<RowGroup> group_rows(const LogTable& table) {
@@ -222,14 +222,6 @@ CommandTrack commands_of(const LogTable& table, std::size_t first, const RowGrou
     track.setpoint.resize(0, 0);
   }
   return track;
-}
-
-RowGroup all_rows(const LogTable& table) {
-  RowGroup all;
-  for (std::size_t row = 0; row < table.row_count(); ++row) {
-    all.rows.push_back(row);
-  }
-  return all;
 }
 
 std::vector<std::size_t> rows_in_order(const std::string& log, const std::vector<double>& time_s,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,9 @@
 #include "log_table.hpp"
 
 namespace limber {
+
+inline constexpr double kBaseStandsStill_m = 0.005;  // motion capture is better than that
+inline constexpr double kShortestChord = 0.2;  // over the length at rest; an arc of 4.6 rad has it
 
 /// Where a log saw points of an arm, in one plane and on the log's own clock. T rows, k points; NaN
 /// where a point was not tracked. Metres, radians, seconds; the frame is the log's own until
@@ -26,6 +30,10 @@ struct PointTracks {
   int point_count() const { return static_cast<int>(plates.size()); }
   Eigen::Index row_count() const { return static_cast<Eigen::Index>(time_s.size()); }
   bool has_headings() const { return theta_rad.size() > 0; }
+  bool is_tracked(Eigen::Index t, Eigen::Index i) const {
+    return std::isfinite(x_m(t, i)) && std::isfinite(y_m(t, i)) &&
+           (!has_headings() || std::isfinite(theta_rad(t, i)));
+  }
 };
 
 /// Commands (pressures, or what the arm file says) in the arm's unit on the log's own clock; NaN
@@ -53,7 +61,9 @@ struct BackboneTrack {
   Eigen::Index row_count() const { return static_cast<Eigen::Index>(time_s.size()); }
 };
 
-/// Puts the rows of both kinds of track into the order of `order`.
+/// Keeps these rows, in this order; what is empty stays empty.
+void keep_rows(std::vector<double>& values, const std::vector<std::size_t>& order);
+void keep_rows(Eigen::MatrixXd& matrix, const std::vector<std::size_t>& order);
 void keep_rows(PointTracks& tracks, const std::vector<std::size_t>& order);
 void keep_rows(CommandTrack& track, const std::vector<std::size_t>& order);
 
@@ -65,7 +75,6 @@ struct RowGroup {
 
 /// By the table's labels, in the order of first appearance; one group where it has none.
 std::vector<RowGroup> group_rows(const LogTable& table);
-RowGroup all_rows(const LogTable& table);
 
 /// Those rows of a column, times `factor`.
 std::vector<double> picked(const std::vector<double>& column, const std::vector<std::size_t>& rows,

@@ -96,18 +96,10 @@ CommandTrack read_command_log(const std::filesystem::path& path, const ImportMap
   wanted.names.push_back(mapping.commands.time.column);
   want_commands(mapping.commands, wanted);
   const LogTable table = read_log_table(path, mapping, wanted, report);
-  const RowGroup all = all_rows(table);
+  const RowGroup all = group_rows(table).front();
   CommandTrack track = commands_of(table, 1, all, mapping, arm);
   track.time_s = picked(table.columns[0], all.rows, mapping.commands.time.seconds_per_unit);
   return track;
-}
-
-void put_in_order(const std::string& log, PointTracks& tracks, RunReport& report) {
-  keep_rows(tracks, rows_in_order(log, tracks.time_s, report));
-}
-
-void put_in_order(const std::string& log, CommandTrack& track, RunReport& report) {
-  keep_rows(track, rows_in_order(log, track.time_s, report));
 }
 
 void require_logs(const std::vector<std::filesystem::path>& logs) {

@@ -85,8 +85,10 @@ CommandTrack read_command_log(const std::filesystem::path& path, const ImportMap
 /// rows out of order are sorted, each noted.
 /// @throws InputError if time is no time of one recording: shuffled, starting again, standing
 /// still.
-void put_in_order(const std::string& log, PointTracks& tracks, RunReport& report);
-void put_in_order(const std::string& log, CommandTrack& track, RunReport& report);
+template <class Track>
+void put_in_order(const std::string& log, Track& track, RunReport& report) {
+  keep_rows(track, rows_in_order(log, track.time_s, report));
+}
 
 // What imports of arms in the plane and in space do in the same way.
 
@@ -103,35 +105,6 @@ void require_one_recording(const std::filesystem::path& log, std::size_t found);
 /// What messages call a run.
 std::string name_of(const std::filesystem::path& log, const RunReport& report);
 
-/// Has rows of one point that are hidden for at most `longest_gap_s` bridged, and marks these and
-/// the lost ones.
-/// @param is_tracked  of a row; `bridge`: (row before, row behind) puts rows between these two
-/// @return rows in which it was missing
-template <class IsTracked, class Bridge>
-Eigen::Index bridge_hidden_rows(const std::vector<double>& time_s, double longest_gap_s,
-                                const IsTracked& is_tracked, const Bridge& bridge,
-                                std::vector<bool>& tracked, std::vector<bool>& bridged) {
-  const auto rows = static_cast<Eigen::Index>(time_s.size());
-  Eigen::Index missing = 0;
-  Eigen::Index before = -1;
-  for (Eigen::Index t = 0; t <= rows; ++t) {
-    if (t < rows && !is_tracked(t)) {
-      ++missing;
-      continue;
-    }
-    const bool is_short = before >= 0 && t < rows &&
-                          time_s[std::size_t(t)] - time_s[std::size_t(before)] <= longest_gap_s;
-    if (is_short) {
-      bridge(before, t);
-    }
-    for (Eigen::Index gap = before + 1; gap < t; ++gap) {
-      (is_short ? bridged : tracked)[std::size_t(gap)] = is_short;
-    }
-    before = t;
-  }
-  return missing;
-}
-
 /// Adds how often a point was tracked. @param missing  of `rows`
 /// @throws InputError where it never was
 void note_point(const std::string& log, const std::string& name, int plate, Eigen::Index missing,
@@ -141,6 +114,53 @@ void note_point(const std::string& log, const std::string& name, int plate, Eige
 void note_hidden_rows(const std::string& log, double longest_gap_s,
                       const std::vector<bool>& tracked, const std::vector<bool>& bridged,
                       RunReport& report);
+
+/// Has rows of point `i` that are hidden for at most `longest_gap_s` bridged, and marks these and
+/// the lost ones.
+/// @param bridge  (row before, row behind, i, tracks) puts rows between these two
+/// @return rows in which it was missing
+template <class Tracks, class Bridge>
+Eigen::Index bridge_hidden_rows(double longest_gap_s, Eigen::Index i, Tracks& tracks,
+                                BackboneTrack& track, const Bridge& bridge) {
+  const Eigen::Index rows = tracks.row_count();
+  Eigen::Index missing = 0;
+  Eigen::Index before = -1;
+  for (Eigen::Index t = 0; t <= rows; ++t) {
+    if (t < rows && !tracks.is_tracked(t, i)) {
+      ++missing;
+      continue;
+    }
+    const bool is_short =
+        before >= 0 && t < rows &&
+        tracks.time_s[std::size_t(t)] - tracks.time_s[std::size_t(before)] <= longest_gap_s;
+    if (is_short) {
+      bridge(before, t, i, tracks);
+    }
+    for (Eigen::Index gap = before + 1; gap < t; ++gap) {
+      (is_short ? track.bridged : track.tracked)[std::size_t(gap)] = is_short;
+    }
+    before = t;
+  }
+  return missing;
+}
+
+/// Puts points that are missing for at most `longest_gap_s` between their neighbours in time, and
+/// says in `track` which rows are tracked or bridged.
+/// @throws InputError, its message beginning with `log`, where a point was never tracked or no row
+/// is left
+template <class Tracks, class Bridge>
+void fill_gaps(const std::string& log, double longest_gap_s, Tracks& tracks, BackboneTrack& track,
+               RunReport& report, const Bridge& bridge) {
+  const Eigen::Index rows = tracks.row_count();
+  track.tracked.assign(std::size_t(rows), true);
+  track.bridged.assign(std::size_t(rows), false);
+  for (Eigen::Index i = 0; i < tracks.point_count(); ++i) {
+    const Eigen::Index missing = bridge_hidden_rows(longest_gap_s, i, tracks, track, bridge);
+    note_point(log, tracks.names[std::size_t(i)], tracks.plates[std::size_t(i)], missing, rows,
+               report);
+  }
+  note_hidden_rows(log, longest_gap_s, track.tracked, track.bridged, report);
+}
 
 CommandTrack shifted(CommandTrack commands, double offset_s);
 

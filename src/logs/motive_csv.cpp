@@ -82,15 +82,20 @@ class MotiveFile {
  private:
   [[noreturn]] void refuse(const std::string& message) const { csv_.refuse(1, message); }
 
+  static Texts texts_of(const std::vector<CsvCell>& cells) {
+    Texts texts;
+    for (const CsvCell& c : cells) {
+      texts.push_back(without_quotes(c.text));
+    }
+    return texts;
+  }
+
   bool next(Texts& row) {
     std::vector<CsvCell> cells;
     if (!csv_.next(cells)) {
       return false;
     }
-    row.clear();
-    for (const CsvCell& c : cells) {
-      row.push_back(without_quotes(c.text));
-    }
+    row = texts_of(cells);
     return true;
   }
 
@@ -105,10 +110,7 @@ class MotiveFile {
       CsvReader inner(row.front(), csv_.name());  // the whole line was quoted
       std::vector<CsvCell> cells;
       inner.next(cells);
-      row.clear();
-      for (const CsvCell& c : cells) {
-        row.push_back(without_quotes(c.text));
-      }
+      row = texts_of(cells);
     }
     require_format(row);
     // Keys by name: an unquoted comma in the take's name shifts everything after it.
@@ -116,7 +118,6 @@ class MotiveFile {
       const auto found = std::find(row.begin(), row.end(), key);
       return found == row.end() || found + 1 == row.end() ? std::string() : *(found + 1);
     };
-    take_.name = value("Take Name");
     take_.rotation_type = value("Rotation Type");
     read_length_unit(value("Length Units"));
     const std::string space = value("Coordinate Space");
@@ -131,14 +132,14 @@ class MotiveFile {
   void require_format(const Texts& row) {
     const std::string& first = row.front();
     if (first == "Format Version") {
-      take_.format_version = cell(row, 1);
+      const std::string version_text = cell(row, 1);
       double version = 0.0;
-      if (!parse_number(take_.format_version, version) || version < kOldestFormat) {
+      if (!parse_number(version_text, version) || version < kOldestFormat) {
         refuse(
             fmt::format("'Format Version' is '{}'; this program reads 1.2 and "
                         "later. Export the take again with a newer Motive, or "
                         "bring it as plain CSV ('limber import csv')",
-                        take_.format_version));
+                        version_text));
       }
       return;
     }

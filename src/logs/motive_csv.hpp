@@ -21,8 +21,6 @@ struct MotiveObject {
 /// An OptiTrack Motive take, as its CSV export has it. The file's own axes (y up unless the export
 /// says otherwise), metres.
 struct MotiveTake {
-  std::string name;
-  std::string format_version;
   std::string rotation_type;  ///< "Quaternion" or the order of the Euler angles, "XYZ" …
   std::vector<double> time_s;
   std::vector<MotiveObject> objects;

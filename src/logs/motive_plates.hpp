@@ -11,6 +11,7 @@
 #include "limber/logs/import_report.hpp"
 #include "log_rows.hpp"
 #include "motive_csv.hpp"
+#include "space_tracks.hpp"
 
 namespace limber {
 
@@ -42,6 +43,11 @@ class PlateFinder {
   /// @throws InputError where they are not as many as the arm has plates
   std::vector<PointSource> default_points(const ArmDescription& arm) const;
 
+  /// Those of the mapping, or the default ones where it names none.
+  std::vector<PointSource> points(const ImportMapping& mapping, const ArmDescription& arm) const {
+    return mapping.points.empty() ? default_points(arm) : mapping.points;
+  }
+
   /// @throws InputError naming those that are there
   const MotiveObject& body(const std::string& name) const;
   /// A measured one before a solved one. @throws InputError as `body`
@@ -66,5 +72,11 @@ class PlateFinder {
 PointTracks motive_points(const std::string& log, const MotiveTake& take,
                           const ImportMapping& mapping, const ArmDescription& arm,
                           RunReport& report);
+
+/// Bodies and markers of a take in the file's own axes, nothing projected.
+/// @throws InputError naming what is missing, and what is there
+SpaceTracks space_motive_tracks(const std::string& log, const MotiveTake& take,
+                                const ImportMapping& mapping, const ArmDescription& arm,
+                                RunReport& report);
 
 }  // namespace limber

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -13,7 +14,6 @@ namespace limber {
 
 namespace {
 
-constexpr double kStandsStill_m = 0.005;
 constexpr double kMostRows = 0.95;
 constexpr double kAlongSine = 1e-3;           // sine of the least angle between two axes
 constexpr std::size_t kRotationSample = 101;  // rotations compared with all others of the sample
@@ -62,6 +62,35 @@ Eigen::Vector3d median_position_m(const SpaceTracks& tracks, Eigen::Index point,
   return result;
 }
 
+/// The mean of rotations near the one from which most are least far: those that are far off, the
+/// fewer ones, do not count. @pre at least one
+Eigen::Quaterniond mean_rotation(const std::vector<Eigen::Quaterniond>& rotations) {
+  std::vector<Eigen::Quaterniond> sample;
+  const std::size_t step = 1 + rotations.size() / kRotationSample;
+  for (std::size_t i = 0; i < rotations.size(); i += step) {
+    sample.push_back(rotations[i]);
+  }
+  Eigen::Quaterniond middle = sample.front();
+  double least = std::numeric_limits<double>::max();
+  for (const Eigen::Quaterniond& candidate : sample) {
+    double sum = 0.0;
+    for (const Eigen::Quaterniond& other : sample) {
+      sum += candidate.angularDistance(other);
+    }
+    if (sum < least) {
+      least = sum;
+      middle = candidate;
+    }
+  }
+  Eigen::Vector4d mean = Eigen::Vector4d::Zero();
+  for (const Eigen::Quaterniond& rotation : rotations) {
+    if (middle.angularDistance(rotation) < kNearRotation_rad) {
+      mean += rotation.coeffs() * (rotation.dot(middle) < 0.0 ? -1.0 : 1.0);
+    }
+  }
+  return Eigen::Quaterniond(mean).normalized();
+}
+
 Eigen::Quaterniond mean_rotation_of(const SpaceTracks& tracks, Eigen::Index point,
                                     const std::vector<Eigen::Index>& rows) {
   std::vector<Eigen::Quaterniond> rotations;
@@ -94,6 +123,12 @@ Eigen::Quaterniond rotation_of_axes(const std::string& log, const Eigen::Vector3
   axes << x, y, x.cross(y);
   return Eigen::Quaterniond(axes);
 }
+
+/// Frame B of an arm in space in the log's frame, and what bodies' axes have to do with it.
+struct SpaceFrame {
+  SpacePose X_LB;
+  std::vector<Eigen::Quaterniond> body_to_plate;  ///< k; a plate's axes in its body's
+};
 
 class FrameFinder {
  public:
@@ -189,7 +224,7 @@ void settle_base(const std::string& log, const SpaceAlignment& alignment, SpaceT
   }
   required_rows(log, tracks, 0, std::nullopt);
   report.space->base_scatter_m = base_scatter_m(tracks);
-  if (report.space->base_scatter_m >= kStandsStill_m) {
+  if (report.space->base_scatter_m >= kBaseStandsStill_m) {
     report.note("the base moves: it is left where it was tracked",
                 fmt::format("95 % within {:.1f} mm of its median place",
                             1e3 * report.space->base_scatter_m));
@@ -204,33 +239,6 @@ void settle_base(const std::string& log, const SpaceAlignment& alignment, SpaceT
 }
 
 }  // namespace
-
-Eigen::Quaterniond mean_rotation(const std::vector<Eigen::Quaterniond>& rotations) {
-  std::vector<Eigen::Quaterniond> sample;
-  const std::size_t step = 1 + rotations.size() / kRotationSample;
-  for (std::size_t i = 0; i < rotations.size(); i += step) {
-    sample.push_back(rotations[i]);
-  }
-  Eigen::Quaterniond middle = sample.front();
-  double least = std::numeric_limits<double>::max();
-  for (const Eigen::Quaterniond& candidate : sample) {
-    double sum = 0.0;
-    for (const Eigen::Quaterniond& other : sample) {
-      sum += candidate.angularDistance(other);
-    }
-    if (sum < least) {
-      least = sum;
-      middle = candidate;
-    }
-  }
-  Eigen::Vector4d mean = Eigen::Vector4d::Zero();
-  for (const Eigen::Quaterniond& rotation : rotations) {
-    if (middle.angularDistance(rotation) < kNearRotation_rad) {
-      mean += rotation.coeffs() * (rotation.dot(middle) < 0.0 ? -1.0 : 1.0);
-    }
-  }
-  return Eigen::Quaterniond(mean).normalized();
-}
 
 void align_in_space(const std::string& log, const SpaceAlignment& alignment, SpaceTracks& tracks,
                     RunReport& report) {

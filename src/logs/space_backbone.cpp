@@ -25,9 +25,8 @@ namespace limber {
 
 namespace {
 
-constexpr double kLongestSpaceChord = 1.5;   // over the length at rest, as recordings allow
-constexpr double kShortestSpaceChord = 0.2;  // an arc of 4.6 rad has this
-constexpr double kFarthestOffX_rad = 1.2;    // half of how far an arm bends between two points
+constexpr double kLongestSpaceChord = 1.5;  // over the length at rest, as recordings allow
+constexpr double kFarthestOffX_rad = 1.2;   // half of how far an arm bends between two points
 constexpr double kShortShare = 0.05;
 constexpr double kLongShare = 0.95;
 
@@ -64,13 +63,13 @@ class GapMeasurement {
     for (std::size_t i = 0; i < gaps_.size(); ++i) {
       const double chord_m = median(gaps_[i].chord_m);
       const double ratio = chord_m / rest_m(i);
-      if (ratio > kLongestSpaceChord || ratio < kShortestSpaceChord) {
+      if (ratio > kLongestSpaceChord || ratio < kShortestChord) {
         const std::string unit = unit_suspicion(ratio, mapping.length_unit);
         throw InputError(fmt::format(
             "{}: {} and {} are {:.4g} m apart in the median row; arm '{}' has {:.4g} m between "
             "them, and {:.4g} m to {:.4g} m are allowed. {}",
-            log, name(i), name(i + 1), chord_m, arm.name, rest_m(i),
-            kShortestSpaceChord * rest_m(i), kLongestSpaceChord * rest_m(i),
+            log, name(i), name(i + 1), chord_m, arm.name, rest_m(i), kShortestChord * rest_m(i),
+            kLongestSpaceChord * rest_m(i),
             unit.empty()
                 ? "Are the points in order, and is the base where 'alignment' says?"
                 : fmt::format("The mapping reads lengths in {}: {}", mapping.length_unit, unit)));
@@ -117,7 +116,7 @@ class GapMeasurement {
   std::vector<Gap> gaps_;
 };
 
-/// Rows t of (from, to) on the way between both.
+/// Rows t of (from, to) on the way between both, rotations on the shortest.
 void bridge_in_space(Eigen::Index from, Eigen::Index to, Eigen::Index i, SpaceTracks& tracks) {
   const auto time = [&](Eigen::Index t) { return tracks.time_s[std::size_t(t)]; };
   const SpacePose a = tracks.pose(from, i);
@@ -128,27 +127,6 @@ void bridge_in_space(Eigen::Index from, Eigen::Index to, Eigen::Index i, SpaceTr
         t, i,
         {a.position_m + part * (b.position_m - a.position_m), a.rotation.slerp(part, b.rotation)});
   }
-}
-
-/// Puts points that are missing for at most `longest_gap_s` between their neighbours in time,
-/// rotations on the shortest way, and says in `track` which rows are tracked or bridged.
-/// @throws InputError, its message beginning with `log`, where a point was never tracked or no row
-/// is left
-void fill_space_gaps(const std::string& log, double longest_gap_s, SpaceTracks& tracks,
-                     BackboneTrack& track, RunReport& report) {
-  const Eigen::Index rows = tracks.row_count();
-  track.tracked.assign(std::size_t(rows), true);
-  track.bridged.assign(std::size_t(rows), false);
-  for (Eigen::Index i = 0; i < tracks.point_count(); ++i) {
-    const std::string& name = tracks.names[std::size_t(i)];
-    const int plate = tracks.plates[std::size_t(i)];
-    const Eigen::Index missing = bridge_hidden_rows(
-        tracks.time_s, longest_gap_s, [&](Eigen::Index t) { return tracks.is_tracked(t, i); },
-        [&](Eigen::Index before, Eigen::Index t) { bridge_in_space(before, t, i, tracks); },
-        track.tracked, track.bridged);
-    note_point(log, name, plate, missing, rows, report);
-  }
-  note_hidden_rows(log, longest_gap_s, track.tracked, track.bridged, report);
 }
 
 constexpr double kStrayShare = 0.95;
@@ -265,9 +243,9 @@ SpacePose along(const SpacePose& step, double part) {
   return {end_of_strain(turned) * (part * strain), rotation_of_vector(turned)};
 }
 
-BackboneTrack build_space_backbone(const std::string& log, SpaceTracks tracks,
-                                   const ImportMapping& mapping, const ArmDescription& arm,
-                                   RunReport& report) {
+BackboneTrack build_backbone(const std::string& log, SpaceTracks tracks,
+                             const ImportMapping& mapping, const ArmDescription& arm,
+                             RunReport& report) {
   SpaceRunReport& space = report.space.emplace();
   space.repeated_rows = drop_repeated_poses(tracks);
   leave_out_rotations(!mapping.headings_measured, tracks, report);
@@ -275,7 +253,7 @@ BackboneTrack build_space_backbone(const std::string& log, SpaceTracks tracks,
   space.flips = settle_rotations(arm.length_m(), mapping.longest_gap_s, tracks);
   align_in_space(log, mapping.space_alignment, tracks, report);
   BackboneTrack track;
-  fill_space_gaps(log, mapping.longest_gap_s, tracks, track, report);
+  fill_gaps(log, mapping.longest_gap_s, tracks, track, report, bridge_in_space);
   std::vector<int> plates = tracks.plates;
   if (!tracks.tracks_base()) {
     plates.insert(plates.begin(), 0);

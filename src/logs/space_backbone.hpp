@@ -24,8 +24,8 @@ SpacePose along(const SpacePose& step, double part);
 /// @return poses T×7m, quaternions without jumps of sign
 /// @throws InputError, its message beginning with `log`, where a point was never tracked, frame B
 /// can't be found, or distances and directions between points are not the arm's.
-BackboneTrack build_space_backbone(const std::string& log, SpaceTracks tracks,
-                                   const ImportMapping& mapping, const ArmDescription& arm,
-                                   RunReport& report);
+BackboneTrack build_backbone(const std::string& log, SpaceTracks tracks,
+                             const ImportMapping& mapping, const ArmDescription& arm,
+                             RunReport& report);
 
 }  // namespace limber

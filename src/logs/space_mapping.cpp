@@ -97,7 +97,9 @@ PointSource read_space_point(const YamlReader& node, const EulerAngles& euler) {
 }
 
 bool same_source(const PointSource& a, const PointSource& b) {
-  return a.x == b.x && a.y == b.y && a.z == b.z && a.body == b.body && a.marker == b.marker;
+  return !a.x.empty()
+             ? a.x == b.x && a.y == b.y && a.z == b.z
+             : a.body == b.body && a.marker == b.marker && a.right == b.right && a.left == b.left;
 }
 
 /// All plates but the base have a rotation, or none.
@@ -117,16 +119,10 @@ void require_alike(const std::vector<YamlReader>& elements,
 
 std::vector<PointSource> read_space_points(const YamlReader& node, const ArmDescription& arm,
                                            const ImportMapping& mapping) {
-  std::vector<PointSource> points;
   const std::vector<YamlReader> elements = node.elements();
-  for (const YamlReader& element : elements) {
-    points.push_back(read_space_point(element, mapping.euler));
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-      if (same_source(points[i], points.back())) {
-        element.refuse(fmt::format("the same source as {} before it", point_name(Eigen::Index(i))));
-      }
-    }
-  }
+  std::vector<PointSource> points = read_sources(elements, [&](const YamlReader& element) {
+    return read_space_point(element, mapping.euler);
+  });
   if (points.empty()) {
     node.refuse("no points found; expected at least the arm's end");
   }
@@ -250,6 +246,21 @@ void require_base(const YamlReader& root, const ImportMapping& mapping) {
 }
 
 }  // namespace
+
+std::vector<PointSource> read_sources(
+    const std::vector<YamlReader>& elements,
+    const std::function<PointSource(const YamlReader&)>& read_point) {
+  std::vector<PointSource> points;
+  for (const YamlReader& element : elements) {
+    points.push_back(read_point(element));
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      if (same_source(points.back(), points[i])) {
+        element.refuse(fmt::format("the same source as {} before it", point_name(Eigen::Index(i))));
+      }
+    }
+  }
+  return points;
+}
 
 double factor_to(const YamlReader& node, const std::string& to) {
   const std::string from = node.text();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,11 @@ double factor_to(const YamlReader& node, const std::string& to);
 
 /// `headings: measured` or `tangent`.
 bool read_headings_measured(const YamlReader& node);
+
+/// What `read_point` makes of each of `elements`. @throws InputError where two have one source
+std::vector<PointSource> read_sources(
+    const std::vector<YamlReader>& elements,
+    const std::function<PointSource(const YamlReader&)>& read_point);
 
 /// Every point's plate: given, or counted where every plate has a point.
 /// @param node      of all points; `elements`, its points, one for each of `points`

@@ -208,15 +208,8 @@ void SpaceTracks::hide(Eigen::Index t, Eigen::Index i) {
 }
 
 void keep_rows(SpaceTracks& tracks, const std::vector<std::size_t>& order) {
-  Eigen::MatrixXd poses(static_cast<Eigen::Index>(order.size()), tracks.poses.cols());
-  std::vector<double> time_s;
-  for (std::size_t row = 0; row < order.size(); ++row) {
-    poses.row(static_cast<Eigen::Index>(row)) =
-        tracks.poses.row(static_cast<Eigen::Index>(order[row]));
-    time_s.push_back(tracks.time_s[order[row]]);
-  }
-  tracks.poses = std::move(poses);
-  tracks.time_s = std::move(time_s);
+  keep_rows(tracks.poses, order);
+  keep_rows(tracks.time_s, order);
 }
 
 void want_space_points(const std::string& log, const ImportMapping& mapping,

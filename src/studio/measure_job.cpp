@@ -7,6 +7,7 @@
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/json_number.hpp"
+#include "limber/data/episode_slice.hpp"
 #include "limber/training/yardsticks.hpp"
 #include "pressure_coverage.hpp"
 
@@ -19,19 +20,6 @@ using Json = nlohmann::ordered_json;
 constexpr std::uintmax_t kMaxBytes = 256U << 20U;  // of a file: it is read whole
 constexpr std::int64_t kMaxFrames = 36000;         // half an hour at 20 Hz: seconds of work
 
-Episode first_frames(const Episode& episode, Eigen::Index count) {
-  Episode part = episode;
-  part.time_s = episode.time_s.head(count);
-  part.pressure_kpa = episode.pressure_kpa.topRows(count);
-  part.setpoint_kpa = episode.setpoint_kpa.topRows(count);
-  part.backbone = episode.backbone.topRows(count);
-  part.motion_index.resize(static_cast<std::size_t>(count));
-  if (!part.tracked.empty()) {
-    part.tracked.resize(static_cast<std::size_t>(count));
-  }
-  return part;
-}
-
 /// Up to kMaxFrames of them.
 std::vector<Episode> first_frames(const std::vector<Episode>& episodes) {
   constexpr Eigen::Index kFewest = 3;  // that an error can be taken over
@@ -40,7 +28,7 @@ std::vector<Episode> first_frames(const std::vector<Episode>& episodes) {
   for (const Episode& episode : episodes) {
     const Eigen::Index count = std::min<Eigen::Index>(left, episode.frame_count());
     if (count >= kFewest) {
-      part.push_back(first_frames(episode, count));
+      part.push_back(slice(episode, 0, static_cast<int>(count)));
       left -= count;
     }
   }
@@ -81,10 +69,7 @@ void run_measure_job(const MeasureJob& job, const ProjectFolder& project, const 
   Recording recording = read_small(path, job.recording, scene.arm());
   const std::int64_t frames = recording.frame_count();
   std::vector<Episode> episodes = first_frames(recording.episodes);
-  std::int64_t frames_used = 0;
-  for (const Episode& episode : episodes) {
-    frames_used += episode.frame_count();
-  }
+  const std::int64_t frames_used = frame_count(episodes);
   const Json coverage = coverage_to_json(scene.arm(), episodes);
   const ForwardModel* network = scene.has_network() ? &scene.motion().forward() : nullptr;
   if (network != nullptr && network->compensation().learnt_from_setpoints) {

@@ -84,7 +84,7 @@ class Adapter {
 
   Adaptation run(const std::vector<Episode>& episodes) {
     const Halves halves = settings_.measures_errors ? split(episodes) : Halves{episodes, {}};
-    const ArmFit whole = fitted_to(episodes);
+    const ArmFit whole = fit_arm(arm_, family_, episodes, settings_.jobs);
     Adaptation result;
     result.model = whole.model;
     result.distance = whole.distance;
@@ -114,10 +114,6 @@ class Adapter {
   }
 
  private:
-  ArmFit fitted_to(const std::vector<Episode>& episodes) const {
-    return fit_arm(arm_, family_, episodes, settings_.jobs);
-  }
-
   double error_on(const CompensationModel& model, const std::vector<Episode>& episodes) const {
     const std::vector<RolloutPiece> pieces = pieces_of_length(episodes, kHeldBackPieceFrames);
     return mean_tip_error_m(roll_out(ForwardModel(arm_, model), episodes, pieces, settings_.jobs),
@@ -136,7 +132,7 @@ class Adapter {
   void judge(const Halves& halves, const std::vector<Episode>& episodes,
              const IdentifiedValves& valves, Adaptation& result) const {
     result.held_back_s = double(frame_count(halves.held_back)) * arm_.frame_period_s();
-    CompensationModel before = fitted_to(halves.seen).model;
+    CompensationModel before = fit_arm(arm_, family_, halves.seen, settings_.jobs).model;
     result.middle_error_m = error_on(family_, halves.held_back);
     result.fitted_error_m = error_on(before, halves.held_back);
     const bool is_too_wrong = result.fitted_error_m > kTooWrong * result.family_error_m;

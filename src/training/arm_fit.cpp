@@ -204,8 +204,8 @@ class Fit {
   Eigen::VectorXd gradient_;
 };
 
-/// The best of the family's middle and some of its arms.
-std::vector<Eigen::VectorXf> best_starts(const Windows& windows) {
+/// The lowest minimum that is found from the best of the family's middle and some of its arms.
+Fit best_fit(const Windows& windows) {
   const Eigen::MatrixXf& arms = windows.family().family->arms;
   std::vector<std::pair<float, Eigen::VectorXf>> starts;
   const auto add = [&](const Eigen::VectorXf& e) {
@@ -218,25 +218,11 @@ std::vector<Eigen::VectorXf> best_starts(const Windows& windows) {
   }
   std::ranges::stable_sort(starts, {}, &std::pair<float, Eigen::VectorXf>::first);
   starts.resize(std::min<std::size_t>(starts.size(), kGoneOnFrom));
-  std::vector<Eigen::VectorXf> best;
-  for (auto& [error, e] : starts) {
-    best.push_back(std::move(e));
-  }
-  return best;
-}
-
-Fit fitted_from(const Windows& windows, Eigen::VectorXf start) {
-  Fit fit(windows, std::move(start));
-  for (int k = 0; k < kMaxIterations && fit.improve(); ++k) {
-  }
-  return fit;
-}
-
-/// The lowest minimum that was found.
-Fit best_fit(const Windows& windows) {
   std::optional<Fit> best;
-  for (Eigen::VectorXf& start : best_starts(windows)) {
-    Fit fit = fitted_from(windows, std::move(start));
+  for (auto& [error, e] : starts) {
+    Fit fit(windows, std::move(e));
+    for (int k = 0; k < kMaxIterations && fit.improve(); ++k) {
+    }
     if (!best || fit.comparable_cost() < best->comparable_cost()) {
       best.emplace(std::move(fit));
     }

@@ -7,7 +7,6 @@
 #include <tbb/task_arena.h>
 
 #include "flushed_subnormals.hpp"
-#include "kernels/job_arena.hpp"
 #include "training_kernels.hpp"
 
 namespace limber {
@@ -29,33 +28,22 @@ int windows_per_chunk(int window_frames, int windows_per_batch) {
 
 }  // namespace
 
-/// The arena, and a workspace for each thread in it.
-struct BatchGradient::Threads {
-  explicit Threads(int jobs) : arena(jobs) {}
-
-  JobArena arena;
-  std::vector<WindowGradient<float>> workspaces;
-};
-
 BatchGradient::BatchGradient(const TrainingTables& tables, const ParameterLayout& layout,
                              int window_frames, int windows_per_batch, int jobs, int networks)
     : tables_(tables),
       parameters_(layout.size()),
       networks_(static_cast<std::size_t>(networks)),
       windows_per_chunk_(windows_per_chunk(window_frames, windows_per_batch)),
-      threads_(std::make_unique<Threads>(jobs)) {
+      arena_(jobs) {
   const int chunks = (windows_per_batch + windows_per_chunk_ - 1) / windows_per_chunk_;
   gradients_.assign(static_cast<std::size_t>(chunks),
                     Eigen::VectorXf::Zero(layout.size() * networks));
   losses_.assign(static_cast<std::size_t>(chunks) * networks_, 0.0);
   const int segments = static_cast<int>(tables.frames.pressure.rows());
-  for (int thread = 0; thread < threads_->arena.jobs(); ++thread) {
-    threads_->workspaces.emplace_back(layout, tables.map, segments, window_frames,
-                                      windows_per_chunk_);
+  for (int thread = 0; thread < arena_.jobs(); ++thread) {
+    workspaces_.emplace_back(layout, tables.map, segments, window_frames, windows_per_chunk_);
   }
 }
-
-BatchGradient::~BatchGradient() = default;
 
 void BatchGradient::compute_chunk(int chunk, std::span<const int> starts,
                                   const Eigen::VectorXf& parameters) {
@@ -65,7 +53,7 @@ void BatchGradient::compute_chunk(int chunk, std::span<const int> starts,
   const std::size_t first = index * static_cast<std::size_t>(windows_per_chunk_);
   const std::size_t count =
       std::min(starts.size() - first, static_cast<std::size_t>(windows_per_chunk_));
-  WindowGradient<float>& workspace = threads_->workspaces[thread];
+  WindowGradient<float>& workspace = workspaces_[thread];
   workspace.load(tables_.frames, starts.subspan(first, count));
   for (std::size_t network = 0; network < networks_; ++network) {
     const Eigen::Index offset = static_cast<Eigen::Index>(network) * parameters_;
@@ -90,7 +78,7 @@ std::span<const double> BatchGradient::compute(std::span<const int> starts,
   const std::size_t per_chunk = static_cast<std::size_t>(windows_per_chunk_);
   const std::size_t chunks = (starts.size() + per_chunk - 1) / per_chunk;
   assert(chunks >= 1 && chunks <= gradients_.size());
-  threads_->arena.execute([&] {
+  arena_.execute([&] {
     tbb::parallel_for(
         std::size_t{0}, chunks,
         [&](std::size_t chunk) { compute_chunk(static_cast<int>(chunk), starts, parameters); },
@@ -98,7 +86,7 @@ std::span<const double> BatchGradient::compute(std::span<const int> starts,
   });
   gradient.resize(gradients_.front().size());
   const auto size = static_cast<std::size_t>(gradient.size());
-  threads_->arena.execute([&] {
+  arena_.execute([&] {
     tbb::parallel_for(
         std::size_t{0}, (size + kNumbersPerSum - 1) / kNumbersPerSum,
         [&](std::size_t part) {

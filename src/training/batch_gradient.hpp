@@ -1,9 +1,9 @@
 #pragma once
 
-#include <memory>
 #include <span>
 #include <vector>
 
+#include "kernels/job_arena.hpp"
 #include "limber/training/window_gradient.hpp"
 #include "training_tables.hpp"
 
@@ -20,7 +20,6 @@ class BatchGradient {
   /// @param networks  N ≥ 1.
   BatchGradient(const TrainingTables& tables, const ParameterLayout& layout, int window_frames,
                 int windows_per_batch, int jobs, int networks = 1);
-  ~BatchGradient();
 
   /// Sums of the windows' errors, one per network; their gradients go to `gradient`.
   /// Valid until the next call. It allocates nothing of its own.
@@ -29,8 +28,6 @@ class BatchGradient {
                                   Eigen::VectorXf& gradient);
 
  private:
-  struct Threads;
-
   void compute_chunk(int chunk, std::span<const int> starts, const Eigen::VectorXf& parameters);
 
   /// Sum over the chunks of their numbers `first`, first + 1, …
@@ -43,7 +40,8 @@ class BatchGradient {
   int windows_per_chunk_;
   std::vector<Eigen::VectorXf> gradients_;  ///< N·P per chunk
   std::vector<double> losses_;              ///< N per chunk, the first chunk's become the sums
-  std::unique_ptr<Threads> threads_;
+  JobArena arena_;
+  std::vector<WindowGradient<float>> workspaces_;  ///< one for each thread of the arena
 };
 
 }  // namespace limber

@@ -20,17 +20,11 @@ using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
 constexpr const char* kSchema = "limber/checkpoint/4";
-constexpr int kMaxEpochs = 10'000'000;  // as --epochs; of a stage's numbers too
-constexpr double kMaxSeconds = 1e9;     // 30 years
+constexpr double kMaxSeconds = 1e9;  // 30 years
 constexpr std::uint64_t kMaxSteps = 1'000'000'000'000;
 
 Tensor to_tensor(const Eigen::VectorXf& vector) {
   return {{static_cast<std::size_t>(vector.size())}, {vector.begin(), vector.end()}};
-}
-
-Eigen::VectorXf to_vector(const Tensor& tensor) {
-  return Eigen::Map<const Eigen::VectorXf>(tensor.values.data(),
-                                           static_cast<Eigen::Index>(tensor.values.size()));
 }
 
 std::string rival_name(std::size_t rival) {
@@ -114,7 +108,7 @@ class CheckpointReader {
                            tensor.values[i], i, low == 0.0F ? ", not negative" : ""));
       }
     }
-    return to_vector(tensor);
+    return Eigen::Map<const Eigen::VectorXf>(tensor.values.data(), size);
   }
 
   Checkpoint read_state(const JsonReader& json, const std::string& identity) const {
@@ -193,12 +187,12 @@ class CheckpointReader {
   }
 
   void read_best(const JsonReader& json, TrainingState& state) const {
-    state.best_epoch = json.at("best_epoch").integer(0, state.epochs_done);
-    const bool is_known = state.best_epoch > 0;
-    state.best = vector("best", is_known ? run_.parameters : 0);
-    state.best_error_m = json.at("best_error_m").number(0.0);
+    state.best.epoch = json.at("best_epoch").integer(0, state.epochs_done);
+    const bool is_known = state.best.epoch > 0;
+    state.best.weights = vector("best", is_known ? run_.parameters : 0);
+    state.best.error_m = json.at("best_error_m").number(0.0);
     const int members = is_known && run_.validates ? run_.members : 0;
-    state.best_members_m =
+    state.best.members_m =
         json.at("best_members_m").numbers(static_cast<std::size_t>(members), "errors", 0.0);
   }
 
@@ -232,7 +226,7 @@ void write_checkpoint(const fs::path& path, const Checkpoint& checkpoint) {
   content.tensors["first_moment"] = to_tensor(state.optimiser.first_moment);
   content.tensors["second_moment"] = to_tensor(state.optimiser.second_moment);
   content.tensors["rotations"] = to_tensor(state.optimiser.rotations);
-  content.tensors["best"] = to_tensor(state.best);
+  content.tensors["best"] = to_tensor(state.best.weights);
   Json rivals = Json::array();
   for (std::size_t i = 0; i < state.rivals.size(); ++i) {
     const ValidatedEpoch& rival = state.rivals[i];
@@ -243,10 +237,10 @@ void write_checkpoint(const fs::path& path, const Checkpoint& checkpoint) {
   const Json numbers = {{"epochs_done", state.epochs_done},
                         {"step", state.optimiser.step},
                         {"stage_first_loss", state.stage_first_loss},
-                        {"best_error_m", state.best_error_m},
-                        {"best_members_m", state.best_members_m},
+                        {"best_error_m", state.best.error_m},
+                        {"best_members_m", state.best.members_m},
                         {"elapsed_s", checkpoint.elapsed_s},
-                        {"best_epoch", state.best_epoch},
+                        {"best_epoch", state.best.epoch},
                         {"rivals", std::move(rivals)},
                         {"stages", to_json(checkpoint.stages)},
                         {"curve", to_json(state.curve)}};

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "data_survey.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
@@ -17,7 +18,6 @@
 #include "limber/data/recording_inspection.hpp"
 #include "limber/training/run_errors.hpp"
 #include "limber/training/unseen_error.hpp"
-#include "number_bytes.hpp"
 #include "rollout.hpp"
 #include "shuffle.hpp"
 

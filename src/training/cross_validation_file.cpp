@@ -16,10 +16,9 @@ namespace {
 
 /// Without what it is worth.
 WayTried way_at(const JsonReader& row) {
-  constexpr int kMostEpochs = 10'000'000;
   constexpr int kMaxUnits = 4096;
   WayTried way;
-  way.epochs = row.at("epochs").integer(1, kMostEpochs);
+  way.epochs = row.at("epochs").integer(1, kMaxEpochs);
   for (const JsonReader& layer : row.at("hidden_units").elements("units of each hidden layer")) {
     way.hidden_units.push_back(layer.integer(1, kMaxUnits));
   }

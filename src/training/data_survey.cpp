@@ -8,7 +8,6 @@
 #include "limber/network/gap_bounds.hpp"
 #include "limber/training/episode_slices.hpp"
 #include "limber/training/gap_bounds_fit.hpp"
-#include "number_bytes.hpp"
 
 namespace limber {
 

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "limber/arm/arm_description.hpp"
@@ -23,5 +24,12 @@ DataSurvey survey_of(
     const ArmDescription& arm, const TrainingData& data, std::uint64_t seed,
     const CompensationModel* start,
     const std::function<void(const std::vector<int>&, const std::vector<Episode>&)>& on_slice);
+
+/// The numbers of a matrix of floats as they lie in memory, for hashes.
+template <class Matrix>
+std::string_view number_bytes(const Matrix& matrix) {
+  return {reinterpret_cast<const char*>(matrix.data()),
+          static_cast<std::size_t>(matrix.size()) * sizeof(typename Matrix::Scalar)};
+}
 
 }  // namespace limber

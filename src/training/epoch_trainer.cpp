@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "flushed_subnormals.hpp"
-#include "learnt_family.hpp"
 #include "learnt_kind.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
@@ -71,13 +70,12 @@ TrainingTables tables_for(const ArmDescription& arm, const TrainingData& data,
     require_episodes_of(episodes, arm, "training data");
   }
   episodes.insert(episodes.end(), data.replay.begin(), data.replay.end());
-  if (start == nullptr) {
-    return make_training_tables(arm, episodes, settings);
-  }
   TrainingTables like;
-  like.input = start->input;
-  like.output = start->output;
-  return make_training_tables(arm, episodes, settings, like);
+  if (start != nullptr) {
+    like.input = start->input;
+    like.output = start->output;
+  }
+  return make_training_tables(arm, episodes, settings, start != nullptr ? &like : nullptr);
 }
 
 }  // namespace
@@ -94,20 +92,17 @@ EpochTrainer::EpochTrainer(const ArmDescription& arm, const TrainingData& data,
       layout_(layout_for(tables_, settings, episode_arms_)),
       optimiser_(make_optimiser(settings.optimiser, layout_, members_, settings.jobs)),
       replayed_(data.replay.size()) {
-  TrainingTables like;
-  like.input = tables_.input;
-  like.output = tables_.output;
-  like.map = tables_.map;
   slice_count_ = static_cast<int>(slices_of(sliced_, settings.seed, 0).size());
   if (!loaded_.empty() && frame_count() > sliced_.slice_frames) {
     spilled_.emplace(settings.checkpoint);
   }
-  survey_ = survey_of(arm, data, settings.seed, start,
-                      [&](const std::vector<int>& slice, const std::vector<Episode>& episodes) {
-                        if (spilled_) {
-                          spilled_->add(make_training_tables(arm, episodes, settings, like), slice);
-                        }
-                      });
+  survey_ =
+      survey_of(arm, data, settings.seed, start,
+                [&](const std::vector<int>& slice, const std::vector<Episode>& episodes) {
+                  if (spilled_) {
+                    spilled_->add(make_training_tables(arm, episodes, settings, &tables_), slice);
+                  }
+                });
   note_arms(loaded_, tables_);
   set_bounds(tables_, settings_, survey_.bounds);
   for (const TrainingStage& stage : settings_.stages) {
@@ -130,8 +125,7 @@ EpochTrainer::EpochTrainer(const ArmDescription& arm, const TrainingData& data,
       Eigen::VectorXf initial =
           initial_parameters(layout_, settings_.seed, first_stream, settings_.first_weights);
       if (tables_.map.is_gated()) {
-        set_gate_biases(layout_, tables_.map.output_count() / 2, settings_.first_gate_bias,
-                        initial);
+        set_gate_biases(layout_, tables_.map.output_count() / 2, kFirstGateBias, initial);
       }
       own = initial;
     }

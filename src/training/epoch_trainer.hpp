@@ -19,10 +19,13 @@ namespace limber {
 /// An epoch's networks, kept in case that better ones turn out to run away.
 struct ValidatedEpoch {
   int epoch = 0;
-  double error_m = 0.0;
-  std::vector<double> members_m;
-  Eigen::VectorXf weights;  ///< N·P
+  double error_m = 0.0;           ///< of the mean of the networks' predictions
+  std::vector<double> members_m;  ///< of each network
+  Eigen::VectorXf weights;        ///< N·P
 };
+
+/// Of (16)'s gates, before training: they start at 1.1 %.
+inline constexpr double kFirstGateBias = -4.5;
 
 /// Everything that changes while networks are trained. Stored between epochs, it continues a run
 /// bit for bit, because all random numbers come from streams numbered by epoch. P parameters per
@@ -32,10 +35,7 @@ struct TrainingState {
   Eigen::VectorXf parameters;  ///< N·P
   Eigen::VectorXf average;     ///< moving average of the parameters; empty if it is off
   OptimiserState optimiser;
-  Eigen::VectorXf best;                  ///< parameters with the smallest validation error so far
-  double best_error_m = 0.0;             ///< of the mean of the networks' predictions
-  std::vector<double> best_members_m;    ///< of each network, in that epoch
-  int best_epoch = 0;                    ///< 0: none yet
+  ValidatedEpoch best;                   ///< of the smallest error so far; epoch 0: none yet
   std::vector<ValidatedEpoch> rivals;    ///< the best epoch of each tenth of the run, rising
   std::vector<double> stage_first_loss;  ///< N, of the first batch of the stage; empty: not begun
   std::vector<LearningCurvePoint> curve;

@@ -42,7 +42,7 @@ float entry_error(int size, int stride, const float* weight, const float* state,
   return lane_sum(sum);
 }
 
-// One vector of windows of chained_error. The equations: FrameError in frame_error.hpp.
+// One vector of windows. The equations: FrameError in frame_error.hpp.
 struct ChainedError {
   int gaps, stride;
   const float* weight;
@@ -119,29 +119,19 @@ struct LanesOfWindows {
   }
 };
 
-float space_chained_error(int gaps, int stride, const float* weight, const float* scale,
-                          const float* offset, const float* state, const float* target,
-                          const float* window_weight, float* gradient, float* scratch) {
-  Vector sum{};
-  for (int q = 0; q < stride; q += kLanes) {
-    const Vector of_window = load(window_weight + q);
-    const SpaceChainedError<Vector, LanesOfWindows, float> part = {
-        gaps,      stride,     weight,    scale,        offset,
-        state + q, target + q, of_window, gradient + q, scratch};
-    sum = multiply_add(part.forward(), of_window, sum);
-    part.backward();
-  }
-  return lane_sum(sum);
-}
+using InPlane = ChainedError;
+using InSpace = SpaceChainedError<Vector, LanesOfWindows, float>;
 
-float chained_error(int gaps, int stride, const float* weight, const float* scale,
-                    const float* offset, const float* state, const float* target,
-                    const float* window_weight, float* gradient, float* scratch) {
+// Of all windows, a vector of them at a time. @tparam Error  InPlane or InSpace
+template <class Error>
+float chain(int gaps, int stride, const float* weight, const float* scale, const float* offset,
+            const float* state, const float* target, const float* window_weight, float* gradient,
+            float* scratch) {
   Vector sum{};
   for (int q = 0; q < stride; q += kLanes) {
-    const ChainedError part = {gaps,         stride,    weight,     scale,
-                               offset,       state + q, target + q, load(window_weight + q),
-                               gradient + q, scratch};
+    const Error part = {gaps,         stride,    weight,     scale,
+                        offset,       state + q, target + q, load(window_weight + q),
+                        gradient + q, scratch};
     sum = multiply_add(part.forward(), part.window_weight, sum);
     part.backward();
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "limber/arm/space_pose.hpp"
 #include "limber/common/error.hpp"
@@ -10,14 +11,10 @@ namespace limber {
 
 namespace {
 
-struct Range {
-  double low = 0.0;
-  double high = 0.0;
-};
-
 /// Of what was recorded but for the rarest, widened by at least `min_margin` and `min_share` of its
-/// upper end.
-Range widened_range(std::vector<float>& values, double min_margin, double min_share) {
+/// upper end: from, to.
+std::pair<double, double> widened_range(std::vector<float>& values, double min_margin,
+                                        double min_share) {
   const auto rare = static_cast<std::ptrdiff_t>(kRareShare * static_cast<double>(values.size()));
   std::nth_element(values.begin(), values.begin() + rare, values.end());
   const double low = values[static_cast<std::size_t>(rare)];
@@ -73,15 +70,15 @@ GapBounds gap_bounds_of(const std::vector<Episode>& episodes) {
       throw InputError("the arm was tracked in no frame of the recordings to learn from");
     }
     constexpr double kShortest_m = 1e-5;  // a gap keeps a direction, whatever was tracked
-    const Range length = widened_range(lengths, kShortest_m, kMinLengthMargin);
-    const Range turn = widened_range(turns, kMinTurnMargin_rad, 0.0);
-    bounds.min_length_m[g] = static_cast<float>(std::max(length.low, kShortest_m));
-    bounds.max_length_m[g] = static_cast<float>(std::max(length.high, kShortest_m));
-    bounds.min_turn_rad[g] = static_cast<float>(turn.low);
-    bounds.max_turn_rad[g] = static_cast<float>(turn.high);
+    const auto [shortest_m, longest_m] = widened_range(lengths, kShortest_m, kMinLengthMargin);
+    const auto [least_rad, most_rad] = widened_range(turns, kMinTurnMargin_rad, 0.0);
+    bounds.min_length_m[g] = static_cast<float>(std::max(shortest_m, kShortest_m));
+    bounds.max_length_m[g] = static_cast<float>(std::max(longest_m, kShortest_m));
+    bounds.min_turn_rad[g] = static_cast<float>(least_rad);
+    bounds.max_turn_rad[g] = static_cast<float>(most_rad);
     if (in_space) {
       bounds.max_bend_rad[g] =
-          static_cast<float>(widened_range(bends, kMinTurnMargin_rad, 0.0).high);
+          static_cast<float>(widened_range(bends, kMinTurnMargin_rad, 0.0).second);
     }
   }
   return bounds;

@@ -254,10 +254,8 @@ Episode within(const LearntRegion& region, Episode episode) {
   const int frames = episode.frame_count();
   std::vector<std::uint8_t> known(static_cast<std::size_t>(frames));
   for (int t = 0; t < frames; ++t) {
-    const auto kpa = episode.pressure_kpa.row(t).transpose().array();
-    known[static_cast<std::size_t>(t)] = episode.was_tracked(t) &&
-                                         (kpa >= region.low_kpa.array()).all() &&
-                                         (kpa <= region.high_kpa.array()).all();
+    known[static_cast<std::size_t>(t)] =
+        episode.was_tracked(t) && region.holds(episode.pressure_kpa.row(t).transpose());
   }
   episode.tracked = std::move(known);
   return episode;

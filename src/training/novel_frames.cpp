@@ -2,15 +2,6 @@
 
 namespace limber {
 
-namespace {
-
-bool is_beyond(const LearntRegion& learnt, const Eigen::Ref<const Pressures>& kpa) {
-  return (kpa.array() < learnt.low_kpa.array()).any() ||
-         (kpa.array() > learnt.high_kpa.array()).any();
-}
-
-}  // namespace
-
 NovelFrames find_novel_frames(const LearntRegion& learnt, const std::vector<Episode>& episodes) {
   require_alike(episodes, learnt.segment_count(), learnt.point_count());
   NovelFrames found;
@@ -27,7 +18,7 @@ NovelFrames find_novel_frames(const LearntRegion& learnt, const std::vector<Epis
                                    backbone_at(episode.backbone, t - 1))
                   : learnt.novelty(kpa, shape);
       NovelFrames::Count& count =
-          is_beyond(learnt, kpa) ? found.pressures_beyond : found.pressures_within;
+          learnt.holds(kpa) ? found.pressures_within : found.pressures_beyond;
       ++count.frames;
       count.novel += novelty > 1.0 ? 1 : 0;
     }

@@ -3,6 +3,8 @@
 #include <cassert>
 #include <cmath>
 
+#include <Eigen/Cholesky>
+
 #include "limber/common/random_stream.hpp"
 
 namespace limber {
@@ -11,6 +13,8 @@ namespace {
 
 constexpr float kLastLayerShare = 0.1F;
 constexpr double kFirstArmSpread = 0.3;
+// Added to the variance of the arms' vectors: a direction that none of them uses stays one.
+constexpr double kLeastArmSpread = 1e-6;
 
 }  // namespace
 
@@ -76,6 +80,27 @@ Eigen::VectorXf to_parameters(const ParameterLayout& layout, const std::vector<L
     parameters.segment(layout.bias_offset(layer), source.bias.size()) = source.bias;
   }
   return parameters;
+}
+
+void make_family(const ParameterLayout& layout, const Eigen::VectorXf& parameters,
+                 CompensationModel& model) {
+  const auto [size, count] = layout.arms();
+  const Eigen::MatrixXd arms =
+      kArmVectorScale *
+      Eigen::Map<const Eigen::MatrixXf>(parameters.data() + layout.arm_offset(0), size, count)
+          .cast<double>();
+  const Eigen::VectorXd mean = arms.rowwise().mean();
+  const Eigen::MatrixXd centred = arms.colwise() - mean;
+  const Eigen::MatrixXd covariance = centred * centred.transpose() / count +
+                                     kLeastArmSpread * Eigen::MatrixXd::Identity(size, size);
+  const Eigen::LLT<Eigen::MatrixXd> root(covariance);
+  Layer& first = model.layers.front();
+  const Eigen::MatrixXd columns = first.weight.rightCols(size).cast<double>();
+  first.bias += (columns * mean).cast<float>();
+  first.weight.conservativeResize(Eigen::NoChange, first.weight.cols() - size);
+  model.family = {(columns * Eigen::MatrixXd(root.matrixL())).cast<float>(),
+                  root.matrixL().solve(centred).cast<float>(),
+                  {}};
 }
 
 }  // namespace limber

@@ -21,7 +21,7 @@ double with_sign_of(double difference, double factor) {
   return difference == 0.0 ? 0.0 : std::copysign(factor, difference);
 }
 
-/// One window of chained_error; its numbers are `stride` apart. The equations: FrameError.
+/// One window; its numbers are `stride` apart. The equations: FrameError.
 struct ChainedWindow {
   int gaps, stride;
   const double* weight;
@@ -29,6 +29,7 @@ struct ChainedWindow {
   const double* offset;
   const double* state;
   const double* target;
+  double window_weight;
   double* gradient;
   double* heading;
 
@@ -57,7 +58,7 @@ struct ChainedWindow {
     return error;
   }
 
-  void backward(double window_weight) const {
+  void backward() const {
     double by_x = 0.0;
     double by_y = 0.0;
     double by_theta = 0.0;
@@ -201,19 +202,6 @@ double entry_error(int size, int stride, const double* weight, const double* sta
   return sum;
 }
 
-double chained_error(int gaps, int stride, const double* weight, const double* scale,
-                     const double* offset, const double* state, const double* target,
-                     const double* window_weight, double* gradient, double* scratch) {
-  double sum = 0.0;
-  for (int j = 0; j < stride; ++j) {
-    const ChainedWindow window = {gaps,      stride,     weight,       scale,  offset,
-                                  state + j, target + j, gradient + j, scratch};
-    sum += window_weight[j] * window.forward();
-    window.backward(window_weight[j]);
-  }
-  return sum;
-}
-
 struct OneWindow {
   static constexpr int kLanesOfN = 1;
   static double load(const double* p) { return *p; }
@@ -224,14 +212,18 @@ struct OneWindow {
   }
 };
 
-double space_chained_error(int gaps, int stride, const double* weight, const double* scale,
-                           const double* offset, const double* state, const double* target,
-                           const double* window_weight, double* gradient, double* scratch) {
+using InPlane = ChainedWindow;
+using InSpace = SpaceChainedError<double, OneWindow, double>;
+
+/// Of all windows. @tparam Window  InPlane or InSpace
+template <class Window>
+double chain(int gaps, int stride, const double* weight, const double* scale, const double* offset,
+             const double* state, const double* target, const double* window_weight,
+             double* gradient, double* scratch) {
   double sum = 0.0;
   for (int j = 0; j < stride; ++j) {
-    const SpaceChainedError<double, OneWindow, double> window = {
-        gaps,      stride,     weight,           scale,        offset,
-        state + j, target + j, window_weight[j], gradient + j, scratch};
+    const Window window = {gaps,      stride,     weight,           scale,        offset,
+                           state + j, target + j, window_weight[j], gradient + j, scratch};
     sum += window_weight[j] * window.forward();
     window.backward();
   }
@@ -243,9 +235,9 @@ double space_chained_error(int gaps, int stride, const double* weight, const dou
 template <>
 const WindowKernels<double>& window_kernels(CpuLevel) {
   static constexpr WindowKernels<double> kKernels = {
-      1,          layer,       layer_back,    weight_gradient,    bias_gradient, relu_gradient,
-      gather,     add_scaled,  carry,         gated_change,       gated_carry,   bound,
-      bound_back, entry_error, chained_error, space_chained_error};
+      1,          layer,       layer_back,     weight_gradient, bias_gradient, relu_gradient,
+      gather,     add_scaled,  carry,          gated_change,    gated_carry,   bound,
+      bound_back, entry_error, chain<InPlane>, chain<InSpace>};
   return kKernels;
 }
 

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include "limber/common/content_hash.hpp"
-#include "number_bytes.hpp"
 
 namespace limber {
 
@@ -14,7 +13,7 @@ std::string run_identity(const ArmDescription& arm, const TrainingData& data,
   std::string text = fmt::format(
       "{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", arm.hash(), s.preset,
       fmt::join(s.hidden_units, "-"), static_cast<int>(s.layout), to_string(s.form),
-      s.reads_velocity, s.growth_limit, s.first_gate_bias, static_cast<int>(s.scaling),
+      s.reads_velocity, s.growth_limit, kFirstGateBias, static_cast<int>(s.scaling),
       s.error_in_base_poses, s.error_in_user_units, s.bounded, static_cast<int>(s.reduction),
       static_cast<int>(s.optimiser), s.learning_rate, s.cosine_decay, s.gradient_norm_limit,
       s.weight_decay, s.average_decay, s.shift_windows, s.validation_interval, s.ensemble, s.seed);

@@ -40,11 +40,6 @@ bool same_windows(const std::vector<TrainingStage>& a, const std::vector<Trainin
   });
 }
 
-bool same_stages(const std::vector<TrainingStage>& a, const std::vector<TrainingStage>& b) {
-  return same_windows(a, b) &&
-         std::ranges::equal(a, b, {}, &TrainingStage::epochs, &TrainingStage::epochs);
-}
-
 std::string in_words(const std::vector<TrainingStage>& stages) {
   std::string text;
   for (const TrainingStage& stage : stages) {
@@ -104,11 +99,8 @@ void TrainingRun::validate(LearningCurvePoint& point) {
   } else if (error_m < state.rivals.back().error_m) {
     state.rivals.back() = {point.epoch, error_m, members_m, weights};
   }
-  if (state.best_epoch == 0 || error_m < state.best_error_m) {
-    state.best = weights;
-    state.best_error_m = error_m;
-    state.best_members_m = members_m;
-    state.best_epoch = point.epoch;
+  if (state.best.epoch == 0 || error_m < state.best.error_m) {
+    state.best = {point.epoch, error_m, members_m, weights};
   }
 }
 
@@ -149,9 +141,9 @@ void TrainingRun::fit_epochs_to_time_limit() {
     seconds += stage.epochs * seconds_per_epoch(stage);
   }
   const double left = kMargin * settings_.time_limit_s - elapsed_s();
-  constexpr double kMaxEpochs = 1e6;
+  constexpr double kMostEpochs = 1e6;
   const int epochs =
-      static_cast<int>(std::clamp(settings_.epoch_count() * left / seconds, 0.0, kMaxEpochs));
+      static_cast<int>(std::clamp(settings_.epoch_count() * left / seconds, 0.0, kMostEpochs));
   set_epoch_count(settings_, std::max(epochs, static_cast<int>(settings_.stages.size())));
 }
 
@@ -189,28 +181,24 @@ TrainingResult TrainingRun::chosen_result() {
   }
   std::ranges::stable_sort(order, {}, [](const ValidatedEpoch* rival) { return rival->error_m; });
   std::vector<int> passed_over;
-  LongRollout of_best;
+  LongRollout kept;  // of the best one where none is bounded
   for (const ValidatedEpoch* rival : order) {
     const LongRollout rollout = roll_out_long_each(rival->weights);
-    if (rollout.bounded) {
-      state.best = rival->weights;
-      state.best_error_m = rival->error_m;
-      state.best_members_m = rival->members_m;
-      state.best_epoch = rival->epoch;
-      TrainingResult chosen = result(TrainingStatus::finished, "");
-      chosen.long_rollout = rollout;
-      if (!passed_over.empty()) {
-        chosen.model.training["passed_over_epochs"] =
-            fmt::format("{}", fmt::join(passed_over, " "));
-      }
-      chosen.passed_over_epochs = std::move(passed_over);
-      return chosen;
+    if (rollout.bounded || passed_over.empty()) {
+      kept = rollout;
     }
-    of_best = passed_over.empty() ? rollout : of_best;
+    if (rollout.bounded) {
+      state.best = *rival;
+      break;
+    }
     passed_over.push_back(rival->epoch);
   }
   TrainingResult chosen = result(TrainingStatus::finished, "");
-  chosen.long_rollout = of_best;
+  chosen.long_rollout = kept;
+  if (kept.bounded && !passed_over.empty()) {
+    chosen.model.training["passed_over_epochs"] = fmt::format("{}", fmt::join(passed_over, " "));
+    chosen.passed_over_epochs = std::move(passed_over);
+  }
   return chosen;
 }
 
@@ -221,29 +209,29 @@ TrainingResult TrainingRun::result(TrainingStatus status, std::string message) c
   result.status = status;
   result.message = std::move(message);
   result.curve = state.curve;
-  result.best_epoch = state.best_epoch;
+  result.best_epoch = state.best.epoch;
   result.wall_time_s = elapsed_s();
   result.best_validation_position_error_cm = kUnknown;
-  if (state.best_epoch == 0) {
+  if (state.best.epoch == 0) {
     return result;
   }
   std::vector<int> order(static_cast<std::size_t>(trainer_.member_count()));
   std::iota(order.begin(), order.end(), 0);
   if (!data_.validation.empty()) {
-    result.best_validation_position_error_cm = kCmPerM * state.best_error_m;
+    result.best_validation_position_error_cm = kCmPerM * state.best.error_m;
     std::ranges::stable_sort(order, {}, [&](int member) {
-      return state.best_members_m[static_cast<std::size_t>(member)];
+      return state.best.members_m[static_cast<std::size_t>(member)];
     });
     for (const int member : order) {
       result.member_validation_position_error_cm.push_back(
-          kCmPerM * state.best_members_m[static_cast<std::size_t>(member)]);
+          kCmPerM * state.best.members_m[static_cast<std::size_t>(member)]);
     }
   }
-  result.model = trainer_.model_of(state.best, order);
+  result.model = trainer_.model_of(state.best.weights, order);
   auto& record = result.model.training;
   record["epochs"] = std::to_string(settings_.epoch_count());
   record["epochs_done"] = std::to_string(state.epochs_done);
-  record["best_epoch"] = std::to_string(state.best_epoch);
+  record["best_epoch"] = std::to_string(state.best.epoch);
   record["seed"] = std::to_string(settings_.seed);
   record["learning_rate"] = fmt::format("{}", settings_.learning_rate);
   record["final_loss"] = fmt::format("{:.6g}", state.curve.back().loss);
@@ -269,7 +257,7 @@ void TrainingRun::resume() {
                        !data_.validation.empty()});
   // A time limit fixed the epochs of the run that began, and these alone.
   const bool same = settings_.time_limit_s > 0.0 ? same_windows(settings_.stages, checkpoint.stages)
-                                                 : same_stages(settings_.stages, checkpoint.stages);
+                                                 : settings_.stages == checkpoint.stages;
   if (!same) {
     throw InputError(fmt::format(
         "{}: the checkpoint of a run of {}; this one is to be {}. Give the --epochs or "
@@ -293,8 +281,8 @@ void TrainingRun::store(bool now) {
 
 std::string TrainingRun::progress_note(const LearningCurvePoint& point) const {
   std::string note = fmt::format("window {}, loss {:.3f}", point.window_frames, point.loss);
-  if (!data_.validation.empty() && trainer_.state().best_epoch > 0) {
-    note += fmt::format(", best validation {:.2f} cm", kCmPerM * trainer_.state().best_error_m);
+  if (!data_.validation.empty() && trainer_.state().best.epoch > 0) {
+    note += fmt::format(", best validation {:.2f} cm", kCmPerM * trainer_.state().best.error_m);
   }
   return note;
 }
@@ -363,7 +351,7 @@ TrainingResult TrainingRun::run() {
     }
   }
   progress.finish();
-  if (trainer_.state().best_epoch == 0) {
+  if (trainer_.state().best.epoch == 0) {
     // Not stored: resuming it would end here again.
     return result(
         TrainingStatus::diverged,

@@ -176,8 +176,6 @@ void require_usable(const TrainingSettings& settings) {
   require(std::isfinite(rate) && rate > 0.0, "learning_rate", rate, "a finite number > 0");
   require(std::isfinite(settings.time_limit_s) && settings.time_limit_s >= 0.0, "time_limit_s",
           settings.time_limit_s, "a finite number of seconds, 0: no limit");
-  require(std::isfinite(settings.first_gate_bias), "first_gate_bias", settings.first_gate_bias,
-          "a finite number");
   require(settings.gradient_norm_limit >= 0.0, "gradient_norm_limit", settings.gradient_norm_limit,
           ">= 0 (0: no limit)");
   require(std::isfinite(settings.growth_limit) && settings.growth_limit >= 0.0, "growth_limit",

@@ -273,36 +273,27 @@ std::vector<int> past_commands_of(const ArmDescription& arm, const TrainingSetti
 }
 
 TrainingTables make_training_tables(const ArmDescription& arm, const std::vector<Episode>& episodes,
-                                    const TrainingSettings& settings) {
+                                    const TrainingSettings& settings, const TrainingTables* like) {
   const std::vector<int> past = past_commands_of(arm, settings);
   const NetworkLayout layout(settings.layout, settings.form, arm, settings.reads_velocity,
                              past.size());
   TrainingTables tables;
   RawFrames raw = gather(arm, episodes, layout, past, tables.episodes);
-  require_varying_pressures(raw.pressure_kpa, arm.command);
-  const Normalisation pressure = measure(tracked_only(raw.pressure_kpa, raw), settings.scaling);
-  const PoseScales poses = measure_poses(raw, tables.episodes, layout, settings);
-  tables.input = stack({pressure, pressure, poses.state, poses.no_load});
-  if (settings.reads_velocity) {
-    tables.input =
-        stack({tables.input, measure_changes(raw, tables.episodes, layout, settings.scaling)});
+  if (like != nullptr) {
+    tables.input = like->input;
+    tables.output = like->output;
+    tables.map = like->map;
+  } else {
+    require_varying_pressures(raw.pressure_kpa, arm.command);
+    const Normalisation pressure = measure(tracked_only(raw.pressure_kpa, raw), settings.scaling);
+    const PoseScales poses = measure_poses(raw, tables.episodes, layout, settings);
+    tables.input = stack({pressure, pressure, poses.state, poses.no_load});
+    if (settings.reads_velocity) {
+      tables.input =
+          stack({tables.input, measure_changes(raw, tables.episodes, layout, settings.scaling)});
+    }
+    tables.output = poses.output;
   }
-  tables.output = poses.output;
-  set_map(raw, layout, settings, tables);
-  normalise(std::move(raw), layout, settings, tables);
-  return tables;
-}
-
-TrainingTables make_training_tables(const ArmDescription& arm, const std::vector<Episode>& episodes,
-                                    const TrainingSettings& settings, const TrainingTables& like) {
-  const std::vector<int> past = past_commands_of(arm, settings);
-  const NetworkLayout layout(settings.layout, settings.form, arm, settings.reads_velocity,
-                             past.size());
-  TrainingTables tables;
-  tables.input = like.input;
-  tables.output = like.output;
-  tables.map = like.map;
-  RawFrames raw = gather(arm, episodes, layout, past, tables.episodes);
   if (tables.map.output_scale.size() == 0) {
     set_map(raw, layout, settings, tables);
   }

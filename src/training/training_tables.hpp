@@ -32,13 +32,11 @@ std::vector<int> past_commands_of(const ArmDescription& arm, const TrainingSetti
 /// Converts backbones to the settings' layout, measures ranges (constant columns get scale 1) and
 /// normalises.
 /// Frames in which the arm was not tracked tell nothing about ranges.
+/// @param like  gives the normalisation in place of what is measured, and its map if it has one
 /// @throws InputError if there is no frame, none was tracked, or no pressure ever changes.
 TrainingTables make_training_tables(const ArmDescription& arm, const std::vector<Episode>& episodes,
-                                    const TrainingSettings& settings);
-
-/// The same with the normalisation of `like`, and with its map if it has one.
-TrainingTables make_training_tables(const ArmDescription& arm, const std::vector<Episode>& episodes,
-                                    const TrainingSettings& settings, const TrainingTables& like);
+                                    const TrainingSettings& settings,
+                                    const TrainingTables* like = nullptr);
 
 /// Has `tables.map` keep its states within `bounds`, by (20). @pre made for these settings
 void set_bounds(TrainingTables& tables, const TrainingSettings& settings, const GapBounds& bounds);

@@ -275,11 +275,7 @@ void WindowGradient<Scalar>::backward_block(const Scalar* parameters, int block,
   if (block % frames_ + 1 == frames_) {
     return;
   }
-  const int outputs = layout_.outputs(0);
-  kernels_.layer_back(
-      stride_, outputs, size_, delta(0),
-      parameters + layout_.weight_offset(0) + std::ptrdiff_t{2} * segments_ * outputs,
-      carried_.data());
+  input_back(parameters, delta(0), 2 * segments_, size_, carried_.data());
   if (map_.reads_velocity()) {
     carry_change_back(parameters, delta(0));
   }
@@ -288,14 +284,19 @@ void WindowGradient<Scalar>::backward_block(const Scalar* parameters, int block,
   }
 }
 
+template <class Scalar>
+void WindowGradient<Scalar>::input_back(const Scalar* parameters, const Scalar* delta,
+                                        int first_row, int rows, Scalar* out) {
+  const int outputs = layout_.outputs(0);
+  kernels_.layer_back(stride_, outputs, rows, delta,
+                      parameters + layout_.weight_offset(0) + std::ptrdiff_t{first_row} * outputs,
+                      out);
+}
+
 // B_{t−1} − B_{t−2} is read in frame t: B_{t−1} counts in it, and counts less in that of t + 1.
 template <class Scalar>
 void WindowGradient<Scalar>::carry_change_back(const Scalar* parameters, const Scalar* delta) {
-  const int outputs = layout_.outputs(0);
-  kernels_.layer_back(
-      stride_, outputs, size_, delta,
-      parameters + layout_.weight_offset(0) + std::ptrdiff_t{change_row()} * outputs,
-      change_back_.data());
+  input_back(parameters, delta, change_row(), size_, change_back_.data());
   for (int r = 0; r < size_; ++r) {
     const Scalar scale = map_.change_scale[r];
     for (int i = r * stride_; i < (r + 1) * stride_; ++i) {
@@ -310,11 +311,8 @@ void WindowGradient<Scalar>::carry_change_back(const Scalar* parameters, const S
 template <class Scalar>
 void WindowGradient<Scalar>::carry_arms_back(const Scalar* parameters, int block,
                                              const Scalar* delta, Scalar* gradient) {
-  const int outputs = layout_.outputs(0);
   const int size = layout_.arms().size;
-  kernels_.layer_back(stride_, outputs, size, delta,
-                      parameters + layout_.weight_offset(0) + std::ptrdiff_t{arm_row()} * outputs,
-                      arm_back_.data());
+  input_back(parameters, delta, arm_row(), size, arm_back_.data());
   std::transform(arm_back_.begin(), arm_back_.end(), arm_sum_.begin(), arm_sum_.begin(),
                  std::plus<>());
   if (block % frames_ + 1 < frames_) {

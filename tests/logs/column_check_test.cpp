@@ -66,8 +66,8 @@ TEST_F(ColumnCheck, NamesTheOneSegmentThatIsTurned) {
 
 TEST_F(ColumnCheck, ReportsTheCorrelationOfEverySegment) {
   const ImportResult result = import(log(), mapping());
-  ASSERT_EQ(result.report.columns.segments.size(), 3U);
-  for (const SegmentCheck& segment : result.report.columns.segments) {
+  ASSERT_EQ(result.report.columns.size(), 3U);
+  for (const SegmentCheck& segment : result.report.columns) {
     EXPECT_GT(segment.correlation, 0.95);
     EXPECT_EQ(segment.undecidable, "");
   }

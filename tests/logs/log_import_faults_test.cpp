@@ -141,7 +141,7 @@ TEST_F(LogImportFaults, NotesASegmentThatDoesNotFollow) {
     begin = end;
   }
   const ImportResult imported = import(result, map);
-  const std::vector<SegmentCheck>& segments = imported.report.columns.segments;
+  const std::vector<SegmentCheck>& segments = imported.report.columns;
   ASSERT_EQ(segments.size(), 3U);
   EXPECT_FALSE(segments[0].follows_weakly);
   EXPECT_TRUE(segments[1].follows_weakly);

@@ -75,8 +75,8 @@ TEST(MotiveCsv, KeepsMeasuredAndSolvedMarkersApart) {
   EXPECT_TRUE(std::isnan(take.objects[3].position_m(1, 0))) << "a blank cell is no zero";
 }
 
-TEST(MotiveCsv, ReadsATakeNameWithAComma) {
-  EXPECT_EQ(take_of("euler_millimeters_spreadsheet.csv").name, "Take 01, second try");
+TEST(MotiveCsv, ReadsWhatFollowsATakeNameWithAComma) {
+  EXPECT_EQ(take_of("euler_millimeters_spreadsheet.csv").rotation_type, "ZXY");
 }
 
 TEST(MotiveCsv, RefusesWhatItCannotTrust) {

@@ -234,12 +234,6 @@ class BaseFrameFit {
   std::vector<double> unlike_m_;  // of each segment, per gap
 };
 
-int segment_on(const std::vector<WireChannel>& valves, int channel) {
-  const auto valve = std::find_if(valves.begin(), valves.end(),
-                                  [&](const WireChannel& one) { return one.channel == channel; });
-  return static_cast<int>(valve - valves.begin());
-}
-
 }  // namespace
 
 BaseFrame base_frame(const ArmDescription& arm, const CalibrationLog& log, const SeenPoses& poses,

@@ -325,10 +325,7 @@ WireCalibration estimate(const ArmDescription& arm, const CalibrationLog& log,
   tracker.heading_interval_rad = frame.heading_interval_rad;
   result.tracker = tracker;
   fit_driver_clock(log, arm.frame_period_s(), result.clocks);
-  const auto segment = static_cast<std::size_t>(
-      std::find_if(result.valves.begin(), result.valves.end(),
-                   [&](const WireChannel& one) { return one.channel == log.timing.channel; }) -
-      result.valves.begin());
+  const auto segment = static_cast<std::size_t>(segment_on(result.valves, log.timing.channel));
   const WireChannel& sensor = result.sensors[segment];
   fit_shape_delay(arm, log, poses, result.valves[segment], sensor,
                   result.zero_kpa[static_cast<std::size_t>(sensor.channel)], result.clocks);

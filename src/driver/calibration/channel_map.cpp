@@ -204,10 +204,7 @@ std::vector<WireChannel> sensor_channels(const ArmDescription& arm, const Calibr
                       "readings alike, by {:.2f} kPa: check the sensors",
                       pulse.channel, pulse.setpoint_kpa, fmt::join(change, ", ")));
     }
-    const auto valve = std::find_if(valves.begin(), valves.end(), [&](const WireChannel& one) {
-      return one.channel == pulse.channel;
-    });
-    const auto segment = static_cast<int>(valve - valves.begin());
+    const int segment = segment_on(valves, pulse.channel);
     const double ratio = change[reading] / pulse.setpoint_kpa;
     const double direction = ratio < 0.0 ? -1.0 : 1.0;
     const std::string wrong =
@@ -216,7 +213,7 @@ std::vector<WireChannel> sensor_channels(const ArmDescription& arm, const Calibr
       throw CalibrationRefused(fmt::format("channel {}: {}", pulse.channel, wrong));
     }
     const auto r = static_cast<std::size_t>(reading);
-    const double sign = valve->sign * direction;
+    const double sign = valves[static_cast<std::size_t>(segment)].sign * direction;
     if (segments[r] >= 0 && (segments[r] != segment || signs[r] != sign)) {
       throw CalibrationRefused(fmt::format(
           "reading {} belongs to {} in one pulse and to {} in another, or turns its sign between "

@@ -29,11 +29,6 @@ struct MeanBodies {
   Eigen::Index bodies() const { return position.rows(); }
 };
 
-/// As PulsePoses, over the same frames.
-struct PulseBodies {
-  MeanBodies before, held, after;
-};
-
 /// Standard deviations of one frame along and about each axis, from what changes between
 /// neighbouring frames at rest.
 struct BodyNoise {
@@ -77,18 +72,6 @@ MeanBodies mean_bodies(const CalibrationLog& log, std::size_t first, std::size_t
     mean.rotation.emplace_back(q);
   }
   return mean;
-}
-
-std::vector<PulseBodies> pulse_bodies(const CalibrationLog& log, double frame_period_s) {
-  std::vector<PulseBodies> result;
-  for (const CalibrationPulse& pulse : log.pulses) {
-    const PulseWindows windows = pulse_windows(pulse, frame_period_s);
-    const auto mean = [&](const FrameWindow& window) {
-      return mean_bodies(log, window.first, window.end, window.when);
-    };
-    result.push_back({mean(windows.before), mean(windows.held), mean(windows.after)});
-  }
-  return result;
 }
 
 /// Axis times angle, [rad], of the rotation that turns `body` from one to the other.
@@ -152,14 +135,16 @@ class MotionPlaneFit {
   MotionPlaneFit(const ArmDescription& arm, const CalibrationLog& log)
       : log_(log),
         rest_(mean_bodies(log, 0, log.rest_end, "at rest")),
-        pulses_(pulse_bodies(log, arm.frame_period_s())) {
+        pulses_(each_pulse<MeanBodies>(log, arm.frame_period_s(), [&](const FrameWindow& window) {
+          return mean_bodies(log, window.first, window.end, window.when);
+        })) {
     const BodyNoise noise = body_noise(log, 0, log.rest_end);
     const MeanBodies& before = pulses_.front().before;
     const MeanBodies& held = pulses_.front().held;
     const double of_means = std::sqrt(1.0 / before.count + 1.0 / held.count);
     turn_noise_rad_ = of_means * noise.rotation_rad;
     moved_noise_ = of_means * noise.position;
-    for (const PulseBodies& pulse : pulses_) {
+    for (const Pulse<MeanBodies>& pulse : pulses_) {
       std::vector<SeenMotion> motions;
       for (Eigen::Index i = 0; i < rest_.bodies(); ++i) {
         motions.push_back({turn_between(pulse.before, pulse.held, i),
@@ -332,7 +317,7 @@ class MotionPlaneFit {
 
   const CalibrationLog& log_;
   MeanBodies rest_;
-  std::vector<PulseBodies> pulses_;
+  std::vector<Pulse<MeanBodies>> pulses_;
   std::vector<std::vector<SeenMotion>> motions_;  // of each pulse and body
   double turn_noise_rad_ = 0.0;                   // standard deviation of a turn, about each axis
   double moved_noise_ = 0.0;                      // of a motion, along each axis

@@ -140,15 +140,9 @@ PulseWindows pulse_windows(const CalibrationPulse& pulse, double frame_period_s)
 
 std::vector<PulsePoses> pulse_poses(const SeenPoses& poses, const CalibrationLog& log,
                                     double frame_period_s) {
-  std::vector<PulsePoses> result;
-  for (const CalibrationPulse& pulse : log.pulses) {
-    const PulseWindows windows = pulse_windows(pulse, frame_period_s);
-    const auto mean = [&](const FrameWindow& window) {
-      return mean_pose(poses, window.first, window.end, window.when);
-    };
-    result.push_back({mean(windows.before), mean(windows.held), mean(windows.after)});
-  }
-  return result;
+  return each_pulse<MeanPose>(log, frame_period_s, [&](const FrameWindow& window) {
+    return mean_pose(poses, window.first, window.end, window.when);
+  });
 }
 
 }  // namespace limber

@@ -64,15 +64,26 @@ struct FrameWindow {
   const char* when = "";
 };
 /// Before a pulse, at the end of its hold, and at its end.
-struct PulseWindows {
-  FrameWindow before, held, after;
+template <class T>
+struct Pulse {
+  T before, held, after;
 };
+using PulseWindows = Pulse<FrameWindow>;
 PulseWindows pulse_windows(const CalibrationPulse& pulse, double frame_period_s);
 
-/// Before a pulse, while it is held, and once it is over.
-struct PulsePoses {
-  MeanPose before, held, after;
-};
+/// What `mean` makes of every pulse's windows.
+template <class T, class Mean>
+std::vector<Pulse<T>> each_pulse(const CalibrationLog& log, double frame_period_s,
+                                 const Mean& mean) {
+  std::vector<Pulse<T>> result;
+  for (const CalibrationPulse& pulse : log.pulses) {
+    const PulseWindows windows = pulse_windows(pulse, frame_period_s);
+    result.push_back({mean(windows.before), mean(windows.held), mean(windows.after)});
+  }
+  return result;
+}
+
+using PulsePoses = Pulse<MeanPose>;
 std::vector<PulsePoses> pulse_poses(const SeenPoses& poses, const CalibrationLog& log,
                                     double frame_period_s);
 

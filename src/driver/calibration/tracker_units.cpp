@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -11,6 +10,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "limber/common/statistics.hpp"
+#include "limber/common/units.hpp"
 
 namespace limber {
 
@@ -25,8 +25,7 @@ struct NamedUnit {
 };
 constexpr std::array<NamedUnit, 4> kLengthUnits = {
     {{"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}}};
-constexpr std::array<NamedUnit, 2> kAngleUnits = {
-    {{"rad", 1.0}, {"degrees", std::numbers::pi / 180.0}}};
+constexpr std::array<NamedUnit, 2> kAngleUnits = {{{"rad", 1.0}, {"degrees", kRadPerDeg}}};
 
 /// Scale of a line of plates laid onto bodies, and how far these are off it at worst.
 struct LineFit {

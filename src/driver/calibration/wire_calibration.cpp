@@ -1,5 +1,6 @@
 #include "limber/driver/wire_calibration.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -78,6 +79,12 @@ Backbone bodies_of(const TrackerCalibration& tracker, const Backbone& plates) {
 }
 
 }  // namespace
+
+int segment_on(const std::vector<WireChannel>& channels, int channel) {
+  const auto found = std::find_if(channels.begin(), channels.end(),
+                                  [&](const WireChannel& one) { return one.channel == channel; });
+  return static_cast<int>(found - channels.begin());
+}
 
 Eigen::Quaterniond rotation_of(const BodyPoses& bodies, Eigen::Index body) {
   return {bodies(body, 6), bodies(body, 3), bodies(body, 4), bodies(body, 5)};

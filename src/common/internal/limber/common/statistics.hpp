@@ -32,4 +32,7 @@ double median(std::vector<double> values);
 /// Standard deviation over the median of |x|, for a normal distribution.
 inline constexpr double kScaleOfMedian = 1.4826;
 
+/// Standard errors of a normal estimate to either end of its 95 % interval.
+inline constexpr double kTwoSided95 = 1.96;
+
 }  // namespace limber

@@ -56,6 +56,9 @@ struct WireChannel {
   bool operator==(const WireChannel&) const = default;
 };
 
+/// The segment whose channel that one is. @pre it is one of them
+int segment_on(const std::vector<WireChannel>& channels, int channel);
+
 /// A time and the interval that it lies in, [s].
 struct TimeInterval {
   double value_s = 0.0;

@@ -109,22 +109,16 @@ struct SegmentCheck {
   std::string undecidable;      ///< why these logs can't tell; empty: they can
 };
 
-/// One for each segment, base first.
-struct ColumnReport {
-  std::vector<SegmentCheck> segments;
-};
-
 /// Everything that an import did to its logs.
 struct ImportReport {
   std::vector<RunReport> runs;
-  ColumnReport columns;
+  std::vector<SegmentCheck> columns;  ///< one for each segment, base first
   /// The simple model's error in every episode, in the recording's order; none where nothing was
   /// tracked.
   std::optional<EpisodeErrors> episode_errors;
 
-  std::int64_t episodes() const;
-  std::int64_t frames() const;
-  std::int64_t frames_not_tracked() const;
+  /// Of one number over all runs.
+  std::int64_t sum(std::int64_t RunReport::*number) const;
 };
 
 nlohmann::ordered_json to_json(const ImportReport& report);

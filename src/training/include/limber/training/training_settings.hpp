@@ -49,7 +49,11 @@ struct TrainingStage {
   int window_frames = 32;       ///< frames the network is rolled over, ≥ 1
   int windows_per_batch = 128;  ///< ≥ 1
   int epochs = 1;               ///< ≥ 1
+
+  bool operator==(const TrainingStage&) const = default;
 };
+
+inline constexpr int kMaxEpochs = 10'000'000;  // as --epochs; of a stage's numbers too
 
 /// Everything that decides a training run besides its data. Same settings, data and seed: same
 /// network, for any number of jobs.
@@ -63,7 +67,6 @@ struct TrainingSettings {
   /// Whether a network of an arm in space reads past commands (docs/space.md), as
   /// CompensationModel::past_commands. In a plane none does.
   bool reads_past_commands = true;
-  double first_gate_bias = -4.5;  ///< of (16)'s gates, before training: they start at 1.1 %
   std::vector<int> hidden_units = {100, 100, 100};
   Scaling scaling = Scaling::unit_spread;
   /// If true, frame errors are taken over poses about the base, whatever the layout; otherwise over

@@ -61,4 +61,9 @@ void set_gate_biases(const ParameterLayout& layout, int gates, double bias,
 std::vector<Layer> to_layers(const ParameterLayout& layout, const Eigen::VectorXf& parameters);
 Eigen::VectorXf to_parameters(const ParameterLayout& layout, const std::vector<Layer>& layers);
 
+/// The family that such a network and its arms' vectors are, in a scale in which these have mean 0
+/// and unit covariance.
+void make_family(const ParameterLayout& layout, const Eigen::VectorXf& parameters,
+                 CompensationModel& model);
+
 }  // namespace limber

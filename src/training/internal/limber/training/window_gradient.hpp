@@ -133,6 +133,9 @@ class WindowGradient {
   void put_arms(const Scalar* parameters);
   void carry_arms_back(const Scalar* parameters, int block, const Scalar* delta, Scalar* gradient);
   void note_change(int block, const Scalar* state, Scalar* change) const;
+  /// What `rows` of the network's inputs, from `first_row` on, lead back of its first layer's delta.
+  void input_back(const Scalar* parameters, const Scalar* delta, int first_row, int rows,
+                  Scalar* out);
   void carry_change_back(const Scalar* parameters, const Scalar* delta);
   void apply_output(int block, Scalar* state);
   void compose(int block, Scalar* state);
