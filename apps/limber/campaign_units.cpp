@@ -20,6 +20,7 @@
 #include "limber/common/folder_lock.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/json_reader.hpp"
+#include "limber/common/seconds_since.hpp"
 #include "limber/lab/campaign_report.hpp"
 #include "verbs.hpp"
 
@@ -42,41 +43,32 @@ const char* library_setting(CpuLevel level) {
                                      : "glibc.cpu.hwcaps=-FMA4";
 }
 
-/// Standard output and error of the whole process in files, as long as this lives.
+/// A standard stream of the whole process in a file, as long as this lives.
 class Redirected {
  public:
-  Redirected(const fs::path& output, const fs::path& error)
-      : output_(STDOUT_FILENO, output), error_(STDERR_FILENO, error) {}
+  Redirected(int stream, const fs::path& path) : stream_(stream), kept_(flushed_copy(stream)) {
+    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, kNewFile);
+    if (file < 0) {
+      throw_fault(path, "can't be written", errno);
+    }
+    ::dup2(file, stream_);
+    ::close(file);
+  }
+  ~Redirected() {
+    std::fflush(nullptr);
+    ::dup2(kept_, stream_);
+    ::close(kept_);
+  }
+  Redirected(const Redirected&) = delete;
+  Redirected& operator=(const Redirected&) = delete;
 
  private:
-  class One {
-   public:
-    One(int stream, const fs::path& path) : stream_(stream), kept_(flushed_copy(stream)) {
-      const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, kNewFile);
-      if (file < 0) {
-        throw_fault(path, "can't be written", errno);
-      }
-      ::dup2(file, stream_);
-      ::close(file);
-    }
-    ~One() {
-      std::fflush(nullptr);
-      ::dup2(kept_, stream_);
-      ::close(kept_);
-    }
-    One(const One&) = delete;
-    One& operator=(const One&) = delete;
-
-   private:
-    static int flushed_copy(int stream) {
-      std::fflush(nullptr);
-      return ::fcntl(stream, F_DUPFD_CLOEXEC, 0);
-    }
-    int stream_;
-    int kept_;
-  };
-  One output_;
-  One error_;
+  static int flushed_copy(int stream) {
+    std::fflush(nullptr);
+    return ::fcntl(stream, F_DUPFD_CLOEXEC, 0);
+  }
+  int stream_;
+  int kept_;
 };
 
 /// As main and exec take them.
@@ -118,12 +110,6 @@ void add_flag(std::vector<std::string>& command, const std::string& name,
 
 bool is_arm_parameter(const std::string& name) {
   return name.rfind(kArmParameter, 0) == 0;
-}
-
-const FlagValues* values_in(const Flags& flags, const char* name) {
-  const auto found =
-      std::ranges::find_if(flags, [&](const auto& flag) { return flag.first == name; });
-  return found == flags.end() ? nullptr : &found->second;
 }
 
 Flags arm_parameters(const CampaignUnit& unit) {
@@ -232,7 +218,7 @@ bool run_unit(const Campaign& campaign, const CampaignUnit& unit, CampaignFolder
   }
   folder.begin(unit);
   {
-    const Redirected redirected(output, own / "log.txt");
+    const Redirected out(STDOUT_FILENO, output), err(STDERR_FILENO, own / "log.txt");
     try {
       if (const Flags parameters = arm_parameters(unit); !parameters.empty()) {
         write_file_atomically(own / "arm.yaml", arm_with(find_arm_file(arm_of(unit)), parameters));
@@ -251,8 +237,7 @@ bool run_unit(const Campaign& campaign, const CampaignUnit& unit, CampaignFolder
   }
   const nlohmann::ordered_json result = nlohmann::ordered_json::parse(read_file(output));
   fs::remove(output);
-  folder.finish(unit, result,
-                std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+  folder.finish(unit, result, seconds_since(begin));
   return true;
 }
 

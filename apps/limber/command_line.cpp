@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <csignal>
 #include <cstdint>
@@ -20,6 +19,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "limber/common/atomic_file.hpp"
 #include "limber/common/csv_reader.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/file_error.hpp"
@@ -58,15 +58,13 @@ std::string check_blanks(std::string& text) {
 /// Rewrites `text` as a plain number, which CLI11 can't take for an octal one.
 template <class Whole>
 std::string check_whole(std::string& text) {
-  const char* first = text.data() + (text.starts_with('+') ? 1 : 0);
-  const char* last = text.data() + text.size();
-  Whole value = 0;
-  const auto [end, error] = std::from_chars(first, last, value);
-  if (error != std::errc() || end != last) {
+  const std::size_t sign = text.starts_with('+') ? 1 : 0;
+  const std::optional<Whole> value = number_in<Whole>(std::string_view(text).substr(sign));
+  if (!value) {
     return fmt::format("'{}' found; expected a whole number from {} to {}", shortened(text),
                        std::numeric_limits<Whole>::min(), std::numeric_limits<Whole>::max());
   }
-  text = fmt::format("{}", value);
+  text = fmt::format("{}", *value);
   return "";
 }
 
@@ -322,6 +320,14 @@ int run_command_line(int argc, char** argv) {
 
 void print_error(const std::string& message) {
   print_to_stderr(fmt::format("error: {}\n", printable(message)));
+}
+
+void refuse_to_overwrite_given(std::initializer_list<std::string> paths, const CommonFlags& flags) {
+  for (const std::string& path : paths) {
+    if (!path.empty()) {
+      refuse_to_overwrite(path, flags.force);
+    }
+  }
 }
 
 void print_result(const CommonFlags& flags, const nlohmann::ordered_json& result,

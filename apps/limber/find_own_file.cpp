@@ -1,7 +1,6 @@
 #include <filesystem>
 #include <string_view>
 
-#include "file_kind.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/data_folder.hpp"

@@ -1,12 +1,10 @@
 #include "plan_flags.hpp"
 
-#include <charconv>
 #include <filesystem>
 #include <optional>
 
 #include <fmt/format.h>
 
-#include "file_kind.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/atomic_file.hpp"
@@ -54,9 +52,8 @@ Narrowing narrowing_in(const std::string& text, const ArmDescription& arm) {
   if (colon == std::string::npos) {
     return {text, std::nullopt, limits_in(text, text)};
   }
-  std::size_t segment = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + colon, segment);
-  if (error != std::errc() || end != text.data() + colon || segment >= arm.segments.size()) {
+  const auto segment = number_in<std::size_t>(text.substr(0, colon));
+  if (!segment || *segment >= arm.segments.size()) {
     refuse(text, fmt::format("'{}' is no segment; arm '{}' has segments 0 to {}",
                              text.substr(0, colon), arm.name, arm.segment_count() - 1));
   }
@@ -184,8 +181,7 @@ std::optional<Forest> ForestFlags::forest(const ArmDescription& arm, const Motio
   refuse_to_overwrite(path, true);
   ForestSettings settings;
   settings.nodes = nodes_;
-  settings.seed = flags.seed;
-  settings.jobs = flags.jobs;
+  take_common(flags, settings);
   Progress progress("forest", "nodes", std::uint64_t(nodes_), flags.progress());
   std::optional<Forest> grown = grow_forest(arm, model, key, start, settings, [&](int nodes) {
     progress.update(std::uint64_t(nodes));

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <string>
 
 #include <fmt/format.h>
@@ -63,6 +64,26 @@ void say(const CommonFlags& flags, fmt::format_string<Arguments...> format,
   }
 }
 
+/// Gives a verb's settings those of these flags that they have.
+template <class Settings>
+void take_common(const CommonFlags& flags, Settings& settings) {
+  if constexpr (requires { settings.seed; }) {
+    settings.seed = flags.seed;
+  }
+  if constexpr (requires { settings.jobs; }) {
+    settings.jobs = flags.jobs;
+  }
+  if constexpr (requires { settings.force; }) {
+    settings.force = flags.force;
+  }
+  if constexpr (requires { settings.progress; }) {
+    settings.progress = flags.progress();
+  }
+  if constexpr (requires { settings.say; }) {
+    settings.say = [&flags](const std::string& line) { say(flags, "{}", line); };
+  }
+}
+
 /// Prints to standard error, quiet or not, why a verb ends with another code than 0.
 void print_error(const std::string& message);
 
@@ -70,6 +91,10 @@ void print_error(const std::string& message);
 /// unless it is empty.
 void print_result(const CommonFlags& flags, const nlohmann::ordered_json& result,
                   const std::string& text);
+
+/// refuse_to_overwrite (common/atomic_file.hpp) for each of these that names a file: outputs that
+/// were not asked for are empty.
+void refuse_to_overwrite_given(std::initializer_list<std::string> paths, const CommonFlags& flags);
 
 /// --arm, with `arm` as its default.
 void add_arm_flag(CLI::App& app, std::string& arm);
@@ -85,6 +110,12 @@ ArmDescription load_any_arm(const std::string& name_or_path,
 /// `what` it is.
 ArmDescription load_asked_arm(const std::string& name_or_path, const std::string& what,
                               PolynomialsOf polynomials = PolynomialsOf::model);
+
+/// What a limber file holds; an arm, an environment and valves are all YAML.
+enum class FileKind { recording, model, forest, plan, yaml };
+
+/// Decides by content, never by name.
+FileKind kind_of(const std::string& content);
 
 /// Path of an environment file, found the same way ("01_pillar" in environments/).
 std::string find_environment_file(const std::string& name_or_path);

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include <fmt/ranges.h>
@@ -8,6 +7,7 @@
 #include "limber/arm/valve_parameters.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
+#include "limber/common/json_number.hpp"
 #include "limber/common/units.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/network/physical_traits.hpp"
@@ -18,11 +18,6 @@
 namespace limber {
 
 namespace {
-
-/// null where it is not known
-nlohmann::ordered_json cm_or_null(double error_m) {
-  return std::isnan(error_m) ? nlohmann::ordered_json() : nlohmann::ordered_json(kCmPerM * error_m);
-}
 
 class AdaptVerb final : public Verb {
  public:
@@ -63,8 +58,7 @@ class AdaptVerb final : public Verb {
       std::ranges::move(recording.episodes, std::back_inserter(episodes));
       add_source(sources, path);
     }
-    settings_.seed = flags.seed;
-    settings_.jobs = flags.jobs;
+    take_common(flags, settings_);
     Adaptation done = adapt(arm, family, episodes, settings_);
     note_origin(family, sources, done);
     write_model(out_, done.model);
@@ -90,10 +84,10 @@ class AdaptVerb final : public Verb {
     json["seconds"] = done.seconds;
     json["moving_s"] = done.moving_s;
     json["held_back_s"] = done.held_back_s;
-    json["error_cm"] = {{"family_middle", cm_or_null(done.middle_error_m)},
-                        {"e_alone", cm_or_null(done.fitted_error_m)},
-                        {"with_weights", cm_or_null(done.trained_error_m)},
-                        {"arms_of_the_family", cm_or_null(done.family_error_m)}};
+    json["error_cm"] = {{"family_middle", json_number(kCmPerM * done.middle_error_m)},
+                        {"e_alone", json_number(kCmPerM * done.fitted_error_m)},
+                        {"with_weights", json_number(kCmPerM * done.trained_error_m)},
+                        {"arms_of_the_family", json_number(kCmPerM * done.family_error_m)}};
     json["e"] = nullptr;
     json["sd"] = nullptr;
     if (const auto& member = done.model.member_of_family) {

@@ -55,9 +55,7 @@ class BenchVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
-    if (!plot_.empty()) {
-      refuse_to_overwrite(plot_, flags.force);
-    }
+    refuse_to_overwrite_given({plot_}, flags);
     const ArmDescription arm = load_any_arm(arm_);
     if (!training_.empty()) {
       return run_training(arm, flags);
@@ -69,9 +67,7 @@ class BenchVerb final : public Verb {
     }
     SpeedSettings settings;
     settings.queries = quick_ ? kQuickQueries : queries_;
-    settings.jobs = flags.jobs;
-    settings.seed = flags.seed;
-    settings.progress = flags.progress();
+    take_common(flags, settings);
     const SpeedReport report = measure_speed(arm, model ? &*model : nullptr, settings);
     if (!plot_.empty()) {
       write_file_atomically(plot_, speed_chart(report).svg());
@@ -82,9 +78,7 @@ class BenchVerb final : public Verb {
 
  private:
   int run_training(const ArmDescription& arm, const CommonFlags& flags) const {
-    if (!tables_.empty()) {
-      refuse_to_overwrite(tables_, flags.force);
-    }
+    refuse_to_overwrite_given({tables_}, flags);
     Recording recording = read_recording(training_);
     require_recording_of(recording, arm, training_);
     const TrainingData data{std::move(recording.episodes), {}, {}};

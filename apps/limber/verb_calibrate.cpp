@@ -152,17 +152,14 @@ class CalibrateVerb final : public Verb {
     if (!limits_.queries && !limits_.time_s) {
       runs.limits.queries = kCalibrationQueries;
     }
-    runs.seed = flags.seed;
-    runs.jobs = flags.jobs;
-    runs.progress = flags.progress();
+    take_common(flags, runs);
     return runs;
   }
 
   int calibrate(const ArmDescription& arm, CompensationModel model, const CommonFlags& flags) {
     settings_.model_file = model_file_;
     settings_.folder = folder_.empty() ? out_ + ".calibration" : folder_;
-    settings_.force = flags.force;
-    settings_.say = [&](const std::string& line) { say(flags, "{}", line); };
+    take_common(flags, settings_);
     settings_.runs = run_settings(arm, std::move(model), flags);
     const CalibrationResult result = calibrate_tube(settings_);
     for (const std::string& failure : result.failures) {

@@ -140,11 +140,7 @@ class CharacterizeVerb final : public Verb {
     const ArmDescription arm =
         load_asked_arm(arm_file, "characterize's bench test", PolynomialsOf::characterisation);
     require_characterisable(arm);
-    for (const std::string& path : {out_, plot_}) {
-      if (!path.empty()) {
-        refuse_to_overwrite(path, flags.force);
-      }
-    }
+    refuse_to_overwrite_given({out_, plot_}, flags);
     if (driver_.is_dry_run()) {
       const ArmDescription lines = with_lines_for_missing_polynomials(arm);
       return DriverFlags::print_dry_run(lines, flags, [&](ArmDriver& driver) {
@@ -209,9 +205,7 @@ class CharacterizeVerb final : public Verb {
   }
 
   int run_recordings(const CommonFlags& flags) const {
-    if (!out_.empty()) {
-      refuse_to_overwrite(out_, flags.force);
-    }
+    refuse_to_overwrite_given({out_}, flags);
     const std::string arm_file = find_arm_file(arm_);
     const ArmDescription any = load_any_arm(arm_file, PolynomialsOf::characterisation);
     if (any.is_spatial()) {
@@ -287,11 +281,7 @@ class CharacterizeVerb final : public Verb {
     const ArmDescription arm =
         load_asked_arm(arm_, "characterize --valves", PolynomialsOf::characterisation);
     const fs::path plot = plots_.empty() ? fs::path() : fs::path(plots_) / "valves.svg";
-    for (const fs::path& path : {fs::path(out_), plot}) {
-      if (!path.empty()) {
-        refuse_to_overwrite(path, flags.force);
-      }
-    }
+    refuse_to_overwrite_given({out_, plot}, flags);
     const Recording recording = read_recording(valves_);
     require_sizes_of(recording, arm, valves_);
     if (recording.setpoints_only()) {

@@ -89,10 +89,8 @@ class CollectVerb final : public Verb {
     CollectionSettings settings = variation
                                       ? related_collection(arm, schedule_, options_, *variation)
                                       : virtual_collection(arm, schedule_, options_);
-    settings.jobs = flags.jobs;
+    take_common(flags, settings);
     settings.resume = resume_;
-    settings.force = flags.force;
-    settings.progress = flags.progress();
     if (schedule_name_ == kPlans) {
       add_plans(arm, settings, flags);
     }
@@ -146,9 +144,7 @@ class CollectVerb final : public Verb {
     plans_.count = schedule_.count > 0 ? schedule_.count : plans_.count;
     plans_.episodes = std::max(1, schedule_.episodes);
     plans_.limit_scale = schedule_.limit_scale;
-    plans_.seed = flags.seed;
-    plans_.jobs = flags.jobs;
-    plans_.progress = flags.progress();
+    take_common(flags, plans_);
     settings.episodes = plan_schedule(arm, model, plans_);
     settings.episodes_are = describe(plans_, file_hash(model_file_));
   }

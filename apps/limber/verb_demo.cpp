@@ -51,11 +51,7 @@ class DemoVerb final : public Verb {
     settings.folder = out_;
     settings.arm = load_asked_arm(arm_, "limber demo");
     settings.quick = quick_;
-    settings.force = flags.force;
-    settings.seed = flags.seed;
-    settings.jobs = flags.jobs;
-    settings.progress = flags.progress();
-    settings.say = [&flags](const std::string& text) { say(flags, "{}", text); };
+    take_common(flags, settings);
     require_writable_folder(out_);
     nlohmann::ordered_json summary;
     try {

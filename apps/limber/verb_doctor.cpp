@@ -81,22 +81,19 @@ class DoctorVerb final : public Verb {
                                     "libonnx-dev libprotobuf-dev, and build limber again"
                                   : onnx;
     result["optional"] = nlohmann::ordered_json::array();
+    const auto add = [&](const std::string& name, bool present, const std::string& use,
+                         const std::string& how_to_get) {
+      result["optional"].push_back(
+          {{"name", name}, {"present", present}, {"use", use}, {"how_to_get", how_to_get}});
+    };
     for (const OptionalProgram& program : kOptionalPrograms) {
-      result["optional"].push_back({{"name", program.name},
-                                    {"present", on_path(program.name)},
-                                    {"use", program.use},
-                                    {"how_to_get", program.how_to_get}});
+      add(program.name, on_path(program.name), program.use, program.how_to_get);
     }
     for (const OptionalPeer& peer : optional_peers()) {
-      result["optional"].push_back({{"name", peer.library},
-                                    {"present", peer.present},
-                                    {"use", "a peer in limber bench"},
-                                    {"how_to_get", peer.how_to_get}});
+      add(peer.library, peer.present, "a peer in limber bench", peer.how_to_get);
     }
-    result["optional"].push_back({{"name", "OMPL"},
-                                  {"present", !ompl_planner_names().empty()},
-                                  {"use", "planners ompl:…, to compare with"},
-                                  {"how_to_get", "apt install libompl-dev, then build again"}});
+    add("OMPL", !ompl_planner_names().empty(), "planners ompl:…, to compare with",
+        "apt install libompl-dev, then build again");
     return result;
   }
 

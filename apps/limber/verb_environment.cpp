@@ -75,9 +75,7 @@ class EnvironmentVerb final : public Verb {
  private:
   int run_check(const ArmDescription& arm, const MotionModel& model, const CommonFlags& flags) {
     const Environment environment = load_environment(find_environment_file(words_[1]), arm);
-    if (!svg_.empty()) {
-      refuse_to_overwrite(svg_, flags.force);
-    }
+    refuse_to_overwrite_given({svg_}, flags);
     const PlanningProblem problem{arm, model, environment, margin_m_};
     const CollisionChecker checker(arm, environment.obstacles, margin_m_);
     const ProblemCheck check = check_problem(problem, checker, flags.seed);

@@ -93,9 +93,7 @@ class EvaluateVerb final : public Verb {
         refuse_to_overwrite(path, flags.force);
       }
     }
-    if (!out_.empty()) {
-      refuse_to_overwrite(out_, flags.force);
-    }
+    refuse_to_overwrite_given({out_}, flags);
   }
 
   /// Errors on what a model was trained on are shown with a warning, and never stored.

@@ -143,12 +143,8 @@ class ExecuteVerb final : public Verb {
   }
 
   void refuse_to_overwrite_any(const CommonFlags& flags) const {
-    for (const std::string& file :
-         {out_, adapted_out_, svg_, pressures_svg_, times_svg_, animation_}) {
-      if (!file.empty()) {
-        refuse_to_overwrite(file, flags.force);
-      }
-    }
+    refuse_to_overwrite_given({out_, adapted_out_, svg_, pressures_svg_, times_svg_, animation_},
+                              flags);
     if (!plans_out_.empty() && !replan_.is_asked_for()) {
       throw InputError("--plans-out: plans after the first are made by --replan; give that too");
     }
@@ -170,8 +166,7 @@ class ExecuteVerb final : public Verb {
   void prepare_plans_out(const CommonFlags& flags) {
     if (!plans_out_.empty()) {
       plans_folder_.emplace(
-          plans_out_, "execute",
-          flags.force ? OutputFolder::Start::forced : OutputFolder::Start::fresh,
+          plans_out_, "execute", OutputFolder::start(false, flags.force),
           std::vector<std::filesystem::path>{plan_, environment_, model_.model_file()});
     }
   }

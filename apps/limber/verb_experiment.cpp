@@ -156,11 +156,7 @@ class ExperimentVerb final : public Verb {
                         std::back_inserter(settings_.environments));
     }
     settings_.limits = settings_.limits.or_default();
-    settings_.seed = flags.seed;
-    settings_.jobs = flags.jobs;
-    settings_.force = flags.force;
-    settings_.progress = flags.progress();
-    settings_.say = [&](const std::string& line) { say(flags, "{}", line); };
+    take_common(flags, settings_);
     settings_.controllers = runs_.controllers();
     settings_.disturbances = runs_.disturbances();
     settings_.with_no_load = !network_only_;

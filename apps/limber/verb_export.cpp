@@ -1,7 +1,6 @@
 #include <filesystem>
 #include <functional>
 
-#include "file_kind.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/yaml_reader.hpp"
@@ -77,11 +76,7 @@ class ExportVerb final : public Verb {
           "expected at least one of --csv DIR, --motive DIR, --onnx FILE, --mjcf FILE");
     }
     settings_.seed = flags.seed;
-    for (const std::string& path : {onnx_, mjcf_}) {
-      if (!path.empty()) {
-        refuse_to_overwrite(path, flags.force);
-      }
-    }
+    refuse_to_overwrite_given({onnx_, mjcf_}, flags);
     for (const std::string& folder : {csv_, motive_}) {
       if (!folder.empty()) {
         refuse_to_fill(folder, flags.force);
@@ -180,13 +175,11 @@ class ExportVerb final : public Verb {
     write_setpoints_csv(setpoints, plan);
     write_backbones_csv(shapes, plan);
     add({setpoints, shapes});
-    if (!arm_.empty() || !plan.arm_description.empty()) {
-      add_commands(plan, arm_.empty() ? read_arm_keys(plan.arm_description, file_)
-                                      : load_asked_arm(arm_, "limber export"));
+    if (arm_.empty() && plan.arm_description.empty()) {
+      return;
     }
-  }
-
-  void add_commands(const Plan& plan, const ArmDescription& arm) {
+    const ArmDescription arm = arm_.empty() ? read_arm_keys(plan.arm_description, file_)
+                                            : load_asked_arm(arm_, "limber export");
     if (!arm.commands.empty()) {
       const fs::path commands = fs::path(csv_) / "commands.csv";
       write_commands_csv(commands, plan, arm);

@@ -164,11 +164,9 @@ class FamilyVerb final : public Verb {
     options.noise_rad = kNoiseRadPerM * noise_m_;
     options.seed = flags.seed + static_cast<std::uint64_t>(&share - kShares);
     CollectionSettings settings = related_collection(arm, schedule, options, variation);
+    take_common(flags, settings);
     settings.seed = options.seed;
-    settings.jobs = flags.jobs;
     settings.resume = resume_;
-    settings.force = flags.force;
-    settings.progress = flags.progress();
     return collect(arm, settings, related_arm_factory(arm, options, variation),
                    recording_path(share))
         .recording;
@@ -179,9 +177,7 @@ class FamilyVerb final : public Verb {
     set_family_size(settings, size_);
     set_epoch_count(settings, epochs_);
     settings.hidden_units = hidden_;
-    settings.seed = flags.seed;
-    settings.jobs = flags.jobs;
-    settings.progress = flags.progress();
+    take_common(flags, settings);
     settings.checkpoint = checkpoint();
     settings.resume = resume_ && fs::exists(settings.checkpoint);
     return settings;
@@ -204,15 +200,12 @@ class FamilyVerb final : public Verb {
     CalibrationSettings settings = calibration();
     write_model(settings.model_file, family);
     settings.resume = resume_;
-    settings.force = flags.force;
-    settings.say = [&](const std::string& line) { say(flags, "{}", line); };
+    take_common(flags, settings);
     settings.runs.arm = settings.runs.executed_arm = arm;
     settings.runs.unseen = UnseenArms{parse_physics_variation(variation_)};
     settings.runs.model = family;
     settings.runs.limits.queries = kCalibrationQueries;
-    settings.runs.seed = flags.seed;
-    settings.runs.jobs = flags.jobs;
-    settings.runs.progress = flags.progress();
+    take_common(flags, settings.runs);
     try {
       CalibrationResult result = calibrate_tube(settings);
       for (const std::string& failure : result.failures) {

@@ -3,7 +3,6 @@
 
 #include <fmt/ranges.h>
 
-#include "file_kind.hpp"
 #include "inspect_arm.hpp"
 #include "limber/arm/arm_commands.hpp"
 #include "limber/arm/names.hpp"

@@ -126,11 +126,7 @@ class PlanVerb final : public Verb {
       return build_forest_alone(arm, model, flags);
     }
     const Environment environment = environment_from(arm, arm_file, flags);
-    for (const std::string& path : {out_, csv_, svg_, pressures_svg_, animation_}) {
-      if (!path.empty()) {
-        refuse_to_overwrite(path, flags.force);
-      }
-    }
+    refuse_to_overwrite_given({out_, csv_, svg_, pressures_svg_, animation_}, flags);
     PlanResult result = search(arm, model, environment, flags);
     for (const std::string& warning : result.warnings) {
       say(flags, "warning: {}", warning);

@@ -299,9 +299,7 @@ class TrainVerb final : public Verb {
     settings.checkpoint = checkpoint_path();
     settings.checkpoint_interval_s = checkpoint_interval_s_;
     settings.resume = resume_;
-    settings.seed = flags.seed;
-    settings.jobs = flags.jobs;
-    settings.progress = flags.progress();
+    take_common(flags, settings);
     return settings;
   }
 
@@ -351,8 +349,6 @@ class TrainVerb final : public Verb {
     write_file_atomically(curve_path(".curve.svg"), learning_curve_svg(result.curve));
   }
 
-  static constexpr int kFamilySize = 8;
-
   std::string arm_ = "three_segment";
   DataFlags files_;
   std::string preset_ = "best";
@@ -366,7 +362,7 @@ class TrainVerb final : public Verb {
   std::optional<bool> velocity_;
   std::optional<int> ensemble_;
   bool family_ = false;
-  int family_size_ = kFamilySize;
+  int family_size_ = 8;
   int slice_frames_ = kSliceFrames;
   double checkpoint_interval_s_ = 20.0;
   bool resume_ = false;

@@ -14,6 +14,7 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/json_number.hpp"
 #include "limber/common/units.hpp"
 #include "limber/lab/plan_spread.hpp"
 #include "limber/network/arm_family.hpp"
@@ -44,11 +45,6 @@ struct OtherJudgement {
 
   bool agrees() const { return is_shape && reaches_goal && !collides; }
 };
-
-nlohmann::ordered_json centimetres(double metres) {
-  return std::isfinite(metres) ? nlohmann::ordered_json(kCmPerM * metres)
-                               : nlohmann::ordered_json();
-}
 
 bool has_failed(const Certificate& certificate, const char* check) {
   return std::ranges::any_of(certificate.failures, [&](const CertificateFailure& failure) {
@@ -90,9 +86,9 @@ nlohmann::ordered_json to_json(const OtherJudgement& judgement) {
           {"agrees", judgement.agrees()},
           {"goal_reached", judgement.reaches_goal},
           {"collides", judgement.collides},
-          {"distance_to_goal_cm", centimetres(judgement.goal_distance_m)},
-          {"clearance_cm", centimetres(judgement.clearance_m)},
-          {"largest_departure_cm", centimetres(judgement.departure_m)}};
+          {"distance_to_goal_cm", json_number(kCmPerM * judgement.goal_distance_m)},
+          {"clearance_cm", json_number(kCmPerM * judgement.clearance_m)},
+          {"largest_departure_cm", json_number(kCmPerM * judgement.departure_m)}};
 }
 
 std::string to_text(const OtherJudgement& judgement) {

@@ -65,9 +65,7 @@ class VirtualArmVerb final : public Verb {
     if (!fault_.empty()) {
       settings_.fault = parse_server_fault(fault_);
     }
-    if (!settings_.device_log.empty()) {
-      refuse_to_overwrite(settings_.device_log, flags.force);
-    }
+    refuse_to_overwrite_given({settings_.device_log}, flags);
     const ArmDescription arm = load_any_arm(find_arm_file(arm_), PolynomialsOf::characterisation);
     const DisturbedArm served = disturb(arm, flags.seed);
     settings_.arm = served.options;

@@ -1,5 +1,6 @@
 #include "limber/common/cpu_level.hpp"
 
+#include <unistd.h>
 #include <cstdlib>
 #include <sstream>
 
@@ -73,6 +74,11 @@ std::string cpu_name() {
     }
   }
   return "unknown";
+}
+
+std::string host_name() {
+  char name[256] = {};
+  return ::gethostname(name, sizeof name - 1) == 0 ? name : "unknown";
 }
 
 }  // namespace limber

@@ -45,6 +45,13 @@ void throw_if_interrupted() {
   }
 }
 
+void throw_if_interrupted(const std::function<bool()>& should_stop) {
+  throw_if_interrupted();
+  if (should_stop && should_stop()) {
+    throw Interrupted("stopped on request");
+  }
+}
+
 StopScope::StopScope(const std::atomic<bool>* own) : before_(stop) {
   stop = own;
 }

@@ -7,6 +7,7 @@
 
 #include "limber/common/interrupt.hpp"
 #include "limber/common/printable.hpp"
+#include "limber/common/seconds_since.hpp"
 
 namespace limber {
 
@@ -83,7 +84,8 @@ ArmState DriverLink::set(const Pressures& setpoint_kpa, Clock::duration reply_ti
   const Time deadline = Clock::now() + reply_time;
   send(set_line(seq_, since_start_s(), on_wire), deadline);
   if (is_vent_asked_until_input(deadline)) {
-    send_ahead();
+    try_to_send(vent_line(seq_ + 1, since_start_s()));
+    vent_ahead_ = true;
     (void)receive(deadline);
     throw Interrupted("stopped on request");
   }
@@ -103,11 +105,6 @@ bool DriverLink::is_vent_asked_until_input(Time until) {
     }
   }
   return false;
-}
-
-void DriverLink::send_ahead() {
-  try_to_send(vent_line(seq_ + 1, since_start_s()));
-  vent_ahead_ = true;
 }
 
 void DriverLink::wait_for_slot(Time slot) {
@@ -251,7 +248,7 @@ void DriverLink::require_order(const DriverReply& reply) const {
 /// Requests may overtake the sampling, so that the newest sample is one that limber has; but not
 /// for long, and never in a simulation, which makes each sample when it is asked.
 void DriverLink::require_recent() const {
-  const double since_s = std::chrono::duration<double>(Clock::now() - sample_since_).count();
+  const double since_s = seconds_since(sample_since_);
   if (!hello_.real_time || since_s > kMaxRepeatFrames * period_s_) {
     throw BrokenDriver(
         fmt::format("sends its sample of {} s again {:.2f} s after it first did; by its own clock, "
@@ -352,7 +349,7 @@ void DriverLink::say_why_it_is_silent(const std::string& otherwise, milliseconds
 }
 
 double DriverLink::since_start_s() const {
-  return std::chrono::duration<double>(Clock::now() - start_).count();
+  return seconds_since(start_);
 }
 
 }  // namespace limber

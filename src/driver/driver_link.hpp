@@ -81,7 +81,6 @@ class DriverLink {
  private:
   bool is_vent_asked_until_input(Time until);
   void send(const std::string& line, Time deadline);
-  void send_ahead();
   ArmState receive(Time deadline);
   void require_order(const DriverReply& reply) const;
   void require_recent() const;

@@ -18,6 +18,7 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/seconds_since.hpp"
 #include "limber/common/utf8.hpp"
 #include "limber/common/version.hpp"
 
@@ -187,8 +188,7 @@ void DriverLog::write(const char* key, std::string_view line) {
   if (!file_) {
     return;
   }
-  const double at_s =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  const double at_s = seconds_since(start_);
   // A byte order mark only a whole text may have.
   const bool is_json = !line.starts_with(kByteOrderMark) && nlohmann::json::accept(line);
   const std::string body = is_json ? std::string(line) : as_text(line);

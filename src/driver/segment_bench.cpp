@@ -65,11 +65,9 @@ class SegmentBenchRun {
   /// Goes to `kpa`, waits, and takes the means of the hold's end.
   void held(double kpa) {
     const Pressures goal = Pressures::Constant(1, static_cast<float>(kpa));
-    const Pressures from = setpoint_kpa_;
-    const int count = motion_frame_count(from, goal, arm_.pressure_step_limit_kpa());
-    for (int k = 1; k <= count; ++k) {
-      motion_setpoint(from, goal, k, count, setpoint_kpa_);
-      frame(setpoint_kpa_);
+    for (const Pressures& setpoint_kpa :
+         straight_setpoints(setpoint_kpa_, goal, arm_.pressure_step_limit_kpa())) {
+      frame(setpoint_kpa);
     }
     setpoint_kpa_ = goal;
     const int frames = arm_.frames_in(kBenchHoldS);

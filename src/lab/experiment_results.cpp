@@ -31,15 +31,11 @@ constexpr std::size_t kMostEnvironmentsOnPage = 100;
 
 constexpr std::size_t kEnvironmentsPerFolder = 400;
 
-bool is_same_way(const PlanningRow& a, const PlanningRow& b) {
-  return a.planner == b.planner && a.controller == b.controller && a.disturbance == b.disturbance;
-}
-
 /// Rows came by environment; tables go by planner, controller and disturbance first.
 std::vector<PlanningRow> by_way(const std::vector<PlanningRow>& rows) {
   std::vector<PlanningRow> sorted;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const auto is_same = [&](const PlanningRow& row) { return is_same_way(row, rows[i]); };
+    const auto is_same = [&](const PlanningRow& row) { return is_run_as(row, rows[i]); };
     if (std::ranges::none_of(sorted, is_same)) {
       std::ranges::copy_if(rows, std::back_inserter(sorted), is_same);
     }
@@ -111,7 +107,7 @@ void ExperimentResults::add(const EnvironmentCase& item, const std::vector<PlanT
   const std::vector<PlanningRow> rows = planning_rows(trials);
   std::vector<PlanTrial> one;
   for (const PlanningRow& row : rows) {
-    if (is_same_way(row, rows.front()) && row.one_plan) {
+    if (is_run_as(row, rows.front()) && row.one_plan) {
       one.push_back(*row.one_plan);
     }
   }

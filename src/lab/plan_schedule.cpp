@@ -1,17 +1,17 @@
 #include "limber/lab/plan_schedule.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "kernels/job_arena.hpp"
+#include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/lab/witnessed_environment.hpp"
 #include "limber/run/plan_trial.hpp"
+#include "limber/run/safety_settings.hpp"
 
 namespace limber {
 
@@ -45,10 +45,7 @@ class EpisodePlanner {
                  const PlanScheduleSettings& settings, std::uint64_t episode)
       : arm_(arm), model_(model), settings_(settings), number_(episode * kNumbersOfAnEpisode) {
     trial_.limits.queries = settings.queries;
-    for (const Segment& segment : arm.segments) {
-      trial_.within.push_back(segment.pressure_limit_kpa);
-      trial_.within.back() *= settings.limit_scale;
-    }
+    trial_.within = limits_of(with_scaled_limits(arm, settings.limit_scale));
   }
 
   EpisodeSchedule schedule(Progress& progress) {
@@ -106,10 +103,8 @@ std::vector<EpisodeSchedule> plan_schedule(const ArmDescription& arm, const Moti
                     std::uint64_t(settings.episodes) * std::uint64_t(settings.count),
                     settings.progress);
   JobArena arena(settings.jobs);
-  arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, episodes.size(), [&](std::size_t i) {
-      episodes[i] = EpisodePlanner(arm, model, settings, i).schedule(progress);
-    });
+  arena.for_each(episodes.size(), [&](std::size_t i) {
+    episodes[i] = EpisodePlanner(arm, model, settings, i).schedule(progress);
   });
   progress.finish();
   return episodes;

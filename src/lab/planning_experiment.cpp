@@ -8,7 +8,6 @@
 #include <set>
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 #include <nlohmann/json.hpp>
 
 #include "demo/demo_recipe.hpp"
@@ -98,10 +97,7 @@ class Experiment {
       }
       require_same_experiment(file(kExperimentFile), wanted);
     }
-    output_.emplace(settings_.folder, "experiment",
-                    resumes           ? OutputFolder::Start::resumed
-                    : settings_.force ? OutputFolder::Start::forced
-                                      : OutputFolder::Start::fresh,
+    output_.emplace(settings_.folder, "experiment", OutputFolder::start(resumes, settings_.force),
                     std::vector<fs::path>{settings_.model_file});
     if (!output_->left().empty()) {
       settings_.say(output_->about_left());
@@ -226,13 +222,11 @@ class Experiment {
     trial.adapts = settings_.adapts;
     Progress progress("experiment", "trials", open.size(), settings_.progress);
     JobArena arena(settings_.jobs);
-    arena.execute([&] {
-      tbb::parallel_for(std::size_t{0}, open.size(), [&](std::size_t i) {
-        if (!interrupt_requested()) {
-          run_task(open[i], trial);
-          progress.advance();
-        }
-      });
+    arena.for_each(open.size(), [&](std::size_t i) {
+      if (!interrupt_requested()) {
+        run_task(open[i], trial);
+        progress.advance();
+      }
     });
     progress.finish();
   }

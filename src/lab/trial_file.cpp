@@ -1,5 +1,6 @@
 #include "trial_file.hpp"
 
+#include <array>
 #include <limits>
 #include <utility>
 
@@ -25,17 +26,11 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t kAny = std::numeric_limits<std::uint64_t>::max();
 constexpr double kFarthest = 1e6;   // [m, rad]; nothing real comes near
 constexpr double kLongest_s = 1e8;  // three years: no trial took that long
-constexpr PlanStatus kPlanStatuses[] = {PlanStatus::solved,
-                                        PlanStatus::limit,
-                                        PlanStatus::invalid_start,
-                                        PlanStatus::goal_unreachable,
-                                        PlanStatus::goal_in_collision,
-                                        PlanStatus::not_certified};
-constexpr ExecutionStatus kExecutionStatuses[] = {ExecutionStatus::done, ExecutionStatus::fault,
-                                                  ExecutionStatus::stopped};
+constexpr std::array kExecutionStatuses{ExecutionStatus::done, ExecutionStatus::fault,
+                                        ExecutionStatus::stopped};
 
 template <class Status, std::size_t count>
-Status read_status(const JsonReader& field, const Status (&all)[count]) {
+Status read_status(const JsonReader& field, const std::array<Status, count>& all) {
   const std::string name = field.text();
   std::string names;
   for (const Status status : all) {

@@ -50,21 +50,6 @@ bool is_refused(const PlanningProblem& problem, const CollisionChecker& checker,
   return check.refusal.has_value();
 }
 
-void finish_search(const PlanningProblem& problem, MotionSimulator& simulator,
-                   const PlannerBudget& budget, const SearchEnd& end, const char* planner,
-                   std::uint64_t seed, PlanResult& result) {
-  result.limit = budget.limit();
-  result.status = PlanStatus::limit;
-  if (!end.ladder.settle(result, end.queries)) {
-    Plan plan = build_partial_plan(problem, simulator, end.nearest_kpa, planner, seed);
-    result.reason = reason_of_failure(budget, problem.environment.goal, plan, result);
-    result.best_partial = std::move(plan);
-  } else if (result.plan) {
-    result.reason = reason_of_solution(budget);
-  }
-  result.warnings = find_warnings(problem, seed);
-}
-
 std::vector<TreeEdge> tree_edges(const PressureTree& tree) {
   std::vector<TreeEdge> edges;
   const int count = std::min(tree.size(), static_cast<int>(PlanResult::kMaxTreeEdges) + 1);
@@ -118,7 +103,10 @@ bool PlanLadder::offer(const std::vector<Pressures>& waypoints_kpa, double merit
                        std::uint64_t queries) {
   const Found found{budget_.elapsed_s(), queries};
   Rung rung{waypoints_kpa, path_cost_kpa(waypoints_kpa), merit_kpa};
-  if (!is_notable(rung)) {
+  // A plan cheap enough to end the search must hold.
+  const bool is_judged_at_once = !standing_ || rung.merit_kpa < kNotable * standing_->merit_kpa ||
+                                 budget_.good_enough(rung.cost_kpa);
+  if (!is_judged_at_once) {
     // A little better than the one before it: replaces that one, so that they stay few.
     if (waiting_.size() > 1 && rung.merit_kpa > kWorthWaiting * waiting_.end()[-2].merit_kpa) {
       waiting_.pop_back();
@@ -131,12 +119,6 @@ bool PlanLadder::offer(const std::vector<Pressures>& waypoints_kpa, double merit
     waiting_.push_back(std::move(rung));
   }
   return verdict != PlanJudge::Verdict::refused;
-}
-
-/// Whether it is judged at once. A plan cheap enough to end the search must hold.
-bool PlanLadder::is_notable(const Rung& rung) const {
-  return !standing_ || rung.merit_kpa < kNotable * standing_->merit_kpa ||
-         budget_.good_enough(rung.cost_kpa);
 }
 
 PlanJudge::Verdict PlanLadder::judge(const Rung& rung, const Found& found) {
@@ -194,6 +176,20 @@ bool PlanLadder::settle(PlanResult& result, std::uint64_t queries) {
     result.best_partial = std::move(refused_);
   }
   return result.plan || unfinished_ || result.best_partial;
+}
+
+void PlanLadder::finish(std::uint64_t queries, const std::vector<Pressures>& nearest_kpa,
+                        PlanResult& result) {
+  result.limit = budget_.limit();
+  result.status = PlanStatus::limit;
+  if (!settle(result, queries)) {
+    Plan plan = build_partial_plan(problem_, simulator_, nearest_kpa, planner_, seed_);
+    result.reason = reason_of_failure(budget_, problem_.environment.goal, plan, result);
+    result.best_partial = std::move(plan);
+  } else if (result.plan) {
+    result.reason = reason_of_solution(budget_);
+  }
+  result.warnings = find_warnings(problem_, seed_);
 }
 
 }  // namespace limber

@@ -36,6 +36,14 @@ class PlanLadder {
   /// @return whether there was a plan at all, of whatever standing
   bool settle(PlanResult& result, std::uint64_t queries);
 
+  /// Finishes the search: settled, or else the motion that came nearest, simulated again from the
+  /// start, with the reason why the search ended and the problem's warnings. The warnings come last
+  /// so that they do not delay the first plan.
+  /// @param queries      of the model, until now
+  /// @param nearest_kpa  waypoints of the motion that came nearest to the goal
+  /// @param result       its statistics of iterations and nodes are filled in
+  void finish(std::uint64_t queries, const std::vector<Pressures>& nearest_kpa, PlanResult& result);
+
  private:
   struct Rung {
     std::vector<Pressures> waypoints_kpa;
@@ -50,7 +58,6 @@ class PlanLadder {
 
   /// Builds and judges; a plan that holds becomes the one that stands.
   PlanJudge::Verdict judge(const Rung& rung, const Found& found);
-  bool is_notable(const Rung& rung) const;
   const Rung* best() const;
 
   const PlanningProblem& problem_;
@@ -70,21 +77,6 @@ class PlanLadder {
 /// Whether the problem is refused before any search; status and reason then say why.
 [[nodiscard]] bool is_refused(const PlanningProblem& problem, const CollisionChecker& checker,
                               PlanResult& result);
-
-/// How a search that has ended went.
-struct SearchEnd {
-  PlanLadder& ladder;
-  std::uint64_t queries;               ///< of the model, until now
-  std::vector<Pressures> nearest_kpa;  ///< waypoints of the motion that came nearest to the goal
-};
-
-/// Finishes a search: the plan that holds, or else the motion that came nearest, simulated again
-/// from the start, with the reason why the search ended and the problem's warnings. The warnings
-/// come last so that they do not delay the first plan.
-/// @param result  its statistics of iterations and nodes are filled in
-void finish_search(const PlanningProblem& problem, MotionSimulator& simulator,
-                   const PlannerBudget& budget, const SearchEnd& end, const char* planner,
-                   std::uint64_t seed, PlanResult& result);
 
 /// Of the oldest nodes, at most PlanResult::kMaxTreeEdges.
 std::vector<TreeEdge> tree_edges(const PressureTree& tree);

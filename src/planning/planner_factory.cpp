@@ -16,7 +16,6 @@
 #include "limber/planning/ompl_planner.hpp"
 #include "paper/pressure_rrt_star.hpp"
 #include "search/default_planner.hpp"
-#include "search/default_settings.hpp"
 
 namespace limber {
 

@@ -47,11 +47,9 @@ std::string pressures_svg(const DriverCheck& check) {
   for (int s = 0; s < std::ssize(check.channels); ++s) {
     Chart chart(check.channels[static_cast<std::size_t>(s)]);
     chart.x_axis("time [s]").y_axis("pressure [kPa]").size_px(900, 240);
-    SeriesStyle set;
-    set.dashed = true;
-    set.width_px = 1.0;
     const std::vector<double> time(time_s.begin(), time_s.end());
-    chart.line("set point in force", time, frame_column(check.episode.setpoint_kpa, s), set);
+    chart.line("set point in force", time, frame_column(check.episode.setpoint_kpa, s),
+               {.width_px = 1.0, .dashed = true});
     chart.line("measured", time, frame_column(check.episode.pressure_kpa, s));
     grid.add(chart);
   }

@@ -24,13 +24,6 @@ namespace {
 
 constexpr int kShownFrames = 6;
 
-SeriesStyle style_of(int color, bool dashed = false) {
-  SeriesStyle style;
-  style.color = palette_color(color);
-  style.dashed = dashed;
-  return style;
-}
-
 struct Predictions {
   FrameMatrix no_load;
   std::optional<FrameMatrix> network;
@@ -67,10 +60,10 @@ Chart backbone_chart(const std::string& title, const Predictions& predictions,
   const auto draw = [&](const char* label, const FrameMatrix& poses, const SeriesStyle& style) {
     draw_backbone(chart, label, poses, episode.dimension, across, t, style);
   };
-  draw("recorded", episode.backbone, style_of(kTrueArmColor));
-  draw("no load", predictions.no_load, style_of(kNoLoadColor, true));
+  draw("recorded", episode.backbone, {.color = palette_color(kTrueArmColor)});
+  draw("no load", predictions.no_load, {.color = palette_color(kNoLoadColor), .dashed = true});
   if (predictions.network) {
-    draw("network", *predictions.network, style_of(kNetworkColor));
+    draw("network", *predictions.network, {.color = palette_color(kNetworkColor)});
   }
   return chart;
 }
@@ -102,8 +95,7 @@ std::string error_over_time(const Predictions& predictions, const Episode& episo
   Chart chart("Tip error over time, open loop");
   chart.x_axis("time [s]").y_axis("position error [cm]").size_px(900, 360);
   chart.note("The network starts from the first recorded backbone and is never corrected.");
-  SeriesStyle thin = style_of(kNoLoadColor);
-  thin.width_px = 1.0;
+  SeriesStyle thin{.color = palette_color(kNoLoadColor), .width_px = 1.0};
   chart.line("no load", time_s, errors_cm(predictions.no_load), thin);
   if (predictions.network) {
     thin.color = palette_color(kNetworkColor);
@@ -222,15 +214,19 @@ EvaluationPlots plot_evaluation(const ArmDescription& arm, const ForwardModel& n
   Chart orientation("Orientation error of the tip, open loop");
   position.y_axis("position error [cm]").without_legend();
   orientation.y_axis("orientation error [rad]").without_legend();
-  position.distribution("no load", no_load_errors.position_cm, style_of(kNoLoadColor));
+  position.distribution("no load", no_load_errors.position_cm,
+                        {.color = palette_color(kNoLoadColor)});
   if (network != nullptr) {
-    position.distribution("network", network_errors.position_cm, style_of(kNetworkColor));
+    position.distribution("network", network_errors.position_cm,
+                          {.color = palette_color(kNetworkColor)});
   }
   if (!episodes.front().lifted) {
-    orientation.distribution("no load", no_load_errors.orientation_rad, style_of(kNoLoadColor));
+    orientation.distribution("no load", no_load_errors.orientation_rad,
+                             {.color = palette_color(kNoLoadColor)});
   }
   if (network != nullptr && !episodes.front().lifted) {
-    orientation.distribution("network", network_errors.orientation_rad, style_of(kNetworkColor));
+    orientation.distribution("network", network_errors.orientation_rad,
+                             {.color = palette_color(kNetworkColor)});
   }
   const Episode& shown = longest(episodes);
   const Predictions predictions = predict_both(no_load, network, shown, jobs);
@@ -338,12 +334,12 @@ std::string error_over_horizon_svg(const YardstickReport& report) {
   }
   int color = kTrueArmColor + 1;
   for (const PredictorErrors& curve : report.predictors) {
-    SeriesStyle style;
-    style.dashed = curve.errors.has_value();  // of yardsticks
-    style.color = palette_color(curve.key == "no_load"   ? kNoLoadColor
-                                : curve.key == "network" ? kNetworkColor
-                                                         : color++);
-    chart.line(curve.label, x, curve.tip_cm, style);
+    const int its_color = curve.key == "no_load"   ? kNoLoadColor
+                          : curve.key == "network" ? kNetworkColor
+                                                   : color++;
+    const bool is_yardstick = curve.errors.has_value();
+    chart.line(curve.label, x, curve.tip_cm,
+               {.color = palette_color(its_color), .dashed = is_yardstick});
   }
   chart.note("Restarted from the recorded backbone every so many frames, and left alone between.");
   return chart.svg();

@@ -78,17 +78,12 @@ void draw_tip_path(SvgDrawing& drawing, const ArmDescription& arm, const Episode
 }
 
 void draw_prediction(SvgDrawing& drawing, const ArmDescription& arm, const Plan& plan) {
-  const bool network = plan.model == "network";
-  const std::string color = palette_color(network ? kNetworkColor : kNoLoadColor);
-  std::vector<WorldPoint> tips;
-  for (const PlanFrame& frame : plan.frames) {
-    tips.push_back(tip_of(frame.backbone));
-  }
+  const std::string color = model_color(plan.model);
   const ShapeStyle end{.fill = color, .stroke = "none", .opacity = 0.4};
   draw_arm(drawing, arm, plan.frames.back().backbone, end);
-  drawing.polyline(tips, {.stroke = color, .width_px = 2.0, .dashed = true});
+  draw_tip_path(drawing, plan, {.stroke = color, .width_px = 2.0, .dashed = true});
   drawing.legend(fmt::format("end that the {} model predicts; dashed: its tip's path",
-                             network ? "network" : "no-load"),
+                             plan.model == "network" ? "network" : "no-load"),
                  end);
 }
 

@@ -21,10 +21,6 @@ struct Pair {
   const PlanningRow& network;
 };
 
-bool is_run_as(const PlanningRow& a, const PlanningRow& b) {
-  return a.planner == b.planner && a.controller == b.controller && a.disturbance == b.disturbance;
-}
-
 std::vector<Pair> pairs_of(const std::vector<PlanningRow>& rows) {
   std::vector<Pair> pairs;
   for (const PlanningRow& a : rows) {
@@ -185,6 +181,10 @@ PaperFinding success_finding(const std::vector<PlanningRow>& rows) {
 }
 
 }  // namespace
+
+bool is_run_as(const PlanningRow& a, const PlanningRow& b) {
+  return a.planner == b.planner && a.controller == b.controller && a.disturbance == b.disturbance;
+}
 
 std::vector<PaperFinding> compare_with_paper(const std::vector<PlanningRow>& rows) {
   return {distance_finding(rows),  all_distance_finding(rows), orientation_finding(rows),

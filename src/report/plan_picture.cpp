@@ -29,10 +29,6 @@ WorldPoint world(const Eigen::Vector2d& p) {
   return {p.x(), p.y()};
 }
 
-std::string plan_color(const Plan& plan) {
-  return palette_color(plan.model == "network" ? kNetworkColor : kNoLoadColor);
-}
-
 void draw(SvgDrawing& drawing, const Circle& c) {
   drawing.circle({c.x_m, c.y_m}, c.radius_m, kObstacleStyle);
 }
@@ -49,6 +45,20 @@ void draw(SvgDrawing& drawing, const Polygon& polygon) {
   drawing.polygon(points, kObstacleStyle);
 }
 
+}  // namespace
+
+std::string model_color(const std::string& model) {
+  return palette_color(model == "network" ? kNetworkColor : kNoLoadColor);
+}
+
+std::vector<WorldPoint> center_line(const Backbone& backbone) {
+  std::vector<WorldPoint> points;
+  for (Eigen::Index i = 0; i < backbone.rows(); ++i) {
+    points.push_back({backbone(i, 0), backbone(i, 1)});
+  }
+  return points;
+}
+
 void draw_tip_path(SvgDrawing& drawing, const Plan& plan, const ShapeStyle& style) {
   std::vector<WorldPoint> tips;
   for (const PlanFrame& frame : plan.frames) {
@@ -57,8 +67,6 @@ void draw_tip_path(SvgDrawing& drawing, const Plan& plan, const ShapeStyle& styl
   }
   drawing.polyline(tips, style);
 }
-
-}  // namespace
 
 WorldBox picture_box(const ArmDescription& arm, const Environment& environment) {
   const double reach = arm.length_m();
@@ -106,16 +114,12 @@ void draw_environment(SvgDrawing& drawing, const Environment& environment) {
 
 void draw_arm(SvgDrawing& drawing, const ArmDescription& arm, const Backbone& backbone,
               const ShapeStyle& style) {
-  std::vector<WorldPoint> points;
   std::vector<double> radii;
-  for (Eigen::Index i = 0; i < backbone.rows(); ++i) {
-    points.push_back({backbone(i, 0), backbone(i, 1)});
-  }
   for (const Segment& segment : arm.segments) {
     radii.insert(radii.end(), static_cast<std::size_t>(segment.gaps),
                  0.5 * segment.width_m + arm.actuator_radius_m);
   }
-  drawing.capsule_chain(points, radii, style);
+  drawing.capsule_chain(center_line(backbone), radii, style);
 }
 
 void draw_tree(SvgDrawing& drawing, const std::vector<TreeEdge>& tree) {
@@ -131,7 +135,7 @@ void draw_tree(SvgDrawing& drawing, const std::vector<TreeEdge>& tree) {
 void draw_plan(SvgDrawing& drawing, const ArmDescription& arm, const Plan& plan) {
   const int moving = plan.frame_count() - plan.hold_frame_count;
   const int shapes = std::min(kPlanShapes, moving);
-  const std::string color = plan_color(plan);
+  const std::string color = model_color(plan.model);
   for (int k = 0; k < shapes; ++k) {
     const bool last = k + 1 == shapes;
     const int frame = last ? plan.frame_count() - 1
@@ -166,11 +170,9 @@ std::string pressure_picture(const ArmDescription& arm, const Plan& plan,
       return values;
     };
     const SeriesStyle style{.color = palette_color(static_cast<int>(i) + 3)};
-    SeriesStyle faint = style;
-    faint.dashed = true;
-    faint.width_px = 1.0;
     chart.line(fmt::format("{}: set point", segment_name(i)), time_s,
-               along(plan.frames, [i](const PlanFrame& f) { return f.setpoint_kpa[i]; }), faint);
+               along(plan.frames, [i](const PlanFrame& f) { return f.setpoint_kpa[i]; }),
+               {.color = style.color, .width_px = 1.0, .dashed = true});
     chart.line(fmt::format("{}: predicted", segment_name(i)), time_s,
                along(plan.frames, [i](const PlanFrame& f) { return f.pressure_kpa[i]; }), style);
     if (!measured_kpa.empty()) {
@@ -211,11 +213,11 @@ std::string plan_picture(const ArmDescription& arm, const Environment& environme
   if (result.plan) {
     draw_plan(drawing, arm, *result.plan);
     drawing.legend("the plan's last shape, as predicted",
-                   {.fill = plan_color(*result.plan), .stroke = "#222222", .width_px = 1.0});
+                   {.fill = model_color(result.plan->model), .stroke = "#222222", .width_px = 1.0});
     drawing.legend("path of its tip", {.stroke = "#222222", .width_px = 1.5});
   } else if (result.best_partial) {
     const ShapeStyle nearest{
-        .fill = plan_color(*result.best_partial), .stroke = "none", .opacity = 0.4};
+        .fill = model_color(result.best_partial->model), .stroke = "none", .opacity = 0.4};
     draw_arm(drawing, arm, result.best_partial->frames.back().backbone, nearest);
     draw_tip_path(drawing, *result.best_partial, {.stroke = "#222222", .dashed = true});
     drawing.legend("no plan; the nearest motion found", nearest);

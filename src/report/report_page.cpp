@@ -108,9 +108,8 @@ ReportPage::ReportPage(std::string title, std::string subtitle)
     : title_(std::move(title)), subtitle_(std::move(subtitle)) {}
 
 ReportPage& ReportPage::heading(std::string_view text) {
-  const int number = static_cast<int>(sections_.size()) + 1;
-  sections_.push_back({std::string(text), number});
-  body_ += element("h2", text, fmt::format(" id=\"section-{}\"", number));
+  sections_.emplace_back(text);
+  body_ += element("h2", text, fmt::format(" id=\"section-{}\"", sections_.size()));
   return *this;
 }
 
@@ -183,9 +182,9 @@ ReportPage& ReportPage::figures(const std::vector<ReportFigure>& figures) {
 
 std::string ReportPage::html() const {
   std::string links;
-  for (const Section& section : sections_) {
-    links += fmt::format("<li><a href=\"#section-{}\">{}</a></li>\n", section.number,
-                         escape_xml(section.title));
+  for (std::size_t i = 0; i < sections_.size(); ++i) {
+    links +=
+        fmt::format("<li><a href=\"#section-{}\">{}</a></li>\n", i + 1, escape_xml(sections_[i]));
   }
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"

@@ -1,14 +1,13 @@
 #include "limber/report/run_table.hpp"
 
-#include <unistd.h>
 #include <algorithm>
-#include <array>
 #include <ctime>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "limber/common/cpu_level.hpp"
 #include "limber/common/json_number.hpp"
 #include "limber/common/units.hpp"
 #include "limber/common/version.hpp"
@@ -30,14 +29,6 @@ Json run_figures(const SampleFigures& figures) {
           {"p95", json_number(figures.p95)}};
 }
 
-// The order is the enumeration's: a run has the index.
-constexpr std::array kStatuses = {PlanStatus::solved,
-                                  PlanStatus::limit,
-                                  PlanStatus::invalid_start,
-                                  PlanStatus::goal_unreachable,
-                                  PlanStatus::goal_in_collision,
-                                  PlanStatus::not_certified};
-
 constexpr const char* kProperties =
     "time REAL\n"
     "solved BOOLEAN\n"
@@ -49,11 +40,6 @@ constexpr const char* kProperties =
     "model queries INTEGER\n"
     "status ENUM\n";
 constexpr int kPropertyCount = 9;
-
-std::string host_name() {
-  std::array<char, 256> name{};
-  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "unknown";
-}
 
 std::string number(const std::optional<double>& value) {
   return value ? fmt::format("{}", *value) : "";
@@ -69,12 +55,10 @@ std::string run_line(const PlanTrial& trial) {
     first_s = planning.first_solution->time_s;
     first_cost = planning.first_solution->cost_kpa;
   }
-  const auto status =
-      std::find(kStatuses.begin(), kStatuses.end(), planning.status) - kStatuses.begin();
   return fmt::format("{}; {}; {}; {}; {}; {}; {}; {}; {}; \n", planning.statistics.time_s,
                      trial.solved() ? 1 : 0, trial.solved() ? 1 : 0, number(cost), number(first_s),
                      number(first_cost), planning.statistics.nodes, planning.statistics.queries,
-                     status);
+                     static_cast<int>(planning.status));
 }
 
 /// How the best cost fell: "time,cost,;time,cost,;…".
@@ -217,7 +201,7 @@ std::string planner_arena_log(const std::string& environment, const std::vector<
     total_s += trial.planning.statistics.time_s;
   }
   std::string statuses = "status";
-  for (const PlanStatus status : kStatuses) {
+  for (const PlanStatus status : kPlanStatuses) {
     statuses += std::string("|") + to_string(status);
   }
   const std::time_t now = std::time(nullptr);

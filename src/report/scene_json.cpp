@@ -8,10 +8,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double rounded_to(double value, double parts) {
-  return std::round(value * parts) / parts;
-}
-
 Json exact_pressures(const Pressures& kpa) {
   return std::vector<float>(kpa.begin(), kpa.end());
 }
@@ -37,6 +33,10 @@ Json start_to_json(const ArmStart& start) {
 }
 
 }  // namespace
+
+double rounded_to(double value, double parts) {
+  return std::round(value * parts) / parts;
+}
 
 Json arm_to_json(const ArmDescription& arm) {
   Json json = {{"name", arm.name},

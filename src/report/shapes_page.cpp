@@ -13,23 +13,7 @@ namespace limber {
 namespace {
 
 ShapeStyle body_style(const std::string& model) {
-  ShapeStyle style;
-  style.fill = palette_color(model == "network" ? kNetworkColor : kNoLoadColor);
-  style.stroke = "none";
-  style.opacity = 0.35;
-  return style;
-}
-
-void draw_center_line(SvgDrawing& drawing, const Backbone& backbone, const PlanTrial& trial) {
-  std::vector<WorldPoint> points;
-  for (Eigen::Index i = 0; i < backbone.rows(); ++i) {
-    points.push_back({backbone(i, 0), backbone(i, 1)});
-  }
-  ShapeStyle style;
-  style.fill = "none";
-  style.stroke = palette_color(trial.model == "network" ? kNetworkColor : kNoLoadColor);
-  style.dashed = trial.execution->collided;
-  drawing.polyline(points, style);
+  return {.fill = model_color(model), .stroke = "none", .opacity = 0.35};
 }
 
 using Json = nlohmann::ordered_json;
@@ -72,7 +56,8 @@ std::string final_shapes_picture(const ArmDescription& arm, const EnvironmentCas
   for (const PlanTrial& trial : trials) {
     if (trial.environment == item.id && trial.execution && trial.execution->final_backbone) {
       draw_arm(drawing, arm, *trial.execution->final_backbone, body_style(trial.model));
-      draw_center_line(drawing, *trial.execution->final_backbone, trial);
+      drawing.polyline(center_line(*trial.execution->final_backbone),
+                       {.stroke = model_color(trial.model), .dashed = trial.execution->collided});
     }
   }
   draw_environment(drawing, item.environment);

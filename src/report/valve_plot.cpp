@@ -58,8 +58,7 @@ Chart bench_chart(const CharacterisedArm& result, const BenchData& bench) {
   chart.y_axis("contraction of that side [% of its length]");
   for (std::size_t i = 0; i < result.fits.size(); ++i) {
     const StrainFit& fit = result.fits[i];
-    SeriesStyle style;
-    style.color = palette_color(int(i));
+    const SeriesStyle style{.color = palette_color(int(i))};
     std::vector<double> x;
     std::vector<double> y;
     for (int k = 0; k <= kCurvePoints; ++k) {
@@ -92,16 +91,12 @@ std::string valve_plot_svg(const ValveParameters& valves, const Recording& recor
     chart.x_axis("time [s]")
         .y_axis(fmt::format("{} [{}]", recording.command.name, recording.command.unit))
         .size_px(900, 260);
-    SeriesStyle set;
-    set.dashed = true;
-    set.width_px = 1.0;
     chart.line("set point", time,
-               frame_column(episode.setpoint_kpa.middleRows(range.first, range.count), i), set);
-    SeriesStyle thick;
-    thick.width_px = 4.0;
-    thick.opacity = 0.5;
+               frame_column(episode.setpoint_kpa.middleRows(range.first, range.count), i),
+               {.width_px = 1.0, .dashed = true});
     chart.line("measured", time,
-               frame_column(episode.pressure_kpa.middleRows(range.first, range.count), i), thick);
+               frame_column(episode.pressure_kpa.middleRows(range.first, range.count), i),
+               {.width_px = 4.0, .opacity = 0.5});
     if (!valves.is_ideal()) {
       chart.line("modelled from the set points", time, frame_column(modelled, i));
     }

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "dropped_obstacle.hpp"
+#include "jobs.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"

@@ -17,8 +17,7 @@ constexpr double kRestS = 3.0;  // after the last change of a set point everythi
 constexpr std::size_t kMemory = 1200;  // frames, a minute: what an arm still shows of its past
 
 MotionState rest_of(const MotionModel& model, const ArmDescription& arm) {
-  const ArmStart start = start_state(Environment(), arm);
-  return model.settled_state(start.pressures_kpa, start.backbone);
+  return state_of(start_state(Environment(), arm), model);
 }
 
 /// The network, as any arm of its family: another arm stands where the same set points would have

@@ -9,7 +9,9 @@
 
 #include "event_queue.hpp"
 #include "limber/common/json_reader.hpp"
+#include "limber/run/appearing_obstacle.hpp"
 #include "limber/run/tip_path.hpp"
+#include "limber/sim/disturbance.hpp"
 #include "limber/world/plan.hpp"
 #include "studio_scene.hpp"
 
@@ -94,6 +96,15 @@ class DriveTarget {
   mutable std::mutex mutex_;
   DriveTo to_;
 };
+
+/// The one of `limber execute --disturbance obstacle`; none where none is wanted, or fits the plan.
+inline std::optional<AppearingObstacle> dropped_obstacle(bool wanted, const ArmDescription& arm,
+                                                         const Plan& plan) {
+  if (!wanted) {
+    return std::nullopt;
+  }
+  return disturbed(arm, plan, parse_disturbances("obstacle"), plan.seed).obstacle;
+}
 
 /// The path of a request: time_s, x_m and y_m of each point, flat, times from 0 on.
 /// @throws InputError naming the point.

@@ -8,6 +8,7 @@
 
 #include "jobs.hpp"
 #include "limber/arm/pressure_limits.hpp"
+#include "limber/common/seconds_since.hpp"
 #include "limber/common/units.hpp"
 #include "limber/forward/error_room.hpp"
 #include "limber/planning/planner_factory.hpp"
@@ -89,9 +90,7 @@ class PlanReporter {
   }
 
  private:
-  double now_s() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  }
+  double now_s() const { return seconds_since(begin_); }
   /// What may be in the way, as far as the simple model tells; else what has not been found yet.
   std::string doubt() const {
     const ErrorRoom room = error_room(scene_.motion().forward());

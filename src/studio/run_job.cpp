@@ -1,6 +1,5 @@
 #include <optional>
 
-#include "dropped_obstacle.hpp"
 #include "jobs.hpp"
 #include "limber/forward/error_room.hpp"
 #include "limber/forward/motion_simulator.hpp"

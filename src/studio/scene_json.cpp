@@ -18,10 +18,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double rounded_to(double value, double parts) {
-  return std::round(value * parts) / parts;
-}
-
 using Cells = std::set<std::pair<int, int>>;
 
 /// With those that samples missed: most of their neighbours are reached.

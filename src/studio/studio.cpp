@@ -15,7 +15,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/json_reader.hpp"
 #include "limber/common/version.hpp"
-#include "page_files.hpp"
+#include "limber/report/page_bytes.hpp"
 #include "project_folder.hpp"
 #include "scene_json.hpp"
 #include "tabs.hpp"
@@ -50,6 +50,15 @@ std::uint64_t request_of(const JsonReader& body) {
 Eigen::VectorXf as_vector(const std::vector<double>& numbers) {
   return Eigen::Map<const Eigen::VectorXd>(numbers.data(), Eigen::Index(numbers.size()))
       .cast<float>();
+}
+
+const char* media_type_of(std::string_view path) {
+  const auto ends = [&](std::string_view ending) { return path.ends_with(ending); };
+  return ends(".html")  ? "text/html; charset=utf-8"
+         : ends(".js")  ? "text/javascript; charset=utf-8"
+         : ends(".css") ? "text/css; charset=utf-8"
+         : ends(".svg") ? "image/svg+xml"
+                        : "text/plain; charset=utf-8";
 }
 
 }  // namespace
@@ -142,12 +151,13 @@ class Studio::Server {
 
   void add_page() {
     http_.Get(R"(/[\w.\-/]*)", [](const Request& request, Response& response) {
-      const std::optional<PageFile> file = page_file(request.path);
-      if (!file) {
+      const auto file = page_bytes().find(request.path == "/" ? "/index.html" : request.path);
+      if (file == page_bytes().end()) {
         refuse(response, kNotFound, "nothing is there");
         return;
       }
-      response.set_content(file->bytes.data(), file->bytes.size(), file->media_type);
+      const std::string_view bytes = file->second;
+      response.set_content(bytes.data(), bytes.size(), media_type_of(file->first));
     });
   }
 

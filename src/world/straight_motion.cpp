@@ -30,4 +30,14 @@ void motion_setpoint(const PressuresRef& from_kpa, const PressuresRef& to_kpa, i
   }
 }
 
+std::vector<Pressures> straight_setpoints(const PressuresRef& from_kpa, const PressuresRef& to_kpa,
+                                          double step_limit_kpa) {
+  const int count = motion_frame_count(from_kpa, to_kpa, step_limit_kpa);
+  std::vector<Pressures> setpoints_kpa(static_cast<std::size_t>(count), Pressures(to_kpa.size()));
+  for (int k = 1; k <= count; ++k) {
+    motion_setpoint(from_kpa, to_kpa, k, count, setpoints_kpa[static_cast<std::size_t>(k) - 1]);
+  }
+  return setpoints_kpa;
+}
+
 }  // namespace limber

@@ -23,7 +23,7 @@ class Reckless final : public Planner {
     (void)ladder.offer(sound_, path_cost_kpa(sound_), 1);
     (void)ladder.offer(reckless_, path_cost_kpa(reckless_), 2);
     PlanResult result;
-    finish_search(problem, simulator, budget, {ladder, 2, sound_}, name(), seed, result);
+    ladder.finish(2, sound_, result);
     return result;
   }
 

@@ -1,4 +1,4 @@
-#include "src/planning/search/default_settings.hpp"
+#include "src/planning/search/default_planner.hpp"
 
 #include <gmock/gmock.h>
 

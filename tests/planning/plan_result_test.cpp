@@ -42,7 +42,7 @@ TEST_F(PlanResults, WithoutAPlanTheNearestMotionAndWhySearchingEndedAreTold) {
   EXPECT_TRUE(budget_.spent({0.0, 100, 1, 1, std::nullopt}, 1.0));
   PlanResult result;
   result.statistics.nodes = 55;
-  finish_search(problem_, simulator_, budget_, {ladder_, 10, aside_kpa_}, "test", 7, result);
+  ladder_.finish(10, aside_kpa_, result);
   EXPECT_EQ(result.status, PlanStatus::limit);
   EXPECT_EQ(result.limit, PlanLimit::iterations);
   EXPECT_FALSE(result.plan);
@@ -56,7 +56,7 @@ TEST_F(PlanResults, WithoutAPlanTheNearestMotionAndWhySearchingEndedAreTold) {
 TEST_F(PlanResults, AnOfferedPlanIsTheResult) {
   EXPECT_TRUE(ladder_.offer(aside_kpa_, 30.0, 5));
   PlanResult result;
-  finish_search(problem_, simulator_, budget_, {ladder_, 10, {}}, "test", 7, result);
+  ladder_.finish(10, {}, result);
   EXPECT_EQ(result.status, PlanStatus::solved);
   EXPECT_EQ(result.plan->waypoints_kpa, aside_kpa_);
   EXPECT_EQ(result.first_solution->queries, 5U);

@@ -121,17 +121,12 @@ TEST(RrtStarSearch, ItsBestIsTheCheapestOfItsNodesThatEndInTheGoal) {
   const PressureTree& tree = grown.search.tree();
   double best_kpa = std::numeric_limits<double>::infinity();
   double nearest = std::numeric_limits<double>::infinity();
-  std::uint64_t in_goal = 0;
   for (int i = 0; i < tree.size(); ++i) {
     nearest = std::min(nearest, goal_error(s.environment.goal, tree.settled_tip(i)));
     if (ends_in_goal(grown.problem, walk(grown.problem, grown.checker, tree.path_to(i)))) {
-      ++in_goal;
       best_kpa = std::min(best_kpa, tree.cost_kpa(i));
     }
   }
-  PlannerStatistics statistics;
-  grown.search.fill(statistics);
-  EXPECT_EQ(statistics.goal_nodes, in_goal);
   ASSERT_TRUE(grown.search.best_cost_kpa());
   constexpr double kImprovementKpa = 1e-5;
   EXPECT_NEAR(*grown.search.best_cost_kpa(), best_kpa, kImprovementKpa);

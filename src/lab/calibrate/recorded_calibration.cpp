@@ -81,13 +81,11 @@ TubeLevel level_of(const std::vector<double>& scores, double level, double confi
   const int runs = static_cast<int>(scores.size());
   for (int outside = runs - 1; outside >= 0; --outside) {
     if (share_at_most(outside, runs, confidence) <= 1.0 - level) {
-      TubeLevel found;
-      found.level = level;
-      found.factor = scores[static_cast<std::size_t>(runs - 1 - outside)];
-      found.runs = runs;
-      found.outside = outside;
-      found.confidence = confidence;
-      return found;
+      return {.level = level,
+              .factor = scores[static_cast<std::size_t>(runs - 1 - outside)],
+              .runs = runs,
+              .outside = outside,
+              .confidence = confidence};
     }
   }
   throw InputError(fmt::format(

@@ -194,10 +194,7 @@ class Calibration {
           fmt::format("{}: holds a calibration already: --resume continues it, --force replaces it",
                       settings_.folder.string()));
     }
-    folder_.emplace(settings_.folder, "calibrate",
-                    resumes           ? OutputFolder::Start::resumed
-                    : settings_.force ? OutputFolder::Start::forced
-                                      : OutputFolder::Start::fresh,
+    folder_.emplace(settings_.folder, "calibrate", OutputFolder::start(resumes, settings_.force),
                     std::vector<fs::path>{settings_.model_file});
     folder_->require_free({"evidence.json", "evidence.html"});
     if (!resumes) {

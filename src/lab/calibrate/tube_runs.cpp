@@ -1,7 +1,5 @@
 #include "limber/lab/tube_runs.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <memory>
 #include <utility>
@@ -87,11 +85,8 @@ CompensationModel with_tube(CompensationModel model, const TubePhase& phase, dou
   model.tube.reset();
   if (phase.shape != nullptr) {
     model.tube = scaled(*phase.shape, width);
-    TubeLevel level;
-    level.level = Tube::kDefaultLevel;
-    level.factor = phase.factor;
-    level.confidence = 0.5;
-    model.tube->levels = {level};
+    model.tube->levels = {
+        {.level = Tube::kDefaultLevel, .factor = phase.factor, .confidence = 0.5}};
   }
   return model;
 }
@@ -177,12 +172,10 @@ class PhaseRunner {
     }
     std::vector<TubeRun> runs(static_cast<std::size_t>(block_size_));
     JobArena arena(settings_.jobs);
-    arena.execute([&] {
-      tbb::parallel_for(std::size_t{0}, runs.size(), [&](std::size_t i) {
-        if (!interrupt_requested()) {
-          runs[i] = make_run(static_cast<std::uint64_t>(block) * runs.size() + i);
-        }
-      });
+    arena.for_each(runs.size(), [&](std::size_t i) {
+      if (!interrupt_requested()) {
+        runs[i] = make_run(static_cast<std::uint64_t>(block) * runs.size() + i);
+      }
     });
     throw_if_interrupted();
     if (folder_ != nullptr) {

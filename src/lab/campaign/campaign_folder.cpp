@@ -11,6 +11,7 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
+#include "limber/common/cpu_level.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/json_reader.hpp"
 #include "limber/common/version.hpp"
@@ -27,11 +28,6 @@ constexpr std::size_t kIdentityDigits = 16;               // of a marker's name
 constexpr std::streamoff kEnd = std::streamoff{1} << 16;  // bytes of a file's beginning and end
 constexpr const char* kCampaignFile = "campaign.json";
 constexpr const char* kCheckpoint = "model.safetensors.checkpoint";
-
-std::string host_name() {
-  char name[256] = {};
-  return ::gethostname(name, sizeof name - 1) == 0 ? name : "unknown";
-}
 
 /// Of size, beginning and end: thousands of units may read a recording of gigabytes.
 std::string fingerprint_of(const fs::path& path) {

@@ -69,15 +69,6 @@ Flags random_flags(const Campaign& campaign, std::size_t index) {
   return varied;
 }
 
-const FlagValues* values_in(const Flags& flags, const char* name) {
-  for (const auto& [key, values] : flags) {
-    if (key == name) {
-      return &values;
-    }
-  }
-  return nullptr;
-}
-
 double flag_number(const Flags& flags, const char* name, double otherwise) {
   const FlagValues* values = values_in(flags, name);
   return values != nullptr ? number_in(values->front()).value_or(otherwise) : otherwise;
@@ -132,6 +123,12 @@ double cost(const std::string& verb, const Flags& flags) {
 }
 
 }  // namespace
+
+const FlagValues* values_in(const Flags& flags, const char* name) {
+  const auto found =
+      std::ranges::find_if(flags, [&](const auto& flag) { return flag.first == name; });
+  return found == flags.end() ? nullptr : &found->second;
+}
 
 std::size_t unit_count(const Campaign& campaign) {
   if (campaign.random_count > 0) {

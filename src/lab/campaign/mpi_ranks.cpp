@@ -14,6 +14,7 @@
 #include <optional>
 #include <thread>
 
+#include "limber/common/seconds_since.hpp"
 #include "limber/lab/rank_work.hpp"
 
 namespace limber {
@@ -28,10 +29,6 @@ constexpr long long kNoMore = -1;
 // Between looks for questions: 1 ms is allowed. A look takes 20 µs from the core's unit.
 constexpr std::chrono::microseconds kLook{800};
 constexpr std::chrono::milliseconds kEndLook{5};  // while others still work
-
-double seconds_since(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 /// The units of rank 0, which its two threads share.
 class Queue {

@@ -5,6 +5,7 @@
 
 #include "demo_stages.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/seconds_since.hpp"
 #include "limber/lab/output_folder.hpp"
 
 namespace limber {
@@ -57,7 +58,7 @@ void StageClock::start(const std::string& name) {
 
 void StageClock::stop() {
   if (!running_.empty()) {
-    stages_.emplace_back(running_, std::chrono::duration<double>(Clock::now() - started_).count());
+    stages_.emplace_back(running_, seconds_since(started_));
     running_.clear();
   }
 }
@@ -71,8 +72,7 @@ double StageClock::total_s() const {
 }
 
 nlohmann::ordered_json run_demo(const DemoSettings& settings) {
-  OutputFolder output(settings.folder, "demo",
-                      settings.force ? OutputFolder::Start::forced : OutputFolder::Start::fresh);
+  OutputFolder output(settings.folder, "demo", OutputFolder::start(false, settings.force));
   if (!output.left().empty()) {
     settings.say(output.about_left());
   }

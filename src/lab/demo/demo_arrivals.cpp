@@ -2,8 +2,6 @@
 // environments that its other plans did not choose.
 #include "demo_arrivals.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <fmt/format.h>
 
 #include "demo_recipe.hpp"
@@ -112,13 +110,11 @@ void arrival_stage(DemoResults& results) {
   for (const Group& group : groups) {
     for (const double time_s : times_s) {
       std::vector<Outcome> outcomes(group.environments.size());
-      arena.execute([&] {
-        tbb::parallel_for(std::size_t{0}, outcomes.size(), [&](std::size_t i) {
-          if (!interrupt_requested()) {
-            outcomes[i] = plan_and_execute(results, group.environments[i], time_s);
-          }
-          progress.advance();
-        });
+      arena.for_each(outcomes.size(), [&](std::size_t i) {
+        if (!interrupt_requested()) {
+          outcomes[i] = plan_and_execute(results, group.environments[i], time_s);
+        }
+        progress.advance();
       });
       throw_if_interrupted();
       results.arrivals.push_back(summarised(group, time_s, outcomes));

@@ -1,5 +1,4 @@
 // The demo's stages from the trained model to executed plans.
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cassert>
@@ -93,17 +92,15 @@ void plan_stage(DemoResults& results) {
   results.trials.resize(tasks.size());
   Progress progress("planning", "plans", tasks.size(), results.settings->progress);
   JobArena arena(results.settings->jobs);
-  arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, tasks.size(), [&](std::size_t i) {
-      const TrialTask& task = tasks[i];
-      const std::uint64_t seed =
-          derived_seed(results.settings->seed, kPlanSeed + std::uint64_t(task.number));
-      if (!interrupt_requested()) {
-        results.trials[i] = plan_trial(results.arm(), results.motion_model(*task.model),
-                                       *task.environment, settings, seed);
-      }
-      progress.advance();
-    });
+  arena.for_each(tasks.size(), [&](std::size_t i) {
+    const TrialTask& task = tasks[i];
+    const std::uint64_t seed =
+        derived_seed(results.settings->seed, kPlanSeed + std::uint64_t(task.number));
+    if (!interrupt_requested()) {
+      results.trials[i] = plan_trial(results.arm(), results.motion_model(*task.model),
+                                     *task.environment, settings, seed);
+    }
+    progress.advance();
   });
   progress.finish();
   throw_if_interrupted();
@@ -119,11 +116,9 @@ void plan_stage(DemoResults& results) {
 
 void execute_stage(DemoResults& results) {
   JobArena arena(results.settings->jobs);
-  arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, results.trials.size(), [&](std::size_t i) {
-      PlanTrial& trial = results.trials[i];
-      execute_trial(results.arm(), results.environment(trial.environment), trial);
-    });
+  arena.for_each(results.trials.size(), [&](std::size_t i) {
+    PlanTrial& trial = results.trials[i];
+    execute_trial(results.arm(), results.environment(trial.environment), trial);
   });
   throw_if_interrupted();
   for (const EnvironmentCase& item : results.environments) {

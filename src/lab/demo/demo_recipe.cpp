@@ -22,24 +22,21 @@ constexpr std::uint64_t kSeedStream =
     0x64656d6f;  // apart from the streams that use a seed as it is
 
 ScheduleSettings transitions(const ArmDescription& arm, int most) {
-  ScheduleSettings schedule;
-  schedule.kind = ScheduleKind::transitions;
   int configurations = 1;
   for (int i = 0; i < arm.channel_count() && configurations <= most; ++i) {
     configurations *= 3;
   }
   // Up to three segments every transition is recorded; above, there are too many.
-  schedule.count = arm.channel_count() <= 3 && configurations * configurations <= most ? 0 : most;
-  return schedule;
+  return {.kind = ScheduleKind::transitions,
+          .count = arm.channel_count() <= 3 && configurations * configurations <= most ? 0 : most};
 }
 
 ScheduleSettings random(int motions, Approach approach) {
-  ScheduleSettings schedule;
-  schedule.kind = ScheduleKind::random;
-  schedule.approach = approach;
-  schedule.episodes = (motions + kMotionsPerEpisode - 1) / kMotionsPerEpisode;
-  schedule.count = motions / schedule.episodes;
-  return schedule;
+  const int episodes = (motions + kMotionsPerEpisode - 1) / kMotionsPerEpisode;
+  return {.kind = ScheduleKind::random,
+          .count = motions / episodes,
+          .episodes = episodes,
+          .approach = approach};
 }
 
 /// Motions like those of a plan: straight in pressure, cut short.
@@ -51,11 +48,7 @@ ScheduleSettings plan_like(int motions) {
 }
 
 ScheduleSettings one_episode(int motions) {
-  ScheduleSettings schedule;
-  schedule.kind = ScheduleKind::random;
-  schedule.count = motions;
-  schedule.episodes = 1;
-  return schedule;
+  return {.kind = ScheduleKind::random, .count = motions, .episodes = 1};
 }
 
 /// Straight in pressure, as a plan's motions are: the error that plans keep room for is theirs.

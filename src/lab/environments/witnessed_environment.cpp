@@ -147,11 +147,9 @@ class RecordedArm {
 
   std::vector<Backbone> run(const std::vector<Pressures>& waypoints_kpa) {
     Pressures at_kpa = start_state(Environment{}, arm_).pressures_kpa;
-    Pressures sent_kpa = at_kpa;
     for (const Pressures& to_kpa : waypoints_kpa) {
-      const int count = motion_frame_count(at_kpa, to_kpa, arm_.pressure_step_limit_kpa());
-      for (int k = 1; k <= count; ++k) {
-        motion_setpoint(at_kpa, to_kpa, k, count, sent_kpa);
+      for (const Pressures& sent_kpa :
+           straight_setpoints(at_kpa, to_kpa, arm_.pressure_step_limit_kpa())) {
         (void)driver_.command(sent_kpa);
       }
       at_kpa = to_kpa;

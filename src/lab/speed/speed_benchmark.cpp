@@ -14,6 +14,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/random_stream.hpp"
+#include "limber/common/seconds_since.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/forward/forward_model.hpp"
 #include "limber/forward/rollout_batch.hpp"
@@ -46,7 +47,7 @@ constexpr double kPeerAgreement = 1e-4;  // [m, rad] between limber's answers an
 double seconds_of(const std::function<void()>& work) {
   const auto start = std::chrono::steady_clock::now();
   work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return seconds_since(start);
 }
 
 // Queries per second from the median pass, where `pass` asks `queries_per_pass`. Passes take less

@@ -39,7 +39,9 @@ PlanJudge::Verdict CertifyingJudge::judge(Plan& plan, const std::function<bool()
   if (certificate.unfinished) {
     return Verdict::unfinished;
   }
-  if (certificate.certified() && stays_within(plan)) {
+  if (certificate.certified() &&
+      (problem_.stay_within == nullptr ||
+       excursions_beyond(problem_.stay_within->learnt(), plan, problem_.arm.command).empty())) {
     plan.certified = CertifiedFigures{certificate.clearance_m, certificate.max_deviation_m};
     held_ = std::move(certificate);
     held_plan_ = plan;
@@ -53,11 +55,6 @@ PlanJudge::Verdict CertifyingJudge::judge(Plan& plan, const std::function<bool()
     refused_ = std::move(certificate);
   }
   return Verdict::refused;
-}
-
-bool CertifyingJudge::stays_within(const Plan& plan) const {
-  return problem_.stay_within == nullptr ||
-         excursions_beyond(problem_.stay_within->learnt(), plan, problem_.arm.command).empty();
 }
 
 void CertifyingJudge::report(PlanResult& result) {

@@ -28,8 +28,6 @@ class CertifyingJudge final : public PlanJudge {
   void report(PlanResult& result);
 
  private:
-  bool stays_within(const Plan& plan) const;
-
   const PlanningProblem& problem_;
   AskedProblem& asked_;
   std::optional<Certificate> held_;  // of the last plan that holds: the cheapest

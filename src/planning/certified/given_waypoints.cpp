@@ -195,10 +195,6 @@ PlanResult plan_along(const PlanningProblem& given, const std::vector<Pressures>
   return result;
 }
 
-double seconds_since(SteadyTime start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 void try_smaller_clearances(Planner& planner, const PlanningProblem& asked, AskedProblem& shared,
                             const PlannerLimits& limits, SteadyTime start, std::uint64_t seed,
                             const PlannerCallback& callback, PlanResult& result) {

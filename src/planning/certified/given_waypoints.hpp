@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "asked_problem.hpp"
+#include "limber/common/seconds_since.hpp"
 #include "limber/planning/planner.hpp"
 
 namespace limber {
@@ -17,8 +18,6 @@ PlanResult certified_along(const PlanningProblem& problem, AskedProblem& asked,
                            std::uint64_t seed);
 
 using SteadyTime = std::chrono::steady_clock::time_point;
-
-double seconds_since(SteadyTime start);
 
 /// If nothing was found that keeps the clearance asked for: names in `result` the largest clearance
 /// with which there is a plan, searching for the time that `limits` leave since `start`.

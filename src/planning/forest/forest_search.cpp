@@ -119,12 +119,6 @@ ForestSearch::ForestSearch(const Forest& forest, const PlanningProblem& problem,
   known_[0] = start_of(problem);
 }
 
-/// Of the problem: a forest is grown within the arm's.
-bool ForestSearch::is_within_limits(int node) const {
-  return !limits_ || limits_->limited(forest_.setpoints_kpa.col(node)) ==
-                         Pressures(forest_.setpoints_kpa.col(node));
-}
-
 ForestSearch::Ranking ForestSearch::those_in_goal() const {
   const PoseGoal& goal = problem_.environment.goal;
   std::vector<Ranked> found;
@@ -160,7 +154,12 @@ std::optional<ForestSearch::Candidate> ForestSearch::candidate(int node, bool st
   for (; known_.count(i) == 0; i = forest_.parents[static_cast<std::size_t>(i)]) {
     found.path.push_back(i);
   }
-  if (!std::ranges::all_of(found.path, [this](int passed) { return is_within_limits(passed); })) {
+  // Of the problem: a forest is grown within the arm's.
+  const bool is_within_limits = !limits_ || std::ranges::all_of(found.path, [this](int passed) {
+    return limits_->limited(forest_.setpoints_kpa.col(passed)) ==
+           Pressures(forest_.setpoints_kpa.col(passed));
+  });
+  if (!is_within_limits) {
     return std::nullopt;
   }
   const auto last = known_.find(node);

@@ -87,7 +87,6 @@ class ForestSearch {
   /// toward the goal
   Batch collect(Ranking& nodes, std::size_t wanted, bool step,
                 const std::function<bool()>& give_up);
-  bool is_within_limits(int node) const;
   std::optional<Candidate> candidate(int node, bool step);
   Path path_of(const Candidate& candidate) const;
   std::optional<BatchSearch::Solution> settle(const Candidate& tried, const PathOutcome& outcome);

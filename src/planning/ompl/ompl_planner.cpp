@@ -142,7 +142,7 @@ class OmplRun {
     note_statistics();
     sst_ = nullptr;
     planner.reset();  // takes its time, which is the plan's
-    finish(name, *definition);
+    finish(*definition);
     return std::move(result_);
   }
 
@@ -240,7 +240,7 @@ class OmplRun {
     return kpa;
   }
 
-  void finish(const std::string& name, const ob::ProblemDefinition& definition) {
+  void finish(const ob::ProblemDefinition& definition) {
     const std::vector<std::string> counts = std::move(result_.warnings);
     const ob::PathPtr path = definition.getSolutionPath();
     const std::vector<Pressures> kpa =
@@ -250,8 +250,7 @@ class OmplRun {
     if (path && !definition.hasApproximateSolution() && !was_offered) {
       offer(kpa);
     }
-    finish_search(problem_, simulator_, budget_, {*ladder_, simulator_.queries(), kpa},
-                  name.c_str(), seed_, result_);
+    ladder_->finish(simulator_.queries(), kpa, result_);
     result_.warnings.insert(result_.warnings.end(), counts.begin(), counts.end());
     result_.statistics.queries = simulator_.queries();
     result_.statistics.time_s = budget_.elapsed_s();

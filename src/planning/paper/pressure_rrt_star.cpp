@@ -33,14 +33,14 @@ class RrtStarRun {
         search_(problem, simulator_, settings, seed),
         ladder_(problem, simulator_, budget, planner, seed) {}
 
-  PlanResult run(const char* planner, std::uint64_t seed) {
+  PlanResult run() {
     std::optional<double> offered_kpa = offer_cheaper(std::nullopt);
     while (!budget_.good_enough(ladder_.best_cost_kpa()) &&
            !budget_.spent(progress(), search_.bytes())) {
       search_.iterate(budget_);
       offered_kpa = offer_cheaper(offered_kpa);
     }
-    return result(planner, seed);
+    return result();
   }
 
  private:
@@ -64,13 +64,11 @@ class RrtStarRun {
     return cost_kpa;
   }
 
-  PlanResult result(const char* planner, std::uint64_t seed) {
+  PlanResult result() {
     PlanResult result;
     search_.fill(result.statistics);
     const PlannerProgress end = progress();
-    finish_search(problem_, simulator_, budget_,
-                  {ladder_, simulator_.queries(), search_.nearest_waypoints_kpa()}, planner, seed,
-                  result);
+    ladder_.finish(simulator_.queries(), search_.nearest_waypoints_kpa(), result);
     result.statistics.queries = simulator_.queries();
     close_search(budget_, search_.tree(), end, result);
     return result;
@@ -100,7 +98,7 @@ class PressureRrtStar final : public Planner {
     if (is_refused(problem, checker, refused)) {
       return refused;
     }
-    return RrtStarRun(problem, checker, settings_, name(), seed, budget).run(name(), seed);
+    return RrtStarRun(problem, checker, settings_, name(), seed, budget).run();
   }
 
  private:

@@ -236,10 +236,7 @@ void RrtStarSearch::judge(int node) {
     nearest_error_ = error;
     nearest_node_ = node;
   }
-  const bool reached = ends_in_goal(node);
-  statistics_.goal_nodes += reached ? 1 : 0;
-  statistics_.goal_nodes -= in_goal_[static_cast<std::size_t>(node)] ? 1 : 0;
-  in_goal_[static_cast<std::size_t>(node)] = reached ? 1 : 0;
+  in_goal_[static_cast<std::size_t>(node)] = ends_in_goal(node) ? 1 : 0;
   consider_best(node);
 }
 
@@ -279,7 +276,6 @@ double RrtStarSearch::bytes() const {
 void RrtStarSearch::fill(PlannerStatistics& statistics) const {
   statistics.iterations = statistics_.iterations;
   statistics.nodes = static_cast<std::uint64_t>(tree_.size());
-  statistics.goal_nodes = statistics_.goal_nodes;
   statistics.rewires_tried = statistics_.rewires_tried;
   statistics.rewires_accepted = statistics_.rewires_accepted;
 }

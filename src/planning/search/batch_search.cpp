@@ -83,11 +83,6 @@ BatchSearch::Proposal BatchSearch::shot_at_goal(RandomStream& random) {
   return {node, scattered(to, settings_.shot_spread, random)};
 }
 
-BatchSearch::Proposal BatchSearch::toward_goal_configuration(RandomStream& random) {
-  const Pressures to = scattered(goal_sampler_.sample(random), settings_.goal_spread, random);
-  return {tree_.parent_near(to, settings_.random_parent, random), to};
-}
-
 BatchSearch::Proposal BatchSearch::exploration(RandomStream& random) {
   const Pressures to = tree_.random_configuration(random);
   const int parent = tree_.parent_near(to, settings_.random_parent, random);
@@ -100,7 +95,8 @@ BatchSearch::Proposal BatchSearch::propose(RandomStream& random) {
     return shot_at_goal(random);
   }
   if (kind < settings_.goal_steering_share + settings_.goal_bias) {
-    return toward_goal_configuration(random);
+    const Pressures to = scattered(goal_sampler_.sample(random), settings_.goal_spread, random);
+    return {tree_.parent_near(to, settings_.random_parent, random), to};
   }
   return exploration(random);
 }

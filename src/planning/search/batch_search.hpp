@@ -72,7 +72,6 @@ class BatchSearch {
   std::vector<Edge> propose_batch(const std::optional<double>& best_cost_kpa);
   Proposal propose(RandomStream& random);
   Proposal shot_at_goal(RandomStream& random);
-  Proposal toward_goal_configuration(RandomStream& random);
   Proposal exploration(RandomStream& random);
   Pressures scattered(const Pressures& about_kpa, double spread, RandomStream& random) const;
   double error_of(int node) const;

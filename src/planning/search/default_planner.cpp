@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "batch_search.hpp"
-#include "default_settings.hpp"
 #include "forest/forest_search.hpp"
 #include "path_simulator.hpp"
 #include "plan_improver.hpp"
@@ -42,7 +41,7 @@ class DefaultRun {
   }
 
   /// Until a limit is spent, the plan is good enough, or there is nothing left to try.
-  PlanResult run(const char* planner, std::uint64_t seed) {
+  PlanResult run() {
     start_in_goal();
     while (!nothing_left() && !budget_.good_enough(ladder_.best_cost_kpa()) &&
            !budget_.spent(progress(), search_->bytes())) {
@@ -51,7 +50,7 @@ class DefaultRun {
       }
       take_turn();
     }
-    return result(planner, seed);
+    return result();
   }
 
  private:
@@ -166,15 +165,13 @@ class DefaultRun {
     return opinions_.agree(waypoints_kpa) && (!is_best || note_plan(waypoints_kpa, merit_kpa));
   }
 
-  PlanResult result(const char* planner, std::uint64_t seed) {
+  PlanResult result() {
     PlanResult result;
     const PlannerProgress end = progress();
     keep_nearest();
     result.statistics.iterations = end.iterations;
     result.statistics.nodes = end.nodes;
-    result.statistics.goal_nodes = search_->solutions().size();
-    finish_search(problem_, single_, budget_, {ladder_, paths_.queries(), nearest_kpa_}, planner,
-                  seed, result);
+    ladder_.finish(paths_.queries(), nearest_kpa_, result);
     result.statistics.queries = paths_.queries() + single_.queries() + opinions_.queries();
     close_search(budget_, search_->tree(), end, result);
     return result;
@@ -218,7 +215,7 @@ class DefaultPlanner final : public Planner {
       require_forest_of(*settings_.forest, problem.arm, problem.model.valves().parameters(),
                         start_state(problem.environment, problem.arm));
     }
-    return DefaultRun(problem, checker, settings_, name(), seed, budget).run(name(), seed);
+    return DefaultRun(problem, checker, settings_, name(), seed, budget).run();
   }
 
  private:

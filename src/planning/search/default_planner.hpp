@@ -5,6 +5,7 @@
 
 #include "limber/planning/forest.hpp"
 #include "limber/planning/planner.hpp"
+#include "planner_name.hpp"
 
 namespace limber {
 
@@ -38,6 +39,13 @@ struct DefaultPlannerSettings {
   /// search; borrowed. None: everything is searched.
   const Forest* forest = nullptr;
 };
+
+/// @throws InputError naming the setting that is out of range, and its range.
+void require_valid(const DefaultPlannerSettings& settings);
+
+/// The settings behind a planner's name, the others by default.
+/// @throws InputError if one is unknown or out of range.
+DefaultPlannerSettings default_settings_of(PlannerName name);
 
 /// "default": a tree that keeps several backbones for similar pressures and grows by batches of
 /// edges. The plans that it finds are improved by batches of random changes of their waypoints;

@@ -1,5 +1,3 @@
-#include "default_settings.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,8 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "default_planner.hpp"
 #include "limber/common/error.hpp"
-#include "planner_name.hpp"
 
 namespace limber {
 

@@ -51,13 +51,6 @@ Pressures random_shift(const ChangeSpace& space, RandomStream& random) {
   return shift;
 }
 
-Waypoints with_one_shifted(Waypoints waypoints_kpa, const ChangeSpace& space,
-                           RandomStream& random) {
-  const std::size_t i = 1 + random.index(static_cast<std::uint32_t>(waypoints_kpa.size()) - 1);
-  waypoints_kpa[i] = space.box.limited(waypoints_kpa[i] + random_shift(space, random));
-  return waypoints_kpa;
-}
-
 Waypoints with_end_shifted(Waypoints waypoints_kpa, const ChangeSpace& space,
                            const Pressures& shift_kpa) {
   const auto last = static_cast<float>(waypoints_kpa.size() - 1);
@@ -94,8 +87,11 @@ Waypoints changed(Waypoints waypoints_kpa, const ChangeSpace& space, RandomStrea
       [[fallthrough]];
     case 2:
       return with_end_shifted(std::move(waypoints_kpa), space, random_shift(space, random));
-    default:
-      return with_one_shifted(std::move(waypoints_kpa), space, random);
+    default: {  // one waypoint is moved, the end perhaps
+      const std::size_t i = 1 + random.index(static_cast<std::uint32_t>(waypoints_kpa.size()) - 1);
+      waypoints_kpa[i] = space.box.limited(waypoints_kpa[i] + random_shift(space, random));
+      return waypoints_kpa;
+    }
   }
 }
 

@@ -28,9 +28,6 @@ Waypoints without_some(Waypoints waypoints_kpa, RandomStream& random);
 /// @pre at least three waypoints
 Waypoints straightened(Waypoints waypoints_kpa, RandomStream& random);
 
-/// One waypoint is moved, the end perhaps.
-Waypoints with_one_shifted(Waypoints waypoints_kpa, const ChangeSpace& space, RandomStream& random);
-
 /// The end is moved by `shift_kpa`, and the waypoints before it in proportion to how far along
 /// they are.
 Waypoints with_end_shifted(Waypoints waypoints_kpa, const ChangeSpace& space,

@@ -57,10 +57,7 @@ struct ClosedLoop::Motion {
 
   void move_in(const Environment& now) {
     corrections.emplace(arm, model, now, room, settings.corrections, seed);
-    guide.emplace(arm, model, now, room,
-                  MotionGuideSettings{settings.motion_queries, settings.corrections.min_gain_m,
-                                      settings.corrections.limits},
-                  *planner, certificate_check(arm, model), seed);
+    guide.emplace(arm, model, now, room, settings, *planner, certificate_check(arm, model), seed);
     gate.emplace(arm, model, now, MotionGuide::kShareInMotion * room.margin_m,
                  settings.corrections.limits);
     aim = now.goal;

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "goal_lengths.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/run/replanner.hpp"
 
@@ -85,7 +84,7 @@ void widen(PlateRoom& room, const Eigen::VectorXd& missed_m, double kept_m) {
 
 MotionGuide::MotionGuide(const ArmDescription& arm, const MotionModel& model,
                          const Environment& environment, const ErrorRoom& room,
-                         const MotionGuideSettings& settings, Planner& planner, PlanCheck check,
+                         const ClosedLoopSettings& settings, Planner& planner, PlanCheck check,
                          std::uint64_t seed)
     : arm_(arm),
       model_(model),
@@ -210,7 +209,7 @@ Pressures MotionGuide::led_setpoint(const Plan& plan, std::size_t next, const Mo
                                     ShapeFeedback& feedback) const {
   feedback.learn(plan.frames[next].backbone, from.backbone);
   return feedback.setpoint(plan.frames[next + 1].setpoint_kpa, from.setpoint_kpa(),
-                           limits_after(plan, settings_.limits));
+                           limits_after(plan, settings_.corrections.limits));
 }
 
 RestForecast MotionGuide::led_forecast(const Plan& plan, std::size_t next, const Ahead& way,
@@ -231,7 +230,7 @@ std::optional<FollowedPlan> MotionGuide::find(const PlanProgress& at, const Ahea
   from_here.goal = goal;
   const double tolerance_m = environment_.goal.position_tolerance_m;
   const double max_error_m =
-      is_safe ? std::min(tolerance_m, error_m - settings_.min_gain_m) : tolerance_m;
+      is_safe ? std::min(tolerance_m, error_m - settings_.corrections.min_gain_m) : tolerance_m;
   if (max_error_m <= 0.0) {
     return std::nullopt;
   }
@@ -254,14 +253,14 @@ std::optional<FollowedPlan> MotionGuide::find(const PlanProgress& at, const Ahea
 PlanningProblem MotionGuide::problem_from(const Environment& from_here, const Plan& plan) const {
   PlanningProblem problem{arm_, model_, from_here,
                           std::max(kRoomOfNewPlans, share_) * room_.margin_m};
-  problem.limits = limits_after(plan, settings_.limits);
+  problem.limits = limits_after(plan, settings_.corrections.limits);
   problem.margin_yields_to_start = true;
   return problem;
 }
 
 std::optional<Plan> MotionGuide::searched(const Plan& plan, const Environment& from_here) {
   PlannerLimits limits;
-  limits.queries = settings_.queries;
+  limits.queries = settings_.motion_queries;
   PlanResult result = planner_.plan(problem_from(from_here, plan), limits, seed_,
                                     [](const PlannerProgress&) { return !interrupt_requested(); });
   const bool is_certified = result.plan && result.plan->certified;

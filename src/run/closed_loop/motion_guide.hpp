@@ -7,21 +7,13 @@
 #include "limber/forward/error_room.hpp"
 #include "limber/planning/planner.hpp"
 #include "limber/run/arm_estimate.hpp"
+#include "limber/run/closed_loop.hpp"
 #include "limber/run/plan_controller.hpp"
 #include "plan_repair.hpp"
-#include "repaired_plan.hpp"
 #include "rest_forecast.hpp"
 #include "shape_feedback.hpp"
 
 namespace limber {
-
-struct MotionGuideSettings {
-  /// Model queries of a search in mid-motion.
-  std::uint64_t queries = 2000;
-  /// What a plan has to end nearer to the goal, to replace the one that is followed. [m]
-  double min_gain_m = 0.001;
-  std::vector<PressureLimits> limits = {};  ///< ReplannerSettings::limits
-};
 
 /// Says what an arm in mid-motion does after its next frame (docs/planning.md, Closed loop). One
 /// that is led goes on where the plan is free, also for an arm as far beside it as this one is, and
@@ -36,7 +28,7 @@ struct MotionGuideSettings {
 class MotionGuide {
  public:
   MotionGuide(const ArmDescription& arm, const MotionModel& model, const Environment& environment,
-              const ErrorRoom& room, const MotionGuideSettings& settings, Planner& planner,
+              const ErrorRoom& room, const ClosedLoopSettings& settings, Planner& planner,
               PlanCheck check, std::uint64_t seed);
 
   /// Of the room for the model's error, what the rest of a plan has to keep in motion: that error
@@ -94,7 +86,7 @@ class MotionGuide {
   MotionModel model_;
   const Environment& environment_;
   ErrorRoom room_;
-  MotionGuideSettings settings_;
+  ClosedLoopSettings settings_;
   Planner& planner_;
   PlanCheck check_;
   std::uint64_t seed_;

@@ -1,8 +1,9 @@
 #include "plan_repair.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
-#include "goal_lengths.hpp"
 #include "limber/arm/damped_solve.hpp"
 
 namespace limber {
@@ -14,6 +15,21 @@ constexpr double kRepairDamping = 1e-3;  // of the normal matrix, of its mean di
 constexpr int kRepairSteps = 4;
 
 }  // namespace
+
+double m_per_rad(const PoseGoal& goal) {
+  return goal.theta_rad ? goal.position_tolerance_m / goal.orientation_tolerance_rad : 0.0;
+}
+
+double as_length_m(const PoseGoal& goal, const PoseError& error) {
+  return std::hypot(error.position_m, m_per_rad(goal) * error.orientation_rad);
+}
+
+Eigen::Vector3d missing_m(const PoseGoal& goal, const Pose& tip) {
+  const double turn = goal.theta_rad
+                          ? std::remainder(*goal.theta_rad - tip.theta_rad, 2.0 * std::numbers::pi)
+                          : 0.0;
+  return {goal.x_m - tip.x_m, goal.y_m - tip.y_m, m_per_rad(goal) * turn};
+}
 
 std::vector<Pressures> waypoints_after(const PlanProgress& at, double step_limit_kpa) {
   const Plan& plan = at.plan;
@@ -106,6 +122,15 @@ std::optional<std::vector<Pressures>> PlanRepair::toward_goal(
     tried = shifted(waypoints_kpa, shift_kpa);
   }
   return best;
+}
+
+std::optional<Plan> repaired_plan(const PlanningProblem& problem,
+                                  const std::vector<Pressures>& waypoints_kpa, double max_error_m,
+                                  std::uint64_t seed, const PlanCheck& check) {
+  CheckedPlans plans(problem, check);
+  const std::optional<std::vector<Pressures>> shifted_kpa =
+      PlanRepair(plans).toward_goal(waypoints_kpa, max_error_m);
+  return shifted_kpa ? plans.checked(*shifted_kpa, "repair", seed) : std::nullopt;
 }
 
 }  // namespace limber

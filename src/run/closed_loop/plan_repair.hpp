@@ -1,12 +1,24 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "checked_plans.hpp"
 #include "limber/run/plan_controller.hpp"
+#include "limber/world/pose_goal.hpp"
 
 namespace limber {
+
+/// What a radian of heading counts as, where the heading counts as much as the position if each is
+/// at its tolerance; 0 where the goal asks for no heading. [m/rad]
+double m_per_rad(const PoseGoal& goal);
+/// Both errors of a pose as one length.
+double as_length_m(const PoseGoal& goal, const PoseError& error);
+/// From a tip to the goal's centre: x, y and the heading as a length. [m]
+Eigen::Vector3d missing_m(const PoseGoal& goal, const Pose& tip);
 
 /// What is left of a plan for an arm in motion: the set points of its next frame, then the plan's
 /// waypoints after that frame, its end last.
@@ -35,5 +47,12 @@ class PlanRepair {
   CheckedPlans& plans_;
   PressureBox box_;  // set points stay in there
 };
+
+/// A checked plan from the problem's start along these waypoints, their end shifted so that the tip
+/// comes to rest as near to the problem's goal as it can (PlanRepair).
+/// @param max_error_m  none if it ends no nearer (as_length_m)
+std::optional<Plan> repaired_plan(const PlanningProblem& problem,
+                                  const std::vector<Pressures>& waypoints_kpa, double max_error_m,
+                                  std::uint64_t seed, const PlanCheck& check);
 
 }  // namespace limber

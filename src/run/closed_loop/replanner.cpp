@@ -5,11 +5,10 @@
 #include <cmath>
 #include <span>
 
-#include "goal_lengths.hpp"
 #include "limber/arm/plate_distance.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/planning/planner_factory.hpp"
-#include "repaired_plan.hpp"
+#include "plan_repair.hpp"
 #include "sampled_plan.hpp"
 
 namespace limber {
@@ -284,29 +283,21 @@ PlanningProblem Replanner::problem_from(const Plan& before, const Environment& f
   return problem;
 }
 
-/// From where the arm is to where the model has it in the goal, whose tolerances are widened by a
-/// factor.
-std::optional<Plan> Replanner::straight(const Plan& before, Environment from_here, double widened,
-                                        double max_error_m) {
+/// As near to the aim as a straight motion comes, where that is clearly nearer than the arm is. For
+/// the model an arm that is held is nearer too, by its creep; but an arm that stands short of the
+/// goal had better be moved a little than not at all (docs/experiments.md, Disturbances).
+std::optional<Plan> Replanner::nearer(const Plan& before, Environment from_here, double error_m) {
+  const double max_error_m = kNearerShare * error_m;
+  if (!(error_m - max_error_m >= settings_.min_gain_m)) {
+    return std::nullopt;
+  }
+  const double widened = std::max(1.0, max_error_m / aim_.position_tolerance_m);
   from_here.goal.position_tolerance_m *= widened;
   from_here.goal.orientation_tolerance_rad *= widened;
   const Pressures& held_kpa = from_here.start->pressures_kpa;
   return repaired_plan(problem_from(before, from_here, kLeastMargin * room_.margin_m),
                        {held_kpa, held_kpa}, max_error_m, seed_of_next(),
                        certificate_check(arm_, model_));
-}
-
-/// As near to the aim as a straight motion comes, where that is clearly nearer than the arm is. For
-/// the model an arm that is held is nearer too, by its creep; but an arm that stands short of the
-/// goal had better be moved a little than not at all (docs/experiments.md, Disturbances).
-std::optional<Plan> Replanner::nearer(const Plan& before, const Environment& from_here,
-                                      double error_m) {
-  const double max_error_m = kNearerShare * error_m;
-  if (!(error_m - max_error_m >= settings_.min_gain_m)) {
-    return std::nullopt;
-  }
-  return straight(before, from_here, std::max(1.0, max_error_m / aim_.position_tolerance_m),
-                  max_error_m);
 }
 
 }  // namespace limber

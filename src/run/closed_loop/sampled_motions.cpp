@@ -4,13 +4,13 @@
 #include <cmath>
 #include <utility>
 
-#include "goal_lengths.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/forward/motion_simulator.hpp"
 #include "limber/forward/rollout_batch.hpp"
 #include "limber/world/hold.hpp"
 #include "limber/world/pressure_box.hpp"
 #include "limber/world/straight_motion.hpp"
+#include "plan_repair.hpp"
 
 namespace limber {
 

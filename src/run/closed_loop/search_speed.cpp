@@ -2,6 +2,7 @@
 #include <chrono>
 #include <limits>
 
+#include "limber/common/seconds_since.hpp"
 #include "limber/forward/rollout_batch.hpp"
 #include "limber/run/closed_loop.hpp"
 #include "limber/world/environment.hpp"
@@ -36,7 +37,7 @@ double seconds_per_query(const ArmDescription& arm, const MotionModel& model) {
     for (int frame = 0; frame < kTimedFrames; ++frame) {
       batch.step();
     }
-    const double took_s = std::chrono::duration<double>(Clock::now() - begin).count();
+    const double took_s = seconds_since(begin);
     fastest_s = std::min(fastest_s, took_s / (kTimedMotions * kTimedFrames));
   }
   return fastest_s;

@@ -6,15 +6,15 @@
 #include <optional>
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
 
 #include "collection_parts.hpp"
-#include "execution/vent_guard.hpp"
 #include "kernels/job_arena.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/seconds_since.hpp"
 #include "limber/data/reach.hpp"
 #include "limber/run/episode_recorder.hpp"
 #include "limber/run/gated_driver.hpp"
@@ -25,13 +25,6 @@ namespace limber {
 namespace fs = std::filesystem;
 
 namespace {
-
-void throw_if_stopped(const CollectionSettings& settings) {
-  throw_if_interrupted();
-  if (settings.should_stop && settings.should_stop()) {
-    throw Interrupted("stopped on request");
-  }
-}
 
 /// Drives one arm along one schedule.
 class EpisodeRun {
@@ -90,10 +83,10 @@ class EpisodeRun {
 
   /// Up to the frame before the last.
   void go_straight(const Pressures& from, const Pressures& to) {
-    const int count = motion_frame_count(from, to, arm_.pressure_step_limit_kpa());
-    Pressures setpoint_kpa(to.size());
-    for (int k = 1; k < count; ++k) {
-      motion_setpoint(from, to, k, count, setpoint_kpa);
+    std::vector<Pressures> setpoints_kpa =
+        straight_setpoints(from, to, arm_.pressure_step_limit_kpa());
+    setpoints_kpa.pop_back();
+    for (const Pressures& setpoint_kpa : setpoints_kpa) {
       command(setpoint_kpa);
     }
   }
@@ -111,7 +104,7 @@ class EpisodeRun {
   }
 
   void command(const Pressures& setpoint_kpa) {
-    throw_if_stopped(settings_);
+    throw_if_interrupted(settings_.should_stop);
     const ArmState& state = driver_.command(setpoint_kpa);
     if (recording_) {
       recorder_.add(state, setpoint_kpa, motion_index_);
@@ -285,7 +278,7 @@ void record_missing(const ArmDescription& arm, const CollectionSettings& setting
     if (done[i]) {
       return;
     }
-    throw_if_stopped(settings);
+    throw_if_interrupted(settings.should_stop);
     try {
       const std::unique_ptr<ArmDriver> driver = make_driver(static_cast<int>(i));
       done[i] = record_or_keep_a_part(arm, *driver, schedule[i], settings, parts.identity(), done,
@@ -298,9 +291,7 @@ void record_missing(const ArmDescription& arm, const CollectionSettings& setting
     }
     parts.write(i, *done[i]);
   };
-  arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, schedule.size(), record, tbb::simple_partitioner());
-  });
+  arena.for_each(schedule.size(), record, tbb::simple_partitioner());
 }
 
 void record_or_say_how_to_go_on(const ArmDescription& arm, const CollectionSettings& settings,
@@ -375,8 +366,7 @@ CollectionResult collect(const ArmDescription& arm, const CollectionSettings& se
     write_whole(path, result.recording, parts);
   }
   result.foreign_files = parts.remove();
-  result.wall_time_s =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.wall_time_s = seconds_since(start);
   return result;
 }
 

@@ -84,7 +84,10 @@ Backbone ShapeFilter::corrected(const Backbone& predicted, const Backbone& measu
   const Eigen::VectorXd innovation =
       weight.cwiseProduct((flat(measured) - expected).tail(kPoseSize * gaps));
   const Eigen::MatrixXd jacobian = weight.asDiagonal() * jacobian_at(predicted);
-  widen_for(jacobian, innovation);
+  // If what is measured is farther off than covariance and noise have it, so that it no longer is.
+  const double explained = (jacobian * covariance_).cwiseProduct(jacobian).sum();
+  const double found = innovation.squaredNorm() - double(innovation.size());
+  covariance_ *= std::max(1.0, found / explained);
   const Eigen::MatrixXd cross = covariance_ * jacobian.transpose();
   Eigen::MatrixXd spread = jacobian * cross;
   spread.diagonal().array() += 1.0;
@@ -96,13 +99,6 @@ Backbone ShapeFilter::corrected(const Backbone& predicted, const Backbone& measu
   const Eigen::VectorXd gap_poses = gap_poses_of(expected) + change;
   const Eigen::VectorXd poses = base_poses_of(gap_poses);
   return poses.reshaped<Eigen::RowMajor>(predicted.rows(), kPoseSize).cast<float>();
-}
-
-/// If what is measured is farther off than covariance and noise have it, so that it no longer is.
-void ShapeFilter::widen_for(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& innovation) {
-  const double explained = (jacobian * covariance_).cwiseProduct(jacobian).sum();
-  const double found = innovation.squaredNorm() - double(innovation.size());
-  covariance_ *= std::max(1.0, found / explained);
 }
 
 }  // namespace limber

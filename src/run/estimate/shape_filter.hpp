@@ -32,8 +32,6 @@ class ShapeFilter {
   Backbone corrected(const Backbone& predicted, const Backbone& measured);
 
  private:
-  void widen_for(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& innovation);
-
   Eigen::VectorXd gap_length_m_;
   double noise_m_;
   Eigen::MatrixXd growth_;      // of the covariance in a frame, 3g×3g

@@ -15,7 +15,6 @@
 #include "run_message.hpp"
 #include "run_watch.hpp"
 #include "start_approach.hpp"
-#include "vent_guard.hpp"
 
 namespace limber {
 
@@ -55,7 +54,8 @@ class Execution {
     try {
       const Pressures& start_kpa = plan_.frames.front().setpoint_kpa;
       (void)driver_.state();  // a fault where it is none of this arm's
-      approach_start(arm_, driver_, start_kpa, [this] { throw_if_stopped(); });
+      approach_start(arm_, driver_, start_kpa,
+                     [this] { throw_if_interrupted(settings_.should_stop); });
       watch_.start(plan_);
       require_start();
       estimate_.observe(start_kpa, driver_.state());
@@ -127,7 +127,7 @@ class Execution {
     followed_ = decision.plan != nullptr ? decision.plan : followed_;
     const Pressures& setpoint_kpa = *decision.setpoint_kpa;
     require_frame_rule(arm_, watch_.frames(), estimate_.setpoint_kpa(), setpoint_kpa);
-    throw_if_stopped();
+    throw_if_interrupted(settings_.should_stop);
     const ArmState& state = driver_.command(setpoint_kpa);
     estimate_.observe(setpoint_kpa, state);
     motion_ = decision.motion;
@@ -158,13 +158,6 @@ class Execution {
 
   bool is_held() const {
     return driver_.is_real_time() && settings_.should_hold && settings_.should_hold();
-  }
-
-  void throw_if_stopped() const {
-    throw_if_interrupted();
-    if (settings_.should_stop && settings_.should_stop()) {
-      throw Interrupted("stopped on request");
-    }
   }
 
   /// While nothing is being worked out: that would be for the older environment.
@@ -249,6 +242,19 @@ ExecutionResult execute(const ArmDescription& arm, const Environment& environmen
       settings);
   const ObserverGuard observer(truth, execution);
   return execution.run();
+}
+
+Recording recording_of(const ArmDescription& arm, const std::string& source, const Plan& plan,
+                       const ExecutionResult& result, std::optional<std::uint64_t> motion_queries) {
+  Recording recording = make_recording(arm, source, plan.seed);
+  recording.settings =
+      fmt::format("executed plan, environment '{}', model {}, planner {}, {}",
+                  plan.environment_name, plan.model, plan.planner, to_string(result.status));
+  if (motion_queries) {
+    recording.settings += fmt::format(", closed loop, {} queries in motion", *motion_queries);
+  }
+  recording.episodes = {result.episode};
+  return recording;
 }
 
 }  // namespace limber

@@ -7,6 +7,7 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/seconds_since.hpp"
 
 namespace limber {
 
@@ -16,32 +17,6 @@ constexpr double kHaltHoldS = 0.3;      // that a halted arm stands before it is
 constexpr double kLongestBlindS = 1.0;  // waited for the arm to be tracked, before the next plan
 
 }  // namespace
-
-bool PlanController::may_go_on(const Plan& /*plan*/, std::size_t /*seen*/,
-                               const ArmEstimate& /*arm*/) {
-  return true;
-}
-
-FrameSetpoint PlanController::setpoint(const PlanProgress& at, std::size_t next,
-                                       const ArmEstimate& /*arm*/) {
-  return {at.setpoint_kpa(next), next};
-}
-
-std::function<MotionAdvice()> PlanController::advise(const PlanProgress& /*at*/,
-                                                     const ArmEstimate& /*arm*/) {
-  return {};
-}
-
-bool PlanController::may_hold(const ArmEstimate& /*arm*/) {
-  return true;
-}
-
-PlanController::NextPlan PlanController::next(const PlanProgress& /*at*/,
-                                              const ArmEstimate& /*arm*/) {
-  return {};
-}
-
-void PlanController::take_next(ArmEstimate& /*arm*/) {}
 
 void PlanController::begin(const RunStart& start) {
   if (plan_ != nullptr) {
@@ -150,8 +125,7 @@ Decision PlanController::move(const ArmEstimate& arm) {
       using Clock = std::chrono::steady_clock;
       const Clock::time_point begun = Clock::now();
       MotionAdvice advice = question();
-      *answer =
-          Advised{std::move(advice), std::chrono::duration<double>(Clock::now() - begun).count()};
+      *answer = Advised{std::move(advice), seconds_since(begun)};
     };
   }
   return decision;

@@ -1,17 +1,80 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <optional>
 
-#include "goal_time.hpp"
 #include "limber/run/arm_estimate.hpp"
 #include "limber/run/episode_recorder.hpp"
 #include "limber/run/executor.hpp"
+#include "limber/world/plan.hpp"
+#include "limber/world/pose_goal.hpp"
 #include "obstacle_appearance.hpp"
-#include "prediction_watch.hpp"
 
 namespace limber {
+
+/// When a tip came into the goal's region for good.
+class GoalTime {
+ public:
+  explicit GoalTime(const PoseGoal& goal) : goal_(goal) {}
+
+  void see(double time_s, const Pose& tip) {
+    if (!is_within(goal_, pose_error(goal_, tip))) {
+      inside_since_s_.reset();
+    } else if (!inside_since_s_) {
+      inside_since_s_ = time_s;
+    }
+  }
+
+  /// None: it is not in there.
+  std::optional<double> inside_since_s() const { return inside_since_s_; }
+
+ private:
+  const PoseGoal& goal_;
+  std::optional<double> inside_since_s_;
+};
+
+/// Of a plan's predicted tip.
+inline std::optional<double> planned_goal_time_s(const PoseGoal& goal, const Plan& plan) {
+  GoalTime time(goal);
+  for (std::size_t k = 0; k < plan.frames.size(); ++k) {
+    time.see(double(k) / plan.frame_rate_hz,
+             tip_pose(plan.frames[k].backbone.cast<double>().eval()));
+  }
+  return time.inside_since_s();
+}
+
+/// Compares the tip with where a plan has it, frame by frame.
+class PredictionWatch {
+ public:
+  void compare(const Plan& plan, std::size_t frame, const BackboneD& shape) {
+    const double distance_m =
+        (tip_position_m(plan.frames[frame].backbone) - tip_position_m(shape)).norm();
+    error_.max_m = std::max(error_.max_m, distance_m);
+    error_.final_m = distance_m;
+    sum_m_ += distance_m;
+    ++count_;
+    if (static_cast<int>(frame) < plan.frame_count() - plan.hold_frame_count) {
+      error_.before_hold_m = sum_m_ / count_;
+    }
+  }
+
+  /// None if nothing was compared.
+  std::optional<ExecutedError> error() const {
+    if (count_ == 0) {
+      return std::nullopt;
+    }
+    ExecutedError error = error_;
+    error.mean_m = sum_m_ / count_;
+    return error;
+  }
+
+ private:
+  ExecutedError error_;
+  double sum_m_ = 0.0;
+  int count_ = 0;
+};
 
 /// What is seen of an execution, frame by frame, and what it amounts to in the end: contacts, the
 /// goal, the prediction's error, the recording.

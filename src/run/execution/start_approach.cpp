@@ -32,10 +32,8 @@ void approach_start(const ArmDescription& arm, ArmDriver& driver, const Pressure
   constexpr double kSettlingS = 3.0;  // at least: what full reversals take, and shapes to rest
   constexpr double kLongestSettlingS = 60.0;
   const Pressures vented_kpa = Pressures::Zero(arm.channel_count());
-  const int count = motion_frame_count(vented_kpa, start_kpa, arm.pressure_step_limit_kpa());
-  Pressures setpoint_kpa = vented_kpa;
-  for (int k = 1; k <= count; ++k) {
-    motion_setpoint(vented_kpa, start_kpa, k, count, setpoint_kpa);
+  for (const Pressures& setpoint_kpa :
+       straight_setpoints(vented_kpa, start_kpa, arm.pressure_step_limit_kpa())) {
     before_each();
     driver.command(setpoint_kpa);
   }

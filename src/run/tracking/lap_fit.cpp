@@ -111,11 +111,8 @@ class LapFit {
     const ArmStart vented = start_state(Environment{}, arm_);
     MotionState state = model_.settled_state(vented.pressures_kpa, vented.backbone);
     const Pressures first_kpa = point_kpa(knots_kpa_, 0);
-    const int frames =
-        motion_frame_count(vented.pressures_kpa, first_kpa, arm_.pressure_step_limit_kpa());
-    Pressures setpoint_kpa = first_kpa;
-    for (int k = 1; k <= frames; ++k) {
-      motion_setpoint(vented.pressures_kpa, first_kpa, k, frames, setpoint_kpa);
+    for (const Pressures& setpoint_kpa :
+         straight_setpoints(vented.pressures_kpa, first_kpa, arm_.pressure_step_limit_kpa())) {
       model_.step(setpoint_kpa, state, workspace_);
     }
     for (int k = 0; k < arm_.frames_in(kSettlingS); ++k) {

@@ -40,11 +40,7 @@ TipTracker::TipTracker(const ArmDescription& arm, const MotionModel& model, cons
       seed_(seed) {
   const Pressures& start_kpa = start.setpoint_kpa;
   const Pressures vented_kpa = Pressures::Zero(arm.channel_count());
-  const int count = motion_frame_count(vented_kpa, start_kpa, arm.pressure_step_limit_kpa());
-  approach_.assign(static_cast<std::size_t>(count), vented_kpa);
-  for (int k = 1; k <= count; ++k) {
-    motion_setpoint(vented_kpa, start_kpa, k, count, approach_[static_cast<std::size_t>(k) - 1]);
-  }
+  approach_ = straight_setpoints(vented_kpa, start_kpa, arm.pressure_step_limit_kpa());
   approach_.insert(approach_.end(), static_cast<std::size_t>(arm.frames_in(kApproachHoldS)),
                    start_kpa);
   path_start_frame_ = static_cast<int>(approach_.size()) + arm.frames_in(kFirstPointS);

@@ -15,6 +15,7 @@
 
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/seconds_since.hpp"
 #include "limber/common/standard_streams.hpp"
 #include "limber/common/version.hpp"
 #include "limber/driver/device_process.hpp"
@@ -135,7 +136,7 @@ class DriverServer {
 
   /// `now` where the tracker has seen the arm since the last request, else what it saw then.
   ArmState newest_sample(ArmState now) {
-    const double since_s = std::chrono::duration<double>(Clock::now() - start_).count();
+    const double since_s = seconds_since(start_);
     const double sample_s = std::floor(since_s / settings_.sampled_s) * settings_.sampled_s;
     if (!sample_ || sample_s > sample_->time_s) {
       sample_ = std::move(now);

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "limber/world/environment.hpp"
-#include "src/run/closed_loop/goal_lengths.hpp"
 #include "support/bending_plan.hpp"
 #include "support/fake_arm.hpp"
 

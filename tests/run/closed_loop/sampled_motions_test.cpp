@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "planning/play_model.hpp"
-#include "src/run/closed_loop/goal_lengths.hpp"
+#include "src/run/closed_loop/plan_repair.hpp"
 #include "src/run/closed_loop/sampled_plan.hpp"
 #include "support/fake_arm.hpp"
 

@@ -5,6 +5,7 @@
 
 #include <tbb/global_control.h>
 #include <tbb/info.h>
+#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 namespace limber {
@@ -23,6 +24,12 @@ class JobArena {
   template <class Work>
   void execute(Work&& work) {
     arena_.execute(work);
+  }
+
+  /// body(i) for each i < n, in any order. @param partitioner  one of oneTBB's; usually none
+  template <class Body, class... Partitioner>
+  void for_each(std::size_t n, const Body& body, const Partitioner&... partitioner) {
+    arena_.execute([&] { tbb::parallel_for(std::size_t{0}, n, body, partitioner...); });
   }
 
  private:

@@ -29,5 +29,7 @@ std::vector<CpuLevel> available_cpu_levels();
 
 /// Model name of the CPU as the system gives it, or "unknown".
 std::string cpu_name();
+/// Of this machine, or "unknown".
+std::string host_name();
 
 }  // namespace limber

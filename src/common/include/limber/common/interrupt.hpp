@@ -2,6 +2,7 @@
 // For everyone.
 
 #include <atomic>
+#include <functional>
 
 namespace limber {
 
@@ -20,6 +21,8 @@ bool interrupt_requested();
 
 /// @throws Interrupted if a signal has come.
 void throw_if_interrupted();
+/// @throws Interrupted if a signal has come, or the caller's own request, where there is one.
+void throw_if_interrupted(const std::function<bool()>& should_stop);
 
 /// While it lives, `interrupt_requested()` is true on this thread as soon as `stop` is: for those
 /// who stop one piece of work among others, such as one call in Python. Work that is handed to

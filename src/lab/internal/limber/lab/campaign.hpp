@@ -16,6 +16,8 @@ namespace limber {
 /// The texts that a flag is given, which is named before each; of a switch, "true".
 using FlagValues = std::vector<std::string>;
 using Flags = std::vector<std::pair<std::string, FlagValues>>;
+/// Null where they are not among them.
+const FlagValues* values_in(const Flags& flags, const char* name);
 
 /// A flag that differs between units. A name `arm.KEY` is a parameter of the arm file's virtual
 /// arm.

@@ -30,6 +30,9 @@ class OutputFolder {
     forced,  ///< the same, but files without a manifest may lie in it: they stay
     resumed  ///< keep everything, and go on with the manifest
   };
+  static Start start(bool resumes, bool force) {
+    return resumes ? Start::resumed : force ? Start::forced : Start::fresh;
+  }
 
   /// Makes the folder, or removes the last run's files.
   /// @param inputs  files and folders that the run reads: none may lie in it

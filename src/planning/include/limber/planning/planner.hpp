@@ -1,6 +1,7 @@
 #pragma once
 // For those who plan.
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -94,6 +95,14 @@ enum class PlanStatus {
   not_certified,      ///< plans were found, and their certificates refuse every one of them
 };
 
+/// In the enumeration's order.
+inline constexpr std::array kPlanStatuses{PlanStatus::solved,
+                                          PlanStatus::limit,
+                                          PlanStatus::invalid_start,
+                                          PlanStatus::goal_unreachable,
+                                          PlanStatus::goal_in_collision,
+                                          PlanStatus::not_certified};
+
 enum class PlanLimit { time, iterations, queries, memory };
 
 /// Names as in files and JSON: "goal_unreachable", "iterations".
@@ -133,7 +142,6 @@ struct PlannerStatistics {
   std::uint64_t iterations = 0;
   std::uint64_t queries = 0;  ///< of the forward model, all of them: may exceed the limit
   std::uint64_t nodes = 0;
-  std::uint64_t goal_nodes = 0;
   std::uint64_t rewires_tried = 0;     ///< cheaper parents whose edge was simulated
   std::uint64_t rewires_accepted = 0;  ///< of these, same backbone and everything downstream free
 };

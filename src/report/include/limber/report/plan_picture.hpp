@@ -22,6 +22,14 @@ void draw_environment(SvgDrawing& drawing, const Environment& environment);
 void draw_arm(SvgDrawing& drawing, const ArmDescription& arm, const Backbone& backbone,
               const ShapeStyle& style);
 
+/// Of what "no_load" and "network" predict, in all pictures.
+std::string model_color(const std::string& model);
+
+/// The backbone's points.
+std::vector<WorldPoint> center_line(const Backbone& backbone);
+
+void draw_tip_path(SvgDrawing& drawing, const Plan& plan, const ShapeStyle& style);
+
 /// Tips of a search tree, an edge from each node's parent.
 void draw_tree(SvgDrawing& drawing, const std::vector<TreeEdge>& tree);
 

@@ -54,6 +54,9 @@ struct PlanningRow {
   std::optional<PlanTrial> one_plan;
 };
 
+/// Whether the same planner, controller and disturbance made both.
+bool is_run_as(const PlanningRow& a, const PlanningRow& b);
+
 /// Stopped because of an obstacle that appeared, without touching anything.
 bool is_clean_stop(const ExecutionResult& run);
 

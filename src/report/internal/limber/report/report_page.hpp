@@ -58,15 +58,10 @@ class ReportPage {
   std::string html() const;
 
  private:
-  struct Section {
-    std::string title;
-    int number = 0;
-  };
-
   std::string title_;
   std::string subtitle_;
   std::string body_;
-  std::vector<Section> sections_;
+  std::vector<std::string> sections_;  // titles; numbered from 1
 };
 
 }  // namespace limber

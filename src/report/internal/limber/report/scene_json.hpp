@@ -11,6 +11,9 @@ namespace limber {
 
 // What pages and scripts get (docs/studio_api.md). Keys are those of limber's files.
 
+/// To 1/parts.
+double rounded_to(double value, double parts);
+
 nlohmann::ordered_json arm_to_json(const ArmDescription& arm);
 
 nlohmann::ordered_json obstacle_to_json(const Obstacle& obstacle);

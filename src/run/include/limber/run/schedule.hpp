@@ -32,7 +32,7 @@ struct ScheduleSettings {
   double hold_s = 3.0;  ///< how long a motion's final set point is commanded, > 0
   /// If set, each hold is sampled uniformly from [hold_min_s, hold_s], and motions may be cut short
   /// as those of a plan are. If not, a motion also lasts until its measured pressures have arrived.
-  std::optional<double> hold_min_s;
+  std::optional<double> hold_min_s = {};
   /// Set points stay within so many times the segments' limits, in (0, 1].
   double limit_scale = 1.0;
 };

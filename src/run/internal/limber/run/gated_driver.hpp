@@ -28,4 +28,16 @@ class GatedDriver final : public ArmDriver {
   SafetyGate gate_;
 };
 
+/// Vents the arm when the scope ends, in whatever way: normally, by an exception, by Ctrl-C.
+class VentGuard {
+ public:
+  explicit VentGuard(ArmDriver& driver) : driver_(driver) {}
+  ~VentGuard() { driver_.vent(); }
+  VentGuard(const VentGuard&) = delete;
+  VentGuard& operator=(const VentGuard&) = delete;
+
+ private:
+  ArmDriver& driver_;
+};
+
 }  // namespace limber

@@ -80,26 +80,34 @@ class PlanController : public Controller {
   /// Whether the rest of the plan may be followed; asked after each of its frames but the last.
   /// Where not, the arm holds where it is and `next` is asked.
   /// @param seen  frame of the plan that the arm's state shows
-  virtual bool may_go_on(const Plan& plan, std::size_t seen, const ArmEstimate& arm);
+  virtual bool may_go_on(const Plan& /*plan*/, std::size_t /*seen*/, const ArmEstimate& /*arm*/) {
+    return true;
+  }
   /// Set points to send in frame `next` of the plan, within the limits and the frame rule. Asked
   /// for each frame of a plan, and while the arm waits in one, is halted or holds.
   /// @param next  the one after `at.frame`, or that one where the arm is to stay
-  virtual FrameSetpoint setpoint(const PlanProgress& at, std::size_t next, const ArmEstimate& arm);
+  virtual FrameSetpoint setpoint(const PlanProgress& at, std::size_t next,
+                                 const ArmEstimate& /*arm*/) {
+    return {at.setpoint_kpa(next), next};
+  }
   /// Asked before each frame of a motion, whose set points `at.sent_kpa` are then sent without
   /// waiting for the answer: it takes effect in the frame after that one, or never if it comes
   /// later. Empty: the arm goes on.
-  virtual std::function<MotionAdvice()> advise(const PlanProgress& at, const ArmEstimate& arm);
+  virtual std::function<MotionAdvice()> advise(const PlanProgress& /*at*/,
+                                               const ArmEstimate& /*arm*/) {
+    return {};
+  }
   /// Whether an arm that has to hold its set points, as a plan from there is being made, does
   /// something certified, as far as it is looked at. Asked for each such frame.
-  virtual bool may_hold(const ArmEstimate& arm);
+  virtual bool may_hold(const ArmEstimate& /*arm*/) { return true; }
 
   using NextPlan = std::function<std::optional<FollowedPlan>()>;
   /// The plan to follow from here on, for an arm that has held the set points of a frame for the
   /// hold, or 0.3 s where it was halted: the last frame, or the one after which it was not allowed
   /// to go on. It starts there. None ends the run; an empty question is one for none.
-  virtual NextPlan next(const PlanProgress& at, const ArmEstimate& arm);
+  virtual NextPlan next(const PlanProgress& /*at*/, const ArmEstimate& /*arm*/) { return {}; }
   /// `next` was answered; before that is followed.
-  virtual void take_next(ArmEstimate& arm);
+  virtual void take_next(ArmEstimate& /*arm*/) {}
 
  private:
   enum class Phase { moving, holding, waiting_for_sight, asking };

@@ -81,9 +81,7 @@ class Replanner {
   std::optional<Plan> short_correction(const Plan& before, const Environment& from_here,
                                        double error_m, const IsTaken& is_taken);
   PlanningProblem problem_from(const Plan& before, const Environment& from_here, double margin_m);
-  std::optional<Plan> straight(const Plan& before, Environment from_here, double widened,
-                               double max_error_m);
-  std::optional<Plan> nearer(const Plan& before, const Environment& from_here, double error_m);
+  std::optional<Plan> nearer(const Plan& before, Environment from_here, double error_m);
 
   const ArmDescription& arm_;
   MotionModel model_;

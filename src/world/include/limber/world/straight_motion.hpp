@@ -38,4 +38,8 @@ int motion_frame_count(const PressuresRef& from_kpa, const PressuresRef& to_kpa,
 void motion_setpoint(const PressuresRef& from_kpa, const PressuresRef& to_kpa, int k, int count,
                      Eigen::Ref<Pressures> setpoint_kpa);
 
+/// Those of all its frames, by the frame rule: at least one, the last exactly `to_kpa`.
+std::vector<Pressures> straight_setpoints(const PressuresRef& from_kpa, const PressuresRef& to_kpa,
+                                          double step_limit_kpa);
+
 }  // namespace limber
