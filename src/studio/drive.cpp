@@ -3,6 +3,8 @@
 #include <thread>
 
 #include "jobs.hpp"
+#include "limber/forward/motion_simulator.hpp"
+#include "limber/report/scene_json.hpp"
 #include "limber/run/executor.hpp"
 #include "limber/sim/virtual_arm.hpp"
 #include "scene_json.hpp"
