@@ -133,7 +133,8 @@ class WindowGradient {
   void put_arms(const Scalar* parameters);
   void carry_arms_back(const Scalar* parameters, int block, const Scalar* delta, Scalar* gradient);
   void note_change(int block, const Scalar* state, Scalar* change) const;
-  /// What `rows` of the network's inputs, from `first_row` on, lead back of its first layer's delta.
+  /// What `rows` of the network's inputs, from `first_row` on, lead back of its first layer's
+  /// delta.
   void input_back(const Scalar* parameters, const Scalar* delta, int first_row, int rows,
                   Scalar* out);
   void carry_change_back(const Scalar* parameters, const Scalar* delta);
