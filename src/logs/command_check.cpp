@@ -163,6 +163,12 @@ std::int64_t hold_over_gaps(Eigen::Ref<Eigen::VectorXd> values) {
 
 }  // namespace
 
+void hold_setpoints(Eigen::MatrixXd& values) {
+  for (auto column : values.colwise()) {
+    hold_over_gaps(column);
+  }
+}
+
 ImportMapping default_import_mapping(const ArmDescription& arm) {
   ImportMapping mapping;
   mapping.commands = arm.commands.empty() ? default_columns(arm, 0) : summed_columns(arm);
@@ -210,15 +216,11 @@ void sum_commands(const ImportMapping& mapping, const ArmDescription& arm, Comma
   }
   const Eigen::MatrixXd shares = command_shares(arm);
   if (!commands.measured) {
-    for (auto column : commands.values.colwise()) {
-      hold_over_gaps(column);
-    }
+    hold_setpoints(commands.values);
   }
   commands.values = summed(commands.values, shares);
   if (commands.setpoint.size() > 0) {
-    for (auto column : commands.setpoint.colwise()) {
-      hold_over_gaps(column);
-    }
+    hold_setpoints(commands.setpoint);
     commands.setpoint = summed(commands.setpoint, shares);
   }
   std::vector<std::string> sums = sums_of(arm);
