@@ -100,7 +100,7 @@ class MotionGuideTest : public ::testing::Test {
     if (!check) {
       check = certificate_check(arm_, model_);
     }
-    return MotionGuide(arm_, model_, environment_, room, {5000, 0.001, {}}, planner_, check, 1);
+    return MotionGuide(arm_, model_, environment_, room, {.motion_queries = 5000}, planner_, check, 1);
   }
 
   MotionAdvice ask(MotionGuide& guide, std::size_t next, const MotionState& now,
@@ -195,7 +195,7 @@ class HeldArmTest : public MotionGuideTest {
     ErrorRoom room;
     room.margin_m = kMarginM;
     return MotionGuide(
-        slow_, slow_model_, environment_, room, {5000, 0.001, {}}, planner_,
+        slow_, slow_model_, environment_, room, {.motion_queries = 5000}, planner_,
         [](Plan&, const Environment&) { return false; }, 1);
   }
 
