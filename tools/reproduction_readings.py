@@ -293,7 +293,7 @@ def draw_figure_4(path, found):
         panel.set_xticks(at, groups, fontsize=8)
         panel.set_title(title, fontsize=10)
         panel.set_ylim(bottom=0)
-    panels[1].legend(fontsize=8, frameon=False, loc="upper left")
+    panels[1].legend(fontsize=8, frameon=False, loc="upper right")
     figure.savefig(path, metadata={"Date": None})
 
 
