@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kPlanSchema = "limber/plan/2";
 constexpr double kCostToleranceKpa = 1e-6;
-constexpr double kMax = 1e9;       // of a number in a plan; nothing real comes near, in Pa neither
+constexpr double kMax = 1e8;       // of a number in a plan; nothing real comes near, in Pa neither
 constexpr double kMaxCost = 1e12;  // a sum over all frames
 
 Json numbers(const Pressures& q) {
