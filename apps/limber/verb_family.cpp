@@ -7,6 +7,7 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/folder_lock.hpp"
 #include "limber/lab/family_traits.hpp"
 #include "limber/lab/tube_calibration.hpp"
 #include "limber/sim/related_arms.hpp"
@@ -91,7 +92,7 @@ class FamilyVerb final : public Verb {
       require_usable(calibration());
     }
     const PhysicsVariation variation = parse_physics_variation(variation_);
-    fs::create_directories(folder());
+    const FolderLock lock(folder(), "limber family");
     std::vector<Episode> episodes;
     std::vector<int> arms;
     std::string sources;

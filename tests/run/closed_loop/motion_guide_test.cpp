@@ -100,7 +100,8 @@ class MotionGuideTest : public ::testing::Test {
     if (!check) {
       check = certificate_check(arm_, model_);
     }
-    return MotionGuide(arm_, model_, environment_, room, {.motion_queries = 5000}, planner_, check, 1);
+    return MotionGuide(arm_, model_, environment_, room, {.motion_queries = 5000}, planner_, check,
+                       1);
   }
 
   MotionAdvice ask(MotionGuide& guide, std::size_t next, const MotionState& now,
