@@ -60,7 +60,7 @@ class FamilyVerb final : public Verb {
         ->check(CLI::Range(1, 4096))
         ->capture_default_str();
     app.add_option("--epochs", epochs_, "Epochs of training in all")
-        ->check(CLI::Range(1, 10'000'000))
+        ->check(CLI::Range(1, kMaxEpochs))
         ->capture_default_str();
     app.add_option("--vary-physics", variation_,
                    "How arms differ, as of limber collect: wide, or a factor")

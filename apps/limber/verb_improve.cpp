@@ -49,7 +49,7 @@ class ImproveVerb final : public Verb {
     app.add_option("--max-queries", queries_, "Model queries of each plan; else those of collect")
         ->check(CLI::PositiveNumber);
     app.add_option("--epochs", epochs_, "Epochs of each round's training; else those of train")
-        ->check(CLI::Range(1, 10'000'000));
+        ->check(CLI::Range(1, kMaxEpochs));
     app.add_option("--driver", driver_, "What moves: virtual, or exec:COMMAND as of limber collect")
         ->capture_default_str();
     app.add_option("--calibration", calibration_, "Of the driver, as of limber collect");

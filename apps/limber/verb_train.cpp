@@ -53,7 +53,7 @@ class TrainVerb final : public Verb {
         ->needs("--old-data");
     app.add_option("--epochs", epochs_,
                    "Epochs in all; 0 with --from only adds bounds to an old model")
-        ->check(CLI::Range(0, 10'000'000));
+        ->check(CLI::Range(0, kMaxEpochs));
     app.add_option("--time-limit-s", time_limit_s_,
                    "Fix the number of epochs, at the start, to what fits in this time")
         ->check(CLI::PositiveNumber)
@@ -349,6 +349,8 @@ class TrainVerb final : public Verb {
     write_file_atomically(curve_path(".curve.svg"), learning_curve_svg(result.curve));
   }
 
+  static constexpr int kFamilySize = 8;
+
   std::string arm_ = "three_segment";
   DataFlags files_;
   std::string preset_ = "best";
@@ -362,7 +364,7 @@ class TrainVerb final : public Verb {
   std::optional<bool> velocity_;
   std::optional<int> ensemble_;
   bool family_ = false;
-  int family_size_ = 8;
+  int family_size_ = kFamilySize;
   int slice_frames_ = kSliceFrames;
   double checkpoint_interval_s_ = 20.0;
   bool resume_ = false;

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "limber/arm/arm_description.hpp"
+#include "limber/arm/characterisation.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/yaml_reader.hpp"
 

@@ -50,7 +50,7 @@ nlohmann::ordered_json experiment_identity(const ExperimentSettings& settings,
   Json json;
   json["schema"] = "limber/experiment/1";
   json["arm"] = {{"name", settings.arm.name}, {"hash", settings.arm.hash()}};
-  json["virtual_arm"] = content_hash(virtual_arm_to_yaml(settings.arm));
+  json["virtual_arm"] = virtual_arm_hash(settings.arm);
   json["model"] = model_hash;
   json["valves"] = settings.valves.hash();
   json["margin_m"] = optional_json(settings.room.margin_m);  // null: the model's own

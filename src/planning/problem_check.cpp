@@ -91,18 +91,21 @@ void check_start_limits(const PlanningProblem& problem, ProblemCheck& result) {
   }
 }
 
+/// Empty: an arm can have it.
+std::string shape_fault(const char* key, const Backbone& shape, const ArmDescription& arm) {
+  const std::optional<StartFault> fault = find_start_fault(shape, arm);
+  return fault ? fmt::format("start.{}[{}]: {}", key, fault->row, fault->message) : "";
+}
+
 void check_start(const PlanningProblem& problem, const CollisionChecker& checker,
                  ProblemCheck& result) {
-  const std::optional<ArmStart>& given = problem.environment.start;
-  for (const bool before : {false, true}) {
-    if (!given || (before && given->before.rows() == 0)) {
-      break;
+  if (const std::optional<ArmStart>& given = problem.environment.start) {
+    result.reason = shape_fault("backbone", given->backbone, problem.arm);
+    if (result.reason.empty() && given->before.rows() > 0) {
+      result.reason = shape_fault("backbone_before", given->before, problem.arm);
     }
-    const auto fault = find_start_fault(before ? given->before : given->backbone, problem.arm);
-    if (fault) {
+    if (!result.reason.empty()) {
       result.refusal = PlanStatus::invalid_start;
-      result.reason = fmt::format("start.{}[{}]: {}", before ? "backbone_before" : "backbone",
-                                  fault->row, fault->message);
       return;
     }
   }

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "limber/common/content_hash.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
 
 namespace limber {
@@ -17,7 +16,7 @@ DriverFactory virtual_arm_factory(const ArmDescription& arm, const VirtualArmOpt
 
 std::string describe(const ArmDescription& arm, const VirtualArmOptions& options) {
   constexpr std::size_t kShortHash = 8;
-  std::string text = "physics " + content_hash(virtual_arm_to_yaml(arm)).substr(0, kShortHash);
+  std::string text = "physics " + virtual_arm_hash(arm).substr(0, kShortHash);
   const auto add = [&](const char* what, double value, const char* unit) {
     if (value != 0.0) {
       text += fmt::format(", {} {}{}", what, value, unit);

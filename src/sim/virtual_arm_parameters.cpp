@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "limber/common/content_hash.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/common/yaml_reader.hpp"
 
@@ -275,6 +276,11 @@ std::string virtual_arm_to_yaml(const ArmDescription& arm) {
   ArmDescription complete = arm;
   set_virtual_arm_parameters(complete, virtual_arm_parameters(arm));
   return arm_to_yaml(complete);
+}
+
+std::string virtual_arm_hash(ArmDescription arm) {
+  arm.safety_yaml.clear();
+  return content_hash(virtual_arm_to_yaml(arm));
 }
 
 }  // namespace limber

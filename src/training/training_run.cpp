@@ -141,9 +141,9 @@ void TrainingRun::fit_epochs_to_time_limit() {
     seconds += stage.epochs * seconds_per_epoch(stage);
   }
   const double left = kMargin * settings_.time_limit_s - elapsed_s();
-  constexpr double kMostEpochs = 1e6;
+  constexpr double kMaxEpochsInTime = 1e6;
   const int epochs =
-      static_cast<int>(std::clamp(settings_.epoch_count() * left / seconds, 0.0, kMostEpochs));
+      static_cast<int>(std::clamp(settings_.epoch_count() * left / seconds, 0.0, kMaxEpochsInTime));
   set_epoch_count(settings_, std::max(epochs, static_cast<int>(settings_.stages.size())));
 }
 

@@ -5,6 +5,7 @@
 
 #include "arm/test_arms.hpp"
 #include "limber/arm/arm_identity.hpp"
+#include "limber/arm/characterisation.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/yaml_reader.hpp"
 

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "arm/small_arm_text.hpp"
+#include "limber/arm/characterisation.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 

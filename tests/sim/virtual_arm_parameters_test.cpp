@@ -165,5 +165,14 @@ TEST(VirtualArmParameters, OfAnArmInSpaceSurviveTheRoundTrip) {
   EXPECT_EQ(back.wall_stiffening, 1.0 / 3.0);
 }
 
+TEST(VirtualArmHash, IsOfThePhysicsAndNotOfSafety) {
+  const ArmDescription arm = sample_arm(2);
+  ArmDescription other = arm;
+  other.safety_yaml = "safety:\n  jump_m: 0.1\n";
+  EXPECT_EQ(virtual_arm_hash(other), virtual_arm_hash(arm));
+  change_virtual_arm(other, [](VirtualArmParameters& p) { p.friction_coefficient += 0.01; });
+  EXPECT_NE(virtual_arm_hash(other), virtual_arm_hash(arm));
+}
+
 }  // namespace
 }  // namespace limber

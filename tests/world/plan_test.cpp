@@ -1,17 +1,14 @@
 #include "limber/world/plan.hpp"
 
-#include <charconv>
 #include <fstream>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "limber/arm/arm_commands.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
-#include "limber/world/straight_motion.hpp"
-#include "planning/random_shapes.hpp"
 #include "support/temporary_folder.hpp"
+#include "world/small_plan.hpp"
 
 namespace limber {
 namespace {
@@ -22,47 +19,6 @@ using ::testing::Not;
 using ::testing::StartsWith;
 using ::testing::ThrowsMessage;
 using Json = nlohmann::ordered_json;
-
-template <class Number>
-Number number_in(const std::string& cell) {
-  Number number{};
-  const char* end = cell.data() + cell.size();
-  EXPECT_EQ(std::from_chars(cell.data(), end, number).ptr, end) << cell;
-  return number;
-}
-
-/// A plan of awkward numbers that keeps every rule: 4 moving frames, 2 of holding.
-Plan small_plan(const ArmDescription& arm) {
-  const NoLoadModel model(arm);
-  RandomStream random(4, 0);
-  Plan plan;
-  plan.arm_name = arm.name;
-  plan.arm_hash = arm.hash();
-  plan.model = "network";
-  plan.model_hash = "abc";
-  plan.valves_hash = "fed";
-  plan.environment_name = "e";
-  plan.environment_hash = "def";
-  plan.planner = "paper";
-  plan.seed = 0xFFFFFFFFFFFFFFFFULL;
-  plan.frame_rate_hz = arm.frame_rate_hz;
-  plan.clearance_m = 0.1 / 3.0;
-  plan.goal_distance_m = 1e-3 / 7.0;
-  plan.program_version = "0.1.0";
-  Pressures q = Pressures::Zero(arm.segment_count());
-  for (int k = 0; k < 5; ++k) {
-    plan.frames.push_back({q, 0.9F * q, no_load_backbone(model, q)});
-    for (int i = 0; i < q.size(); ++i) {
-      q[i] += static_cast<float>(random.uniform(-4.9, 4.9));
-    }
-  }
-  plan.frames.push_back(plan.frames.back());
-  plan.frames.push_back(plan.frames.back());
-  plan.hold_frame_count = 2;
-  plan.waypoints_kpa = {plan.frames.front().setpoint_kpa, plan.frames.back().setpoint_kpa};
-  plan.cost_kpa = path_cost_kpa(plan.frames, &PlanFrame::setpoint_kpa);
-  return plan;
-}
 
 TEST(PlanFile, OfAnotherCommandSaysNothingOfPressures) {
   const TemporaryFolder folder;
@@ -350,63 +306,6 @@ TEST(Plan, IsRefusedForAnotherArmAndBeyondItsLimits) {
   thin.frames[1].setpoint_kpa = Pressures::Zero(2);
   EXPECT_THAT([&] { require_plan_of(thin, arm, "p.json"); },
               ThrowsMessage<InputError>(HasSubstr("frames[1]: 2 set points")));
-}
-
-TEST(Plan, CsvOfTheArmsOwnCommandsMakesTheSetPoints) {
-  const TemporaryFolder folder;
-  ArmDescription arm = three_segment_arm();
-  arm.commands = {{"m0", {1, 0, 0}}, {"m1", {-1, 0, 0}}, {"m2", {0, 1, 0}}, {"m3", {0, 0.5, 2}}};
-  const Plan plan = small_plan(arm);
-  write_commands_csv(folder.path() / "p.csv", plan, arm);
-  std::ifstream file(folder.path() / "p.csv");
-  std::string line;
-  std::getline(file, line);
-  EXPECT_EQ(line, "time_s,m0,m1,m2,m3");
-  constexpr double kSingle = 1e-4;  // [kPa]
-  for (std::size_t k = 1; k < plan.frames.size(); ++k) {
-    ASSERT_TRUE(std::getline(file, line));
-    std::stringstream row(line);
-    std::string cell;
-    std::getline(row, cell, ',');
-    EXPECT_DOUBLE_EQ(number_in<double>(cell), double(k - 1) / 20.0);
-    Eigen::VectorXd commands(4);
-    for (double& command : commands) {
-      std::getline(row, cell, ',');
-      command = number_in<double>(cell);
-    }
-    const Eigen::VectorXd made = segment_commands(arm, commands);
-    EXPECT_TRUE(made.isApprox(plan.frames[k].setpoint_kpa.cast<double>(), kSingle)) << line;
-  }
-  EXPECT_FALSE(std::getline(file, line));
-}
-
-TEST(Plan, CsvHoldsTheSetPointsToCommandAndWhen) {
-  const TemporaryFolder folder;
-  const Plan plan = small_plan(three_segment_arm());
-  write_setpoints_csv(folder.path() / "p.csv", plan);
-  std::ifstream file(folder.path() / "p.csv");
-  std::string line;
-  std::getline(file, line);
-  EXPECT_EQ(line,
-            "time_s,setpoint_0_kpa,setpoint_1_kpa,setpoint_2_kpa,"
-            "pressure_0_kpa,pressure_1_kpa,pressure_2_kpa");
-  for (std::size_t k = 1; k < plan.frames.size(); ++k) {
-    ASSERT_TRUE(std::getline(file, line));
-    std::stringstream row(line);
-    std::string cell;
-    std::getline(row, cell, ',');
-    EXPECT_DOUBLE_EQ(number_in<double>(cell), double(k - 1) / 20.0);
-    for (int i = 0; i < 3; ++i) {
-      std::getline(row, cell, ',');
-      EXPECT_EQ(number_in<float>(cell), plan.frames[k].setpoint_kpa[i]);
-    }
-    for (int i = 0; i < 3; ++i) {
-      std::getline(row, cell, ',');
-      EXPECT_EQ(number_in<float>(cell), plan.frames[k].pressure_kpa[i]);
-    }
-  }
-  EXPECT_FALSE(std::getline(file, line));
-  EXPECT_DOUBLE_EQ(plan.duration_s(), 0.3);
 }
 
 }  // namespace

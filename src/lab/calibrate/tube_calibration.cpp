@@ -113,7 +113,7 @@ Json identity(const CalibrationSettings& settings) {
   const TubeRunSettings& runs = settings.runs;
   Json json = {{"schema", "limber/calibration/4"},
                {"arm", {{"name", runs.arm.name}, {"hash", runs.arm.hash()}}},
-               {"virtual_arm", content_hash(virtual_arm_to_yaml(runs.executed_arm))},
+               {"virtual_arm", virtual_arm_hash(runs.executed_arm)},
                {"model", file_hash(settings.model_file)},
                {"valves", runs.valves.hash()},
                {"seed", runs.seed},
@@ -132,25 +132,12 @@ Json identity(const CalibrationSettings& settings) {
   return json;
 }
 
-/// What screens found for a level: the narrowest factor that held, and the widest that didn't.
+/// What screens found for a level, as places in the list of factors: the narrowest that held, and
+/// the widest that didn't.
 struct Screened {
-  std::optional<double> narrowest;
-  std::optional<double> too_narrow;
+  std::optional<std::size_t> narrowest;
+  std::optional<std::size_t> too_narrow;
 };
-
-std::size_t index_of(double value, const std::vector<double>& values) {
-  return static_cast<std::size_t>(std::find(values.begin(), values.end(), value) - values.begin());
-}
-
-/// The wide ones, and every second of the narrow ones.
-std::vector<double> screened_factors() {
-  std::vector<double> screened;
-  const std::vector<double> factors = tube_factors();
-  for (std::size_t k = 0; k < factors.size(); k += k < std::size(kWideFactors) ? 1 : 2) {
-    screened.push_back(factors[k]);
-  }
-  return screened;
-}
 
 class Calibration {
  public:
@@ -161,9 +148,12 @@ class Calibration {
 
   CalibrationResult run() {
     find_shape();
-    screen();
+    std::vector<Screened> screened;
     for (const double level : settings_.levels) {
-      if (const std::optional<TubeLevel> found = find_level(level)) {
+      screened.push_back(screen(level));
+    }
+    for (std::size_t l = 0; l < screened.size(); ++l) {
+      if (const std::optional<TubeLevel> found = find_level(settings_.levels[l], screened[l])) {
         shape_.levels.push_back(*found);
       }
     }
@@ -240,52 +230,52 @@ class Calibration {
     shape_.source = "virtual arm";
   }
 
-  /// Of each level the narrowest factor that a screen's bound holds for, by halving the list:
+  /// By halving the list of those that are screened, the wide ones and every second narrow one:
   /// narrower tubes leave fewer runs inside, and too wide ones too few environments with a plan.
-  void screen() {
-    const std::vector<double> factors = screened_factors();
-    std::map<std::size_t, std::optional<int>> outside;
-    for (const double level : settings_.levels) {
-      Screened& found = screened_.emplace_back();
-      std::size_t begin = 0;
-      std::size_t end = factors.size();
-      while (begin < end) {
-        const std::size_t middle = (begin + end) / 2;
-        if (outside.count(middle) == 0) {
-          outside[middle] = screen_factor(middle, factors[middle]);
-        }
-        const std::optional<int> count = outside[middle];
-        if (!count) {
-          begin = middle + 1;
-        } else if (share_at_most(*count, settings_.screen_runs, kScreenConfidence) <= 1.0 - level) {
-          found.narrowest = factors[middle];
-          begin = middle + 1;
-        } else {
-          found.too_narrow = factors[middle];
-          end = middle;
-        }
+  Screened screen(double level) {
+    constexpr std::size_t kWide = std::size(kWideFactors);
+    Screened found;
+    std::size_t begin = 0;
+    std::size_t end = kWide + (factors_.size() - kWide + 1) / 2;
+    while (begin < end) {
+      const std::size_t middle = (begin + end) / 2;
+      const std::size_t k = middle < kWide ? middle : 2 * middle - kWide;
+      const std::optional<int> outside = screen_factor(middle, factors_[k]);
+      if (outside &&
+          share_at_most(*outside, settings_.screen_runs, kScreenConfidence) > 1.0 - level) {
+        found.too_narrow = k;
+        end = middle;
+      } else {
+        found.narrowest = outside ? k : found.narrowest;
+        begin = middle + 1;
       }
     }
+    return found;
   }
 
-  /// Runs outside; none if most environments have no plan with so wide a tube.
-  std::optional<int> screen_factor(std::size_t k, double factor) {
-    const TubeRuns runs =
-        run_phase(fmt::format("screen_{:02}", k), settings_.screen_runs, &shape_, factor, true);
-    const int outside = runs.outside(factor);
-    settings_.say(
-        fmt::format("factor {:.3f}: {} of {} runs outside", factor, outside, runs.executed()));
-    return runs.executed() < settings_.screen_runs ? std::nullopt : std::optional(outside);
+  /// Runs outside; none if most environments have no plan with so wide a tube. Levels share
+  /// screens.
+  std::optional<int> screen_factor(std::size_t number, double factor) {
+    const auto [screen, is_new] = screens_.try_emplace(number);
+    if (is_new) {
+      const TubeRuns runs = run_phase(fmt::format("screen_{:02}", number), settings_.screen_runs,
+                                      &shape_, factor, true);
+      settings_.say(fmt::format("factor {:.3f}: {} of {} runs outside", factor,
+                                runs.outside(factor), runs.executed()));
+      if (runs.executed() == settings_.screen_runs) {
+        screen->second = runs.outside(factor);
+      }
+    }
+    return screen->second;
   }
 
-  std::optional<TubeLevel> find_level(double level) {
-    const Screened& screened = screened_[index_of(level, settings_.levels)];
+  std::optional<TubeLevel> find_level(double level, const Screened& screened) {
     if (!screened.narrowest) {
       fail(level,
            screened.too_narrow
                ? fmt::format("even factor {:.3g} of the shape is too narrow; wider tubes leave "
                              "too few environments with a plan",
-                             *screened.too_narrow)
+                             factors_[*screened.too_narrow])
                : "no tube of the list leaves enough environments with a plan; a model with "
                  "smaller errors is needed, or a larger budget");
       return std::nullopt;
@@ -297,8 +287,7 @@ class Calibration {
       narrowest = found ? found : narrowest;
       return found.has_value();
     };
-    if (!narrowest_factor(index_of(*screened.narrowest, factors_), factors_.size(), kMaxTests,
-                          holds)) {
+    if (!narrowest_factor(*screened.narrowest, factors_.size(), kMaxTests, holds)) {
       fail(level, fmt::format("no factor held its test on {} runs", settings_.test_runs));
       return std::nullopt;
     }
@@ -317,13 +306,11 @@ class Calibration {
     if (share_at_most(outside, runs.executed(), confidence) > 1.0 - level) {
       return std::nullopt;
     }
-    TubeLevel found;
-    found.level = level;
-    found.factor = factor;
-    found.runs = runs.executed();
-    found.outside = outside;
-    found.confidence = settings_.confidence;
-    return found;
+    return TubeLevel{.level = level,
+                     .factor = factor,
+                     .runs = runs.executed(),
+                     .outside = outside,
+                     .confidence = settings_.confidence};
   }
 
   void audit(TubeLevel& level) {
@@ -352,8 +339,8 @@ class Calibration {
   const Json identity_;
   std::optional<OutputFolder> folder_;
   Tube shape_;
-  double expected_error_m_ = 0.0;   // of the arm whose tube is the shape; 0: of no family
-  std::vector<Screened> screened_;  // of each level
+  double expected_error_m_ = 0.0;  // of the arm whose tube is the shape; 0: of no family
+  std::map<std::size_t, std::optional<int>> screens_;  // runs outside, by number of the screen
   Json evidence_;
   CalibrationResult result_;
 };

@@ -191,12 +191,6 @@ std::string arm_keys_to_yaml(const ArmDescription& arm);
 ArmDescription read_arm_keys(const std::string& keys, const std::string& name,
                              PolynomialsOf polynomials = PolynomialsOf::model);
 
-/// `yaml`, the text of the arm's file, with what a fit changes: no_load, and each segment's
-/// length_m, strain_polynomial and curvature_per_unit. Everything else, comments too, stays as it
-/// is. If the text cannot be edited in place, or differs from `arm` in anything else, the result is
-/// `arm_to_yaml`. @throws InputError if it is not an arm file.
-std::string with_strain_polynomials(const std::string& yaml, const ArmDescription& arm);
-
 /// Distance along the arm at rest from the base to each plate, m numbers.
 std::vector<double> rest_positions_m(const ArmDescription& arm);
 

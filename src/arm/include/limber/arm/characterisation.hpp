@@ -63,6 +63,12 @@ void require_characterisable(const ArmDescription& arm);
 /// @throws InputError as above, with the segment's number before the message.
 CharacterisedArm characterise(const ArmDescription& arm, const BenchData& bench);
 
+/// `yaml`, the text of the arm's file, with what a fit changes: no_load, and each segment's
+/// length_m, strain_polynomial and curvature_per_unit. Everything else, comments too, stays as it
+/// is. If the text cannot be edited in place, or differs from `arm` in anything else, the result is
+/// `arm_to_yaml`. @throws InputError if it is not an arm file.
+std::string with_strain_polynomials(const std::string& yaml, const ArmDescription& arm);
+
 /// Bench data from a CSV file: a header line naming the columns `pressure_kpa` and `strain`, and
 /// optionally `segment` (0 is the base), in any order; without it every row is used for every
 /// segment. Blank lines and lines that begin with # are skipped.

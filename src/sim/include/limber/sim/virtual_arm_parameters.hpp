@@ -125,8 +125,10 @@ void change_virtual_arm(ArmDescription& arm, Change&& change) {
   set_virtual_arm_parameters(arm, parameters);
 }
 
-/// The arm as YAML with every parameter, also those that its file leaves out: what the virtual
-/// arm's behaviour depends on.
+/// The arm as YAML with every parameter, also those that its file leaves out.
 std::string virtual_arm_to_yaml(const ArmDescription& arm);
+
+/// Hash of what the virtual arm's behaviour depends on: of that, but for `safety`.
+std::string virtual_arm_hash(ArmDescription arm);
 
 }  // namespace limber

@@ -53,7 +53,7 @@ struct TrainingStage {
   bool operator==(const TrainingStage&) const = default;
 };
 
-inline constexpr int kMaxEpochs = 10'000'000;  // as --epochs; of a stage's numbers too
+inline constexpr int kMaxEpochs = 10'000'000;  ///< of a run; of a stage's numbers too
 
 /// Everything that decides a training run besides its data. Same settings, data and seed: same
 /// network, for any number of jobs.
