@@ -28,10 +28,15 @@ class DryRunDriver final : public ArmDriver {
   DryRunDriver(const ArmDescription& arm, std::function<void(const std::string& line)> print)
       : period_s_(arm.frame_period_s()), print_(std::move(print)) {
     state_.pressure_kpa = Pressures::Zero(arm.channel_count());
-    Backbone straight(arm.point_count(), kPoseSize);
-    NoLoadModel(arm).backbone(Eigen::Ref<const Eigen::VectorXf>(state_.pressure_kpa),
-                              Eigen::Ref<Backbone>(straight));
-    state_.backbone = straight;
+    if (arm.is_spatial()) {
+      state_.space_backbone = SpaceBackbone::Zero(arm.point_count(), kSpacePoseSize);
+      state_.space_backbone->rightCols<1>().setOnes();  // seen, wherever; headings of no turn
+    } else {
+      Backbone straight(arm.point_count(), kPoseSize);
+      NoLoadModel(arm).backbone(Eigen::Ref<const Eigen::VectorXf>(state_.pressure_kpa),
+                                Eigen::Ref<Backbone>(straight));
+      state_.backbone = straight;
+    }
     print_(to_line(host_hello(arm)));
   }
 
@@ -124,6 +129,12 @@ void DriverFlags::add_to(CLI::App& app, bool may_be_model) {
   app.add_flag("--dry-run", dry_run_, "Print the requests that a driver would get; move nothing");
 }
 
+void require_limit_scale(double scale) {
+  if (!(scale > 0.0 && scale <= 1.0)) {
+    throw InputError(fmt::format("--limit-scale {}: expected a number over 0, at most 1", scale));
+  }
+}
+
 void DriverFlags::check() const {
   if (is_program() && !driver_.starts_with(kExec)) {
     throw InputError(
@@ -131,9 +142,9 @@ void DriverFlags::check() const {
                     "--driver \"exec:python3 my_driver.py\"",
                     driver_, may_be_model_ ? ", model:FILE.safetensors" : ""));
   }
-  if (!(limit_scale_ > 0.0 && limit_scale_ <= 1.0)) {
-    throw InputError(
-        fmt::format("--limit-scale {}: expected a number over 0, at most 1", limit_scale_));
+  require_limit_scale(limit_scale_);
+  if (!is_program() && wire_.may_be_simulated()) {
+    throw InputError("--simulated: goes with --driver exec:COMMAND, which may be a simulation");
   }
   if (!is_program() && wire_.is_calibrated()) {
     throw InputError("--calibration: goes with --driver exec:COMMAND, which it is of");

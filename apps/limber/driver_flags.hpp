@@ -16,12 +16,16 @@ namespace limber {
 /// What --driver and its like begin with, before the driver's own command.
 inline constexpr std::string_view kExec = "exec:";
 
+/// @throws InputError unless 0 < scale <= 1
+void require_limit_scale(double scale);
+
 /// What limber has to know of a driver that it starts, in every verb that does: --calibration FILE,
 /// what `limber driver calibrate` found lies between it and its arm, and --simulated.
 class WireFlags {
  public:
   void add_to(CLI::App& app);
   bool is_calibrated() const { return !calibration_.empty(); }
+  bool may_be_simulated() const { return simulated_; }
 
   /// For the program of `exec:COMMAND`. @param driver  that whole text
   /// @param arm_file  its mapping `safety` says what is watched

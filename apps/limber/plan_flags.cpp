@@ -210,9 +210,10 @@ void ReplanFlags::add_settings_to(CLI::App& app) {
 }
 
 void ReplanFlags::add_to(CLI::App& app) {
-  app.add_flag("--replan", replan_,
-               "Closed loop: plan again, with --model, from where the arm is measured, while it "
-               "moves and after, until it is near the goal's centre or comes no nearer");
+  CLI::Option* replan = app.add_flag(
+      "--replan", replan_,
+      "Closed loop: plan again, with --model, from where the arm is measured, while it "
+      "moves and after, until it is near the goal's centre or comes no nearer");
   add_settings_to(app);
   app.add_option("--max-replans", settings_.corrections.max_replans,
                  "With --replan: plans from rest, after the first")
@@ -226,6 +227,10 @@ void ReplanFlags::add_to(CLI::App& app) {
                  "With --replan: a moving arm that is not tracked for longer than that is stopped")
       ->check(CLI::Range(0.0, 60.0))
       ->capture_default_str();
+  for (const char* name :
+       {"--motion-queries", "--adapt", "--max-replans", "--replan-queries", "--blind-s"}) {
+    app.get_option(name)->needs(replan);
+  }
 }
 
 void ReplanFlags::choose_motion_queries(const ArmDescription& arm, const MotionModel& model,
@@ -241,15 +246,18 @@ void ReplanFlags::choose_motion_queries(const ArmDescription& arm, const MotionM
 }
 
 void TrackFlags::add_to(CLI::App& app) {
-  app.add_option("--track", path_,
-                 "In place of --plan: path of the tip over time to follow with --model, a CSV file "
-                 "with the columns time_s, x_m and y_m");
+  CLI::Option* track = app.add_option(
+      "--track", path_,
+      "In place of --plan: path of the tip over time to follow with --model, a CSV file "
+      "with the columns time_s, x_m and y_m");
   app.add_option("--laps", laps_, "With --track: how often a path that ends at its start is run")
       ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+      ->capture_default_str()
+      ->needs(track);
   app.add_option("--track-queries", settings_.queries, "With --track: model queries in each frame")
       ->check(CLI::Range(300, 10'000'000))
-      ->capture_default_str();
+      ->capture_default_str()
+      ->needs(track);
 }
 
 void TrackFlags::prepare(const ArmDescription& arm, const ModelFlags& model,

@@ -56,7 +56,8 @@ class CollectVerb final : public Verb {
     app.add_option("--model", model_file_, "Of --schedule plans: the network that plans them");
     app.add_option("--max-queries", plans_.queries, "Of --schedule plans: model queries of each")
         ->check(CLI::PositiveNumber)
-        ->capture_default_str();
+        ->capture_default_str()
+        ->needs(app.get_option("--model"));
     driver_.add_to(app);
     app.add_option("--noise-m", options_.noise_m, "Noise of measured positions, std deviation");
     app.add_option("--noise-rad", options_.noise_rad, "Noise of measured headings");

@@ -272,6 +272,7 @@ class DriverVerb final : public Verb {
       return calibrate_.run(arm, wire_.settings(driver_, arm, arm_file), out_, flags);
     }
     calibrate_.refuse_own_flags();
+    require_limit_scale(limit_scale_);
     const fs::path folder = out_;
     require_writable_folder(folder);
     for (const char* file : {"check.json", "report.html", "valves.yaml", "check.driver.jsonl"}) {

@@ -40,11 +40,13 @@ class ExecuteVerb final : public Verb {
     driver_.add_to(app, true);
     app.add_option("--hold-s", settings_.hold_s,
                    "Seconds in all that the last set point is held before the goal is judged")
-        ->capture_default_str();
+        ->capture_default_str()
+        ->excludes(app.get_option("--track"));
     app.add_option("--max-start-error-m", max_start_error_m_,
                    "Largest distance of a plate from where the plan starts; by default with exec: "
                    "the plan's margin, which is its model's error, or 1 cm if that is more")
-        ->check(CLI::NonNegativeNumber);
+        ->check(CLI::NonNegativeNumber)
+        ->excludes(app.get_option("--track"));
     replan_.add_to(app);
     app.add_option("--disturbance", disturbance_,
                    "The virtual arm is not as it was: " + disturbance_kinds() +
@@ -52,6 +54,9 @@ class ExecuteVerb final : public Verb {
                        "(exec:) can have the obstacle, which exists for limber alone");
     model_.add_to(app, " that the plan was made with; for --replan");
     room_.add_to(app);
+    for (const char* name : {"--margin-m", "--tube", "--goal-margin-m", "--goal-margin-rad"}) {
+      app.get_option(name)->needs(app.get_option("--replan"));
+    }
     app.add_option("--out", out_, "Recording of the run to write");
     app.add_option(
         "--adapted-out", adapted_out_,
@@ -235,7 +240,7 @@ class ExecuteVerb final : public Verb {
 
   int finish_track(const ArmDescription& arm, const TrackRun& run, const ProcessDriver* driver,
                    const CommonFlags& flags) const {
-    if (!out_.empty() && run.result.episode.frame_count() > 0) {
+    if (is_to_record(run.result)) {
       Recording recording = make_recording(arm, source_of(driver), flags.seed);
       recording.settings = fmt::format("tracked a path with the tip, model {}, {}",
                                        model_.model_file(), to_string(run.result.status));
@@ -342,9 +347,21 @@ class ExecuteVerb final : public Verb {
     return rows;
   }
 
+  /// Of an arm that nobody saw there is no recording, and whoever waits for one is told.
+  bool is_to_record(const ExecutionResult& result) const {
+    if (out_.empty()) {
+      return false;
+    }
+    const bool is_seen = result.episode.frame_count() > 0;
+    if (!is_seen) {
+      print_error(out_ + ": not written, as the arm was never seen");
+    }
+    return is_seen;
+  }
+
   void write_run(const ArmDescription& arm, const Plan& plan, const ExecutionResult& result,
                  const ProcessDriver* driver) const {
-    if (out_.empty() || result.episode.frame_count() == 0) {
+    if (!is_to_record(result)) {
       return;
     }
     const std::optional<std::uint64_t> motion_queries =

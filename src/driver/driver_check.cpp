@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 #include <thread>
@@ -173,8 +174,13 @@ class Check {
   void step(int segment, double sign) {
     const double wanted = kStepShare * limit_kpa(segment, sign);
     const std::size_t first = hold(alone(segment, wanted), kStepS);
-    StepResponse response = step_response(readings(segment, first), arm_.frame_period_s(), wanted,
-                                          result_.noise_kpa[static_cast<std::size_t>(segment)]);
+    const auto s = static_cast<std::size_t>(segment);
+    std::vector<double> moved_kpa = readings(segment, first);
+    for (double& kpa : moved_kpa) {
+      kpa -= result_.zero_kpa[s];
+    }
+    StepResponse response =
+        step_response(moved_kpa, arm_.frame_period_s(), wanted, result_.noise_kpa[s]);
     response.channel = segment;
     result_.steps.push_back(response);
     ramp_down(alone(segment, wanted));
@@ -202,7 +208,11 @@ class Check {
       wanted[s] = static_cast<float>(2.0 * kPulseShare * limit_kpa(s, sign));
     }
     hold(wanted, kPulseS);
-    return driver_->state().pressure_kpa.cwiseAbs().minCoeff();
+    // A channel that the driver allows nothing stays at zero.
+    const auto is_moved = (wanted.array() != 0.0F);
+    return is_moved
+        .select(driver_->state().pressure_kpa.cwiseAbs().array(), std::numeric_limits<float>::max())
+        .minCoeff();
   }
 
   void test_silence() {

@@ -189,7 +189,7 @@ void require_protocol(const JsonReader& root) {
 void require_no_fault(const JsonReader& root) {
   if (root.at("type").text() == "fault") {
     throw SystemFault(
-        fmt::format("it reports a fault: {}", in_one_line(optional_text(root, "message"))));
+        fmt::format("reports a fault: {}", in_one_line(optional_text(root, "message"))));
   }
 }
 

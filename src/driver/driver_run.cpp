@@ -68,8 +68,8 @@ std::string as_text(std::string_view text) {
 std::string describe(const ProcessDriver& driver) {
   const DriverHello& hello = driver.hello();
   const auto or_unnamed = [](const std::string& text) { return text.empty() ? "unnamed" : text; };
-  return fmt::format("driver {} (device: {}), started by {}", or_unnamed(hello.driver),
-                     or_unnamed(hello.device), who_started_this());
+  return fmt::format("driver {} (device: {}){}{}", or_unnamed(hello.driver),
+                     or_unnamed(hello.device), kStartedBy, who_started_this());
 }
 
 std::string time_stamped_run_name() {

@@ -30,7 +30,7 @@ constexpr auto kBrokenReplyTime = milliseconds(500);       // of a broken driver
 constexpr double kReplyFrames = 2.0;                       // a state that takes longer is late
 constexpr double kSilenceFrames = 3.0;  // without a `set`: the driver has vented by itself
 
-std::atomic<bool> any_unconfirmed{false};
+std::atomic<bool> any_left_unsafe{false};
 
 double seconds(Clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
@@ -97,6 +97,7 @@ class ProcessDriver::Session {
     try {
       watch_vent(reply_time());
     } catch (const std::exception& error) {
+      any_left_unsafe = true;  // whatever the next vent confirms: a driver broke
       say(error.what());
       link_.end();
     }
@@ -261,7 +262,7 @@ class ProcessDriver::Session {
       say(vent_.message);
     }
     if (started_ && !vent_.confirmed) {  // whoever was told to shut off the supply comes near it
-      any_unconfirmed = true;
+      any_left_unsafe = true;
       fault_ = fault_.empty() ? vent_.message : fault_;
     }
   }
@@ -390,7 +391,7 @@ const VentResult& ProcessDriver::last_vent() const {
 }
 
 bool ProcessDriver::was_any_left_unsafe() {
-  return any_unconfirmed || ChildProcess::was_any_left();
+  return any_left_unsafe || ChildProcess::was_any_left();
 }
 
 const std::vector<PressureLimits>& ProcessDriver::limits_kpa() const {

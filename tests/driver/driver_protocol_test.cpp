@@ -141,7 +141,7 @@ TEST_F(DriverProtocol, WhatADriverSaysStaysOnOneLineAndIsCut) {
     return std::string();
   };
   EXPECT_EQ(said("hot\nvented: 0.0 kPa after 0.1 s"),
-            "it reports a fault: hot vented: 0.0 kPa after 0.1 s");
+            "reports a fault: hot vented: 0.0 kPa after 0.1 s");
   EXPECT_LT(said(std::string(900'000, 'x')).size(), 300U);
   const std::string hello =
       R"({"type":"hello","protocol":1,"rate_hz":20,"segments":2,"driver":"a\nb",)"
@@ -212,7 +212,7 @@ TEST_F(DriverProtocol, ADriverMayAnswerTheHelloWithItsFault) {
       [&] {
         (void)parse_driver_hello(R"({"type":"fault","message":"no device at a port"})", host_);
       },
-      ThrowsMessage<SystemFault>(HasSubstr("it reports a fault: no device at a port")));
+      ThrowsMessage<SystemFault>(HasSubstr("reports a fault: no device at a port")));
 }
 
 }  // namespace

@@ -203,6 +203,24 @@ TEST(Environment, SetPointsOfAStartInMotionFitTheArmAndCountInTheHash) {
                                                        HasSubstr("2 pressures found"))));
 }
 
+// Valves overshoot: what is measured in motion may lie 5 % of a segment's range beyond its limits.
+TEST(Environment, AStartInMotionAsMeasuredIsReadAsItWasWritten) {
+  const ArmDescription arm = three_segment_arm();
+  Environment e = read(kGood);
+  const auto again = [&] {
+    return read_environment(YamlReader::from_text(environment_to_yaml(e), "e.yaml"), arm);
+  };
+  const Pressures at_limit = Pressures::Constant(3, 100.0F);
+  e.start = ArmStart{at_limit * 1.095F, no_load_backbone(NoLoadModel(arm), at_limit), {at_limit}};
+  EXPECT_EQ(again().start->pressures_kpa, e.start->pressures_kpa);
+  EXPECT_EQ(environment_hash(again()), environment_hash(e));
+  e.start->pressures_kpa = at_limit * 1.105F;
+  EXPECT_THAT(again, ThrowsMessage<InputError>(HasSubstr("start.pressures_kpa[0]")));
+  e.start->pressures_kpa = at_limit * 1.095F;
+  e.start->setpoints_kpa.clear();
+  EXPECT_THAT(again, ThrowsMessage<InputError>(HasSubstr("start.pressures_kpa[0]")));
+}
+
 TEST(Environment, ShapeBeforeAStartInMotionFitsTheArmAndCountsInTheHash) {
   const ArmDescription arm = three_segment_arm();
   Environment e = read(kGood);

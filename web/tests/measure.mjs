@@ -40,6 +40,7 @@ for (const environment of environments) {
   const page = await openPage(browser, studio.address);
   await page.getByLabel('Seconds to search for').selectOption('5');
   await page.locator('.field', { hasText: /^Environment/ }).locator('select').selectOption(`limber:${environment}`);
+  await page.waitForFunction((name) => decodeURIComponent(location.hash).includes(name), environment);
   await page.getByRole('button', { name: 'Goal', exact: true }).click();
   await page.getByLabel('with a heading').setChecked(false);
   await page.waitForSelector('.status.good, .status.bad');

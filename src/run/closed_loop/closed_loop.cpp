@@ -248,7 +248,7 @@ std::function<MotionAdvice()> ClosedLoop::advise(const PlanProgress& at, const A
   Motion& motion = *motion_;
   const Plan& plan = at.plan;
   const bool is_in_motion = static_cast<int>(at.frame) + plan.hold_frame_count < plan.frame_count();
-  if (motion.settings.motion_queries == 0 || !arm.has_state() || !is_in_motion) {
+  if (!arm.has_state() || !is_in_motion) {
     return {};
   }
   if (motion.is_blind(arm)) {
@@ -257,6 +257,9 @@ std::function<MotionAdvice()> ClosedLoop::advise(const PlanProgress& at, const A
           MotionAdvice::Kind::stop, std::nullopt,
           fmt::format("the arm was not tracked for more than {} s: it was stopped", blind_s)};
     };
+  }
+  if (motion.settings.motion_queries == 0) {
+    return {};
   }
   // What is measured and sent meanwhile is the next question's.
   return [&motion, &plan, frame = at.frame, sent_kpa = at.sent_kpa, now = arm.state(),

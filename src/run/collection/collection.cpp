@@ -247,19 +247,25 @@ void write_partial(const CollectionSettings& settings, const Recording& identity
   }
 }
 
-Episode record_or_keep_a_part(const ArmDescription& arm, ArmDriver& driver,
+/// @param make_driver  which may find the arm stopped already, or stop it
+Episode record_or_keep_a_part(const ArmDescription& arm,
+                              const std::function<std::unique_ptr<ArmDriver>()>& make_driver,
                               const EpisodeSchedule& schedule, const CollectionSettings& settings,
                               const Recording& identity,
                               const std::vector<std::optional<Episode>>& done,
                               const std::function<void()>& motion_done) {
-  EpisodeRun run(arm, driver, schedule, settings);
+  std::unique_ptr<ArmDriver> driver;
+  std::optional<EpisodeRun> run;
   try {
-    const VentGuard vent_at_the_end(driver);
-    return run.run(motion_done);
+    throw_if_interrupted(settings.should_stop);
+    driver = make_driver();
+    run.emplace(arm, *driver, schedule, settings);
+    const VentGuard vent_at_the_end(*driver);
+    return run->run(motion_done);
   } catch (const std::runtime_error& stopped) {
     if (!settings.partial.empty()) {
       try {
-        write_partial(settings, identity, done, run.unfinished());
+        write_partial(settings, identity, done, run ? run->unfinished() : std::nullopt);
       } catch (const std::exception& lost) {
         throw SystemFault(fmt::format("{}. Its frames are lost: {}", stopped.what(), lost.what()));
       }
@@ -278,11 +284,10 @@ void record_missing(const ArmDescription& arm, const CollectionSettings& setting
     if (done[i]) {
       return;
     }
-    throw_if_interrupted(settings.should_stop);
     try {
-      const std::unique_ptr<ArmDriver> driver = make_driver(static_cast<int>(i));
-      done[i] = record_or_keep_a_part(arm, *driver, schedule[i], settings, parts.identity(), done,
-                                      [&] { progress.advance(); });
+      done[i] = record_or_keep_a_part(
+          arm, [&] { return make_driver(static_cast<int>(i)); }, schedule[i], settings,
+          parts.identity(), done, [&] { progress.advance(); });
       if (settings.physics) {
         done[i]->physics = settings.physics(static_cast<int>(i));
       }

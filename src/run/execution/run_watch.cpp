@@ -29,7 +29,7 @@ RunWatch::RunWatch(const ArmDescription& arm, const Environment& environment,
 
 void RunWatch::start(const Plan& plan) {
   started_ = true;
-  start_time_s_ = driver_.state().time_s;
+  start_time_s_ = sampled_s_ = driver_.state().time_s;
   see();
   if (shape_) {
     const BackboneD planned = plan.frames.front().backbone.cast<double>();
@@ -49,7 +49,9 @@ void RunWatch::observe(double time_s, const BackboneD& backbone) {
 const Environment* RunWatch::take_in(const Pressures& setpoint_kpa, int motion) {
   const ArmState& state = driver_.state();
   ++frames_;
-  frames_not_seen_ += state.backbone ? 0 : 1;
+  const bool is_new = state.time_s != sampled_s_;  // else the driver has repeated its last sample
+  frames_not_seen_ += state.backbone && is_new ? 0 : 1;
+  sampled_s_ = state.time_s;
   recorder_.add(state, setpoint_kpa, motion);
   measured_ = measured_ || state.backbone.has_value();
   see();

@@ -134,6 +134,7 @@ class RunWatch {
   // Whether some frame was measured; a virtual arm knows its shape even if none was delivered.
   bool measured_ = false;
   double start_time_s_ = 0.0;
+  double sampled_s_ = 0.0;  // the last state's time
   double start_error_m_ = 0.0;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "limber/arm/damped_solve.hpp"
 #include "limber/arm/pressure_limits.hpp"
@@ -26,7 +27,12 @@ JacobianController::JacobianController(const ArmDescription& arm, const Plan& pl
       goal_(goal),
       gains_(gains),
       rows_(goal.theta_rad ? kPoseSize : 2),
-      setpoint_kpa_(plan.frames.front().setpoint_kpa) {}
+      setpoint_kpa_(plan.frames.front().setpoint_kpa) {
+  if (goal_.theta_rad) {  // by the turns that the tip makes, not by whole ones more
+    const double end_rad = tip_pose(plan.frames.back().backbone).theta_rad;
+    *goal_.theta_rad = end_rad + std::remainder(*goal_.theta_rad - end_rad, 2.0 * std::numbers::pi);
+  }
+}
 
 /// x, y and, if the goal asks for one, the heading as a length.
 Eigen::VectorXd JacobianController::in_metres(const Pose& pose) const {

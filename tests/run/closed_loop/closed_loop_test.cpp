@@ -168,17 +168,21 @@ TEST_F(ClosedLoopTest, LostForShortItGoesOnByPrediction) {
 TEST_F(ClosedLoopTest, LostForLongItGoesOnAsOpenLoopThenHoldsAndSaysSo) {
   const Plan plan = plan_of(arm_);
   ASSERT_GT(plan.frame_count() - plan.hold_frame_count, 8);
-  LosingArm driver(arm_, 2, 1000);
   ClosedLoopSettings settings = few_queries();
   settings.blind_s = 0.1;  // two frames
-  const ExecutionResult result = run(arm_, plan, driver, settings);
-  EXPECT_EQ(result.status, ExecutionStatus::stopped);
-  EXPECT_THAT(result.message, HasSubstr("not tracked for more than 0.1 s"));
-  EXPECT_EQ(result.halts, 1);
-  // Unseen in frames 2, 3 and 4: the question before frame 5 says stop, after frame 5.
-  const std::size_t last = 5;
-  for (std::size_t k = 1; k <= driver.commanded_kpa.size(); ++k) {
-    EXPECT_EQ(driver.commanded_kpa[k - 1], plan.frames[std::min(k, last)].setpoint_kpa) << k;
+  for (const std::uint64_t queries : {settings.motion_queries, std::uint64_t{0}}) {
+    SCOPED_TRACE(queries);
+    settings.motion_queries = queries;
+    LosingArm driver(arm_, 2, 1000);
+    const ExecutionResult result = run(arm_, plan, driver, settings);
+    EXPECT_EQ(result.status, ExecutionStatus::stopped);
+    EXPECT_THAT(result.message, HasSubstr("not tracked for more than 0.1 s"));
+    EXPECT_EQ(result.halts, 1);
+    // Unseen in frames 2, 3 and 4: the question before frame 5 says stop, after frame 5.
+    const std::size_t last = 5;
+    for (std::size_t k = 1; k <= driver.commanded_kpa.size(); ++k) {
+      EXPECT_EQ(driver.commanded_kpa[k - 1], plan.frames[std::min(k, last)].setpoint_kpa) << k;
+    }
   }
 }
 

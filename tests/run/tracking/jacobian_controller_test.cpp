@@ -1,5 +1,7 @@
 #include "limber/run/jacobian_controller.hpp"
 
+#include <numbers>
+
 #include <gmock/gmock.h>
 
 #include "limber/common/error.hpp"
@@ -56,6 +58,15 @@ TEST_F(JacobianControllerTest, ItsIntegralBringsAWeakerArmToTheGoal) {
   const ExecutionResult result = run(bending(arm_, 0.85), kGains);
   EXPECT_EQ(result.status, ExecutionStatus::done);
   EXPECT_LT(result.goal_error.position_m, 0.001);
+}
+
+TEST_F(JacobianControllerTest, AHeadingOfAWholeTurnMoreIsTheSameGoal) {
+  goal_.theta_rad = double(plan_.frames.back().backbone.bottomRows<1>()(0, 2));
+  const Eigen::MatrixXf setpoints_kpa = run(bending(arm_, 0.85), kGains).episode.setpoint_kpa;
+  *goal_.theta_rad += 2.0 * std::numbers::pi;
+  const ExecutionResult again = run(bending(arm_, 0.85), kGains);
+  ASSERT_EQ(again.episode.setpoint_kpa.rows(), setpoints_kpa.rows());
+  EXPECT_LT((again.episode.setpoint_kpa - setpoints_kpa).cwiseAbs().maxCoeff(), 1e-4F);
 }
 
 TEST_F(JacobianControllerTest, WithoutTrackingItIsOpenLoop) {

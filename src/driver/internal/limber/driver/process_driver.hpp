@@ -108,8 +108,8 @@ class ProcessDriver final : public ArmDriver {
   const DriverHello& hello() const;
   const DriverTiming& timing() const;
   const VentResult& last_vent() const;
-  /// Whether any driver of this process was left with an arm whose last vent is not confirmed, or
-  /// could not be ended; `say` was told.
+  /// Whether any driver of this process was left with an arm whose last vent is not confirmed,
+  /// broke while it vented, or could not be ended; `say` was told.
   static bool was_any_left_unsafe();
   /// In force: the arm's, scaled, or the driver's own where those are lower.
   const std::vector<PressureLimits>& limits_kpa() const;

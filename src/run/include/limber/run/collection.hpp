@@ -16,6 +16,10 @@
 
 namespace limber {
 
+/// In a recording's `source`, before who started the driver. Where a collection goes on, it may be
+/// somebody else: what lies before it has to be the same.
+inline constexpr std::string_view kStartedBy = ", started by ";
+
 /// A fresh arm at rest for episode `index`. Its random numbers depend on the index alone, never on
 /// the caller or the time. Called from several threads at once.
 using DriverFactory = std::function<std::unique_ptr<ArmDriver>(int index)>;

@@ -37,6 +37,9 @@ TrackRun follow_path(const ArmDescription& arm, const MotionModel& model, const 
                      std::uint64_t seed) {
   TipTracker tracker = tracker_for(arm, model, path, source, settings, seed);
   execution.controller = &tracker;
+  if constexpr (requires { driver.look(); }) {
+    driver.look();  // since it was started, the way to the path was searched for
+  }
   return track_run(path, tracker,
                    execute(arm, environment, stay_at_rest(arm, environment), driver, execution));
 }
