@@ -42,7 +42,25 @@ struct ClosedLoopOf {
   std::unique_ptr<Controller> controller;
   std::string arm;
   std::string environment;
+  std::string arm_hash;
+  std::string environment_hash;
 };
+
+void require_loop_of(const ClosedLoopOf& loop, const ArmDescription& arm,
+                     const Environment& environment) {
+  const auto require = [](const char* what, const std::string& of, const std::string& of_hash,
+                          const std::string& name, const std::string& hash) {
+    if (of_hash != hash) {
+      throw InputError(
+          fmt::format("controller: a ClosedLoop for {} '{}' (hash {}); the run's is '{}' "
+                      "(hash {})",
+                      what, of, of_hash, name, hash));
+    }
+  };
+  require("arm", loop.arm, loop.arm_hash, arm.name, arm.hash());
+  require("environment", loop.environment, loop.environment_hash, environment.name,
+          environment_hash(environment));
+}
 
 template <class Driver>
 ExecutionResult run_on(const ArmDescription& arm, const Environment& environment, const Plan& plan,
@@ -58,7 +76,9 @@ ExecutionResult run_with(const ArmDescription& arm, const Environment& environme
   settings.should_stop = [&] { return caller.should_stop(); };
   std::optional<PythonController> own;
   if (py::isinstance<ClosedLoopOf>(controller)) {
-    settings.controller = controller.cast<ClosedLoopOf&>().controller.get();
+    const auto& loop = controller.cast<const ClosedLoopOf&>();
+    require_loop_of(loop, arm, environment);
+    settings.controller = loop.controller.get();
   } else if (!controller.is_none()) {
     settings.controller = &own.emplace(controller, arm.channel_count(), caller);
   }
@@ -173,7 +193,7 @@ void bind_controllers(py::module_& module) {
             return ClosedLoopOf{
                 make_closed_loop(arm, model, environment,
                                  room ? *room : error_room(model.forward()), seed, adapts),
-                arm.name, environment.name};
+                arm.name, environment.name, arm.hash(), environment_hash(environment)};
           }),
           py::arg("arm"), py::arg("model"), py::arg("environment"), py::arg("room") = py::none(),
           py::arg("seed") = 1, py::arg("adapts") = true, py::keep_alive<1, 2>(),

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <pybind11/stl/filesystem.h>
 #include <nlohmann/json.hpp>
 
@@ -58,9 +59,10 @@ void bind_json(py::module_& module) {
         const auto obstacles = static_cast<int>(environment.obstacles.size());
         for (const std::optional<Contact>& contact : {result.first_collision, result.closest}) {
           if (contact && contact->clearance.obstacle >= obstacles) {
-            throw InputError(fmt::format("environment: of {} obstacles; the run struck {}",
-                                         obstacles,
-                                         obstacle_name(environment, contact->clearance.obstacle)));
+            throw InputError(
+                fmt::format("environment: of {} obstacles; the run tells of obstacle {}, "
+                            "counted from 0. Expected the environment that it was executed in",
+                            obstacles, contact->clearance.obstacle));
           }
         }
         return to_python([&] { return to_json(result, environment); });

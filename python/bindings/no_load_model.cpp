@@ -25,6 +25,7 @@ py::array_t<float> backbone(const NoLoadModel& model, const FloatArray& pressure
   const py::ssize_t count = batch ? pressures_kpa.shape(0) : 1;
   require_shape(pressures_kpa, batch ? Shape{count, n} : Shape{n}, "pressures_kpa");
   py::array_t<float> result = result_array(out, batch ? Shape{count, m, size} : Shape{m, size});
+  require_own_memory(result, pressures_kpa, "pressures_kpa", false);
   float* to = result.mutable_data();
   const float* from = pressures_kpa.data();
   const auto run = [&] {

@@ -161,6 +161,7 @@ void bind_pictures(py::module_& module) {
       "pressure_picture",
       [](const ArmDescription& arm, const Plan& plan) {
         require_planar(arm, "limber.pressure_picture");
+        require_plan_of(plan, arm, "plan");
         return pressure_picture(arm, plan);
       },
       py::arg("arm"), py::arg("plan"), py::call_guard<OthersMayRun>(),

@@ -18,6 +18,15 @@ void MotionTrack::add(const Eigen::Ref<const Pressures>& kpa,
   }
 }
 
+void MotionTrack::add_unseen(const Eigen::Ref<const Pressures>& kpa,
+                             const Eigen::Ref<const Backbone>& shape) {
+  pressures_kpa_.push_back(pressures_to_json(kpa));
+  shapes_.push_back(shape_to_json(shape));
+  if (!obstacles_.empty()) {
+    clearances_m_.push_back(nullptr);
+  }
+}
+
 void MotionTrack::add_obstacle(const Obstacle& obstacle) {
   while (clearances_m_.size() < shapes_.size()) {
     clearances_m_.push_back(nullptr);  // until now there was nothing

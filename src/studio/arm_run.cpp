@@ -1,5 +1,7 @@
 #include "arm_run.hpp"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "jobs.hpp"
@@ -36,23 +38,19 @@ class FrameWatch {
              const std::function<void(const Json&)>& on_frame)
       : control_(control),
         on_frame_(on_frame),
-        track_("arm", scene.arm(), job.found.environment.obstacles),
-        shape_(job.found.plan.frames.front().backbone) {}
+        track_("arm", scene.arm(), job.found.environment.obstacles) {}
 
   void take(const ExecutedFrame& frame) {
-    if (frame.state.backbone) {
-      shape_ = *frame.state.backbone;
-    }
     if (frame.appeared != nullptr) {
       obstacle_ = obstacle_to_json(frame.appeared->obstacles.back());
       track_.add_obstacle(frame.appeared->obstacles.back());
     }
-    track_.add(frame.state.pressure_kpa, shape_);
+    add(frame.state);
     setpoints_kpa_.push_back(pressures_to_json(frame.setpoint_kpa));
     on_frame_({{"time_s", frame.time_s},
                {"setpoint_kpa", setpoints_kpa_.back()},
                {"pressure_kpa", pressures_to_json(frame.state.pressure_kpa)},
-               {"shape", shape_to_json(shape_)},
+               {"shape", shape_ ? shape_to_json(*shape_) : Json()},
                {"obstacle", obstacle_},
                {"holds", control_.why_held()}});
   }
@@ -62,14 +60,30 @@ class FrameWatch {
     return {{"frame_rate_hz", plan.frame_rate_hz},
             {"setpoints_kpa", setpoints_kpa_},
             {"appeared", appeared_to_json(result.appeared)},
-            {"tracks", {track_.json()}}};
+            {"tracks", shape_ ? Json::array({track_.json()}) : Json::array()}};
   }
 
  private:
+  /// Frames before it is first seen wait until then.
+  void add(const ArmState& state) {
+    if (state.backbone) {
+      shape_ = *state.backbone;
+      for (const Pressures& kpa : std::exchange(unseen_kpa_, {})) {
+        track_.add_unseen(kpa, *shape_);
+      }
+      track_.add(state.pressure_kpa, *shape_);
+    } else if (shape_) {
+      track_.add_unseen(state.pressure_kpa, *shape_);
+    } else {
+      unseen_kpa_.push_back(state.pressure_kpa);
+    }
+  }
+
   const ArmControl& control_;
   const std::function<void(const Json&)>& on_frame_;
   MotionTrack track_;
-  Backbone shape_;  // where it was seen last; before that, where the plan has it
+  std::optional<Backbone> shape_;      // where it was seen last; none: never yet
+  std::vector<Pressures> unseen_kpa_;  // until then
   Json setpoints_kpa_ = Json::array();
   Json obstacle_ = nullptr;
 };

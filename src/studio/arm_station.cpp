@@ -165,6 +165,8 @@ void ArmStation::run_now(const ArmRunJob& job) {
     std::filesystem::create_directories(file.parent_path());
     const StudioScene scene(project_, job.found.scene);
     ProcessDriverSettings driver = driver_;
+    // As the arm file has it now: pages read the arm anew too.
+    driver.safety = load_safety(project_.find(ProjectItem::arm, arm_));
     driver.say = [this, &said](const std::string& words) {
       said += (said.empty() ? "" : "; ") + words;
       note(words);

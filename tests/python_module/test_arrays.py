@@ -155,6 +155,12 @@ class Arrays(unittest.TestCase):
         with self.assertRaisesRegex(limber.InputError, "out overlaps previous_kpa; expected memory of its own"):
             self.model.step_batch(commands, self.after, self.backbones, memory.reshape(self.backbones.shape))
 
+    def test_the_simple_models_out_may_not_be_its_pressures(self):
+        memory = np.zeros(self.backbones.size, np.float32)
+        pressures = memory[:self.before.size].reshape(self.before.shape)
+        with self.assertRaisesRegex(limber.InputError, "out overlaps pressures_kpa; expected memory of its own"):
+            limber.NoLoadModel(self.arm).backbone(pressures, memory.reshape(self.backbones.shape))
+
     def test_out_of_another_kind_is_refused(self):
         for out in (np.empty(self.backbones.shape), np.asfortranarray(self.backbones), [1.0]):
             with self.assertRaisesRegex(limber.InputError, "out: expected a writable C-contiguous"):

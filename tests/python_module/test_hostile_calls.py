@@ -69,6 +69,19 @@ class ReachingPastTheEnd(InFolder):
         with self.assertRaises(limber.InputError):
             network.step(np.zeros(2, np.float32), state)
 
+    def test_a_run_and_a_plan_of_something_else(self):
+        arm, environment = chain().arm, chain().environment
+        problem = limber.PlanningProblem(arm, limber.MotionModel(limber.ForwardModel(arm)), environment)
+        plan = limber.make_planner().plan(problem, limber.PlannerLimits(iterations=300), 5).plan
+        run = limber.execute(arm, environment, plan, limber.VirtualArm(arm))
+        self.assertIsNotNone(run.closest)
+        empty = limber.Environment("empty", [], environment.goal)
+        with self.assertRaisesRegex(limber.InputError, "of 0 obstacles; the run tells of obstacle 0"):
+            limber.to_json(run, empty)
+        other = limber.load_arm(ROOT / "arms" / "three_segment.yaml")
+        with self.assertRaisesRegex(limber.InputError, "plan: arm_hash: made for arm 'two_segment'"):
+            limber.pressure_picture(other, plan)
+
     def test_a_driver_whose_states_are_of_no_arm(self):
         arm, environment = chain().arm, chain().environment
         problem = limber.PlanningProblem(arm, limber.MotionModel(limber.ForwardModel(arm)), environment)

@@ -196,6 +196,10 @@ class PlansAlong(InFolder):
         run(loop)
         with self.assertRaisesRegex(limber.InputError, "runs once"):
             run(loop)
+        elsewhere = limber.Environment("elsewhere", [], environment.goal)
+        with self.assertRaisesRegex(
+                limber.InputError, "a ClosedLoop for environment 'elsewhere' .* the run's is 'a wall'"):
+            run(limber.ClosedLoop(arm, self.model, elsewhere))
 
     def test_of_an_arm_that_is_lost_nothing_is_known(self):
         class LostArm(limber.ArmDriver):

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/report/execution_report.hpp"
+#include "limber/report/motion_track.hpp"
 #include "limber/report/plan_picture.hpp"
 #include "planning/random_shapes.hpp"
 
@@ -59,6 +60,20 @@ Plan random_plan(const ArmDescription& arm, const std::string& model) {
     plan.frames.push_back(std::move(frame));
   }
   return plan;
+}
+
+TEST(MotionTrack, HasNoClearanceWhereNobodySawTheArm) {
+  const ArmDescription arm = three_segment_arm();
+  const PlanFrame frame = random_plan(arm, "network").frames.front();
+  MotionTrack track("arm", arm, {Circle{0.4, 0.2, 0.03}});
+  track.add_unseen(frame.pressure_kpa, frame.backbone);
+  track.add(frame.pressure_kpa, frame.backbone);
+  const nlohmann::ordered_json json = track.json();
+  ASSERT_EQ(json["shapes"].size(), 2U);
+  ASSERT_EQ(json["pressures_kpa"].size(), 2U);
+  ASSERT_EQ(json["clearances_m"].size(), 2U);
+  EXPECT_TRUE(json["clearances_m"][0].is_null());
+  EXPECT_TRUE(json["clearances_m"][1].is_number());
 }
 
 TEST(Animation, HoldsEveryFrameWithObstaclesAndGoal) {

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "limber/common/atomic_file.hpp"
 #include "limber/common/data_folder.hpp"
 #include "support/bending_plan.hpp"
 #include "support/temporary_folder.hpp"
@@ -115,6 +116,17 @@ TEST_F(ArmStationTest, SaysWhyTheDriverDoesNotServe) {
   EXPECT_THAT(wait_for(*arm, "armed", lease), HasSubstr("ended with exit code 1"));
   const std::lock_guard lock(mutex_);
   EXPECT_THAT(states_, ::testing::ElementsAre("armed", "running", "armed"));
+}
+
+TEST_F(ArmStationTest, ObeysTheArmFilesSafetyAsItIsNow) {
+  const std::string text = read_file(data_folder() / "arms/two_segment.yaml");
+  name_ = "mine.yaml";
+  write_file_atomically(folder_.path() / name_, text);
+  const auto arm = station("false");
+  write_file_atomically(folder_.path() / name_, text + "\nsafety:\n  jump_m: -1\n");
+  const std::string lease = arm->arm();
+  EXPECT_THAT(arm->run(lease, job()), IsEmpty());
+  EXPECT_THAT(wait_for(*arm, "armed", lease), HasSubstr("jump_m"));
 }
 
 TEST_F(ArmStationTest, MovesNothingBeyondTheLimitScaleAndNoOtherArm) {

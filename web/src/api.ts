@@ -111,7 +111,7 @@ export type ArmFrame = {
   time_s: number;
   setpoint_kpa: number[];
   pressure_kpa: number[];
-  shape: number[];
+  shape: number[] | null; // null: nobody has seen it yet
   obstacle: Obstacle | null;
   holds: string;
 };

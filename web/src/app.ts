@@ -101,11 +101,10 @@ export class App {
   async start(): Promise<void> {
     await this.readProject();
     byId('folder').textContent = `${this.project.folder} · limber ${this.project.version}`;
-    await this.attempt(() => this.openLink(location.hash));
+    await this.attempt(async () => void (await this.openLink(location.hash)));
     if (!this.environmentName) await this.openLink('');
     addEventListener('hashchange', () => void this.attempt(async () => {
-      await this.openLink(location.hash);
-      this.replan();
+      if (await this.openLink(location.hash, true)) this.replan();
     }));
     for (const name of Object.keys(this.modes) as ModeName[]) {
       byId(`mode-${name}`).addEventListener('click', () => this.enter(name));
@@ -128,8 +127,9 @@ export class App {
         tab: ({ id }) => {
           this.tab = id;
           if (byId('notice').textContent === kLost) this.say('');
-          if (this.mode === 'plan') this.ask();
-          else this.enter(this.mode);
+          if (this.mode === 'plan') return this.ask();
+          this.planner.forget(); // it was another tab's: the studio has it no more
+          this.enter(this.mode);
         },
         plan: (plan) => this.planner.onPlan(plan),
         progress: (progress) => this.planner.onProgress(progress),
@@ -198,18 +198,26 @@ export class App {
     this.selected = null;
   }
 
-  /** Of an address. A scene that comes to an open one of the same arm is a step of its history. */
-  private async openLink(fragment: string): Promise<void> {
+  /**
+   * Of an address. A scene that comes to an open one of the same arm is a step of its history.
+   * @param asks  before what is not saved is lost
+   * @return whether it was opened
+   */
+  private async openLink(fragment: string, asks = false): Promise<boolean> {
     const { arm, model, environmentName, environment } = linkOf(fragment, this.project);
     if (environment && arm === this.armName) {
       this.history.set(environment);
       this.environmentName = environmentName;
       this.selected = null;
       this.saved = this.environment;
+    } else if (asks && !this.mayLose('Open the link?')) {
+      this.link(); // the address says again what is open; that makes no hashchange
+      return false;
     } else {
       await this.open(arm, environmentName, environment);
     }
     this.model = model;
+    return true;
   }
   /** The page's address, so that a bookmark opens what is chosen. @param environment  with it */
   link(environment: Environment | null = null): string {
@@ -329,10 +337,12 @@ export class App {
     this.edit(removed(this.environment, gone));
   }
   undo(): void {
+    if (this.stage.isHeld) return; // a drag under way would be half in the past
     this.history.undo();
     this.edited();
   }
   redo(): void {
+    if (this.stage.isHeld) return;
     this.history.redo();
     this.edited();
   }

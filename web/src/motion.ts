@@ -5,9 +5,9 @@ import { frameAt, tipOf } from './shape';
 export const durationOf = (motion: Motion): number =>
   Math.max(0, motion.setpoints_kpa.length - 1, ...motion.tracks.map(({ shapes }) => shapes.length - 1)) / motion.frame_rate_hz;
 
-/** The track that is the most real. */
+/** The track that is the most real, of those that have moved at all. */
 export function mainOf({ tracks }: Motion): Track {
-  const of = (wanted: TrackKey) => tracks.find(({ key }) => key === wanted);
+  const of = (wanted: TrackKey) => tracks.find(({ key, shapes }) => key === wanted && shapes.length > 0);
   return of('arm') ?? of('virtual_arm') ?? tracks[0];
 }
 
@@ -15,7 +15,7 @@ export function mainOf({ tracks }: Motion): Track {
 export function figuresAt(motion: Motion, shown: Set<TrackKey>, time_s: number, outlined = false): Figure[] {
   const main = mainOf(motion).key;
   return motion.tracks
-    .filter(({ key }) => shown.has(key))
+    .filter(({ key, shapes }) => shown.has(key) && shapes.length > 0) // a run may end before its first frame
     .map(({ key, shapes, pressures_kpa }): Figure => ({
       shape: frameAt(shapes, motion.frame_rate_hz, time_s),
       pressures_kpa: frameAt(pressures_kpa, motion.frame_rate_hz, time_s),

@@ -146,7 +146,8 @@ export class PlanMode implements Mode {
   scene(): Partial<Scene> {
     const { app } = this;
     const { plan, isCurrent } = app.planner;
-    const start = app.environment.start as { backbone?: number[][] };
+    const { backbone } = app.environment.start as { backbone?: number[][] };
+    const start = backbone?.flat(); // a link's may be of an arm with other plates
     return {
       selected: app.selected,
       plan,
@@ -154,7 +155,7 @@ export class PlanMode implements Mode {
       showTree: app.view.tree ? app.planner.tree : null,
       showTube: app.view.tube,
       figures: [
-        { shape: start.backbone?.flat() ?? app.arm.rest, colour: 'plate' },
+        { shape: start?.length === app.arm.rest.length ? start : app.arm.rest, colour: 'plate' },
         ...(plan && isCurrent ? [{ shape: plan.shapes[plan.shapes.length - 1], colour: 'plan', outlined: true } as const] : []),
       ],
     };

@@ -42,6 +42,7 @@ export class LivePlanner {
 
   ask(question: PlanQuestion, asked_ms: number): void {
     this.next = { question, asked_ms };
+    if (this.tab() === '') ++this.request; // nobody answers for now: the plan is of another scene
     this.searching = true;
     this.progress = this.result = this.tree = null;
     this.fault = '';

@@ -33,9 +33,11 @@ export class PlayMode implements Mode {
   enter(panel: HTMLElement): void {
     const { app } = this;
     this.run = null;
+    const arm = this.armPanel.isThere && h('section', {}, h('h2', {}, 'The arm'), this.armPanel.element, h('div', { class: 'row' }, this.stop)) || '';
     if (!app.planner.plan || !app.planner.isCurrent) {
       panel.append(h('section', {}, h('p', {}, 'There is no certified plan to play yet.'),
-        button('Back to Plan', () => app.enter('plan'), { class: 'main' })));
+        button('Back to Plan', () => app.enter('plan'), { class: 'main' })),
+        app.armLink.isMine && arm || ''); // it may be stopped and disarmed without one
       return;
     }
     const choose = (label: string, key: 'replan' | 'obstacle') =>
@@ -47,7 +49,7 @@ export class PlayMode implements Mode {
       h('section', {}, h('h2', {}, 'Time'), this.player.element,
         h('div', { class: 'checks' }, app.model !== '' && choose('Closed loop', 'replan'),
           choose('Drop an obstacle into the way', 'obstacle'))),
-      this.armPanel.isThere && h('section', {}, h('h2', {}, 'The arm'), this.armPanel.element, h('div', { class: 'row' }, this.stop)) || '',
+      arm,
       h('section', {}, h('h2', {}, 'The same plan, moved by'), this.tracks),
       h('section', {}, h('h2', {}, 'Over time'), this.plots.element),
       h('section', {}, h('h2', {}, 'Save'), exportRow(app, () => this.run)));
@@ -121,7 +123,7 @@ export class PlayMode implements Mode {
     this.stop.disabled = !armLink.runs || !armLink.isMine;
     if (live) {
       player.halt(live.time_s);
-      this.trail.push(tipOf(live.shape));
+      if (live.shape) this.trail.push(tipOf(live.shape));
     }
     player.slider.disabled = isLive;
     player.press.disabled = isLive && !armLink.isMine;
@@ -139,10 +141,10 @@ export class PlayMode implements Mode {
       return run ? { environment: environmentAt(environment, run, time_s), figures: figuresAt(run, this.shown, time_s), showReach: false, showTree } : {};
     }
     const models = new Set([...this.shown].filter((key) => key !== 'arm' && key !== 'virtual_arm'));
-    const now: Figure = { shape: live.shape, pressures_kpa: live.pressure_kpa, colour: 'arm', trail: this.trail };
+    const now: Figure[] = live.shape ? [{ shape: live.shape, pressures_kpa: live.pressure_kpa, colour: 'arm', trail: this.trail }] : [];
     return {
       environment: { ...environment, obstacles: [...environment.obstacles, ...(live.obstacle ? [live.obstacle] : [])] },
-      figures: [now, ...(run ? figuresAt(run, models, time_s, true) : [])],
+      figures: [...now, ...(run ? figuresAt(run, models, time_s, true) : [])],
       showReach: false,
     };
   }

@@ -56,6 +56,12 @@ export class Stage {
     canvas.addEventListener('pointerup', (event) => this.up(event));
     canvas.addEventListener('pointercancel', (event) => this.up(event));
     canvas.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
+    canvas.addEventListener('webglcontextrestored', () => this.draw()); // three has set it up again
+  }
+
+  /** Whether a hand drags something on it. */
+  get isHeld(): boolean {
+    return this.grabbed;
   }
 
   /** With the next frame of the screen. */

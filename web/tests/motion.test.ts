@@ -74,6 +74,12 @@ describe('a motion', () => {
     expect(figures.map(({ colour, outlined }) => [colour, outlined])).toEqual([['arm', false], ['simple', true]]);
     expect(figures[0].trail).toHaveLength(11);
   });
+  it('shows no track that ended before its first frame', () => {
+    const now = { ...motion(40), tracks: [track('simple', 40), track('arm', 0)] };
+    expect(mainOf(now).key).toBe('simple');
+    const figures = figuresAt(now, new Set<TrackKey>(['simple', 'arm']), 0.5);
+    expect(figures.map(({ colour, outlined }) => [colour, outlined])).toEqual([['simple', false]]);
+  });
   it('has an obstacle from when it appeared', () => {
     expect(environmentAt(environment, motion(40), 0.9).obstacles).toHaveLength(0);
     expect(environmentAt(environment, motion(40), 1).obstacles).toHaveLength(1);

@@ -219,6 +219,10 @@ void check(const ArmDescription& arm, const Environment& environment, const Plan
   if (!(settings.hold_s >= 0.0) || settings.hold_s > 3600.0) {
     throw InputError(fmt::format("hold_s = {}; expected seconds from 0 to 3600", settings.hold_s));
   }
+  if (settings.max_start_error_m && !(*settings.max_start_error_m >= 0.0)) {
+    throw InputError(fmt::format("max_start_error_m = {}; expected metres, at least 0",
+                                 *settings.max_start_error_m));
+  }
 }
 
 }  // namespace

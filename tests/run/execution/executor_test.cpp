@@ -2,6 +2,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <limits>
 
 #include <gmock/gmock.h>
 
@@ -133,6 +134,16 @@ TEST_F(Executor, FindsNoErrorOfAModelThatIsTrue) {
   ASSERT_TRUE(result.prediction);
   EXPECT_NEAR(result.prediction->max_m, 0.0, 1e-6);
   EXPECT_NEAR(result.start_error_m, 0.0, 1e-7);
+}
+
+TEST_F(Executor, RefusesASettingThatWouldSwitchTheStartCheckOff) {
+  for (const double wrong : {std::numeric_limits<double>::quiet_NaN(), -0.01}) {
+    FakeArm driver(arm_, kInstant_s);
+    ExecutionSettings settings;
+    settings.max_start_error_m = wrong;
+    EXPECT_THAT([&] { (void)execute(arm_, environment_, plan(), driver, settings); },
+                ThrowsMessage<InputError>(HasSubstr("max_start_error_m = ")));
+  }
 }
 
 TEST_F(Executor, ReportsNoClearanceWithoutObstacles) {
