@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
-#include <map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -83,24 +82,37 @@ void EpisodeReader::warn_of_base(const std::string& path, const Recording& recor
 
 NamedEpisodes EpisodeReader::read_all(const std::vector<std::string>& paths) {
   NamedEpisodes all;
-  std::map<std::string, std::string> path_of_hash;
   for (const std::string& path : paths) {
     all.add(path, read(path).episodes);
     note_source(path);
-    const auto [other, is_new] = path_of_hash.emplace(file_hash(path), path);
-    if (!is_new) {  // what is held back of one would be learnt from in the other
-      throw InputError(
-          fmt::format("{}: the same recording as {}; give it once", path, other->second));
-    }
   }
   return all;
 }
 
 bool EpisodeReader::is_source(const std::string& path) const {
-  return sources_.find(file_hash(path)) != std::string::npos;
+  const std::string hash = file_hash(path);
+  return path_of_hash_.contains(hash) || learnt_before_.find(hash) != std::string::npos;
+}
+
+std::string EpisodeReader::all_sources() const {
+  std::string all = sources_;
+  for (std::size_t begin = 0; begin < learnt_before_.size();) {
+    const std::size_t end = std::min(learnt_before_.find(", ", begin), learnt_before_.size());
+    const std::string entry = learnt_before_.substr(begin, end - begin);
+    if (!path_of_hash_.contains(entry.substr(entry.rfind(' ') + 1))) {
+      all += (all.empty() ? "" : ", ") + entry;
+    }
+    begin = end + 2;
+  }
+  return all;
 }
 
 void EpisodeReader::note_source(const std::string& path) {
+  const auto [other, is_new] = path_of_hash_.emplace(file_hash(path), path);
+  if (!is_new) {  // what is held back of one would be learnt from in the other
+    throw InputError(
+        fmt::format("{}: the same recording as {}; give it once", path, other->second));
+  }
   add_source(sources_, path);
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <map>
 #include <set>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "limber/arm/arm_description.hpp"
@@ -57,15 +59,20 @@ class EpisodeReader {
   Recording read(const std::string& path);
   /// Those of its episodes that have these numbers; says once per file where its base is.
   std::vector<Episode> read_part(const std::string& path, std::span<const int> episodes);
-  /// All of them, which are noted as `sources`. @throws InputError where two have the same content.
+  /// All of them, which are noted as `sources`.
   NamedEpisodes read_all(const std::vector<std::string>& paths);
+  /// @throws InputError where a source, of any call, has the same content.
   void note_source(const std::string& path);
-  /// Whether a source has the content of that file.
+  /// @param sources  of the model that is gone on from, in its record
+  void note_learnt_before(std::string sources) { learnt_before_ = std::move(sources); }
+  /// Whether a source, or what was learnt before, has the content of that file.
   bool is_source(const std::string& path) const;
 
   RecordingKinds& kinds() { return kinds_; }
   /// "a.h5 HASH, b.h5 HASH".
   const std::string& sources() const { return sources_; }
+  /// The same, followed by what else was learnt before.
+  std::string all_sources() const;
 
  private:
   void warn_of_base(const std::string& path, const Recording& recording) const;
@@ -75,7 +82,9 @@ class EpisodeReader {
   bool setpoints_;
   RecordingKinds kinds_;
   std::string sources_;
-  std::set<std::string> begun_;  ///< files of which a part was read
+  std::string learnt_before_;
+  std::map<std::string, std::string> path_of_hash_;  ///< of sources
+  std::set<std::string> begun_;                      ///< files of which a part was read
 };
 
 /// Of the frames: what chooses the epoch, and what the finished model is measured on.

@@ -139,9 +139,17 @@ void ForestFlags::add_to(CLI::App& app) {
   app.add_flag("--build-forest", build_,
                "Grow the stored motions again. If --forest names no file, they are written to "
                "MODEL.forest, which --forest can name from then on");
-  app.add_option("--forest-nodes", nodes_, "How many motions to grow")
-      ->check(CLI::Range(1, 1 << 24))
-      ->capture_default_str();
+  nodes_flag_ = app.add_option("--forest-nodes", nodes_, "How many motions to grow")
+                    ->check(CLI::Range(1, 1 << 24))
+                    ->capture_default_str();
+}
+
+void ForestFlags::require_use() const {
+  if (nodes_flag_->count() > 0 && !is_asked_for()) {
+    throw InputError(fmt::format(
+        "--forest-nodes {}: nothing would be grown; give --forest FILE or --build-forest too",
+        nodes_));
+  }
 }
 
 std::string ForestFlags::path_beside(const std::string& model_file) const {

@@ -56,6 +56,8 @@ class ForestFlags {
   void add_to(CLI::App& app);
 
   bool is_asked_for() const { return !file_.empty() || build_; }
+  /// @throws InputError where --forest-nodes comes alone.
+  void require_use() const;
   bool builds() const { return build_; }
 
   /// The forest of --forest. It is grown and stored if there is none, if it is of another arm,
@@ -72,6 +74,7 @@ class ForestFlags {
   std::string file_;
   bool build_ = false;
   int nodes_ = ForestSettings().nodes;
+  const CLI::Option* nodes_flag_ = nullptr;
 };
 
 /// --cost-threshold, and its former name, which help texts leave out. @param target  kept by CLI11

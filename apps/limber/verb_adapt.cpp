@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <iterator>
-
 #include <fmt/ranges.h>
 
 #include "episode_choice.hpp"
@@ -50,17 +47,11 @@ class AdaptVerb final : public Verb {
     const ArmDescription arm = load_any_arm(arm_);
     const CompensationModel family = read_model(family_file_);
     require_family(family, family_file_);
-    std::vector<Episode> episodes;
-    std::string sources;
-    RecordingKinds kinds;
-    for (const std::string& path : recordings_) {
-      Recording recording = kinds.read(path, arm, family.learnt_from_setpoints);
-      std::ranges::move(recording.episodes, std::back_inserter(episodes));
-      add_source(sources, path);
-    }
+    EpisodeReader reader(flags, arm, family.learnt_from_setpoints);
+    const std::vector<Episode> episodes = reader.read_all(recordings_).episodes;
     take_common(flags, settings_);
     Adaptation done = adapt(arm, family, episodes, settings_);
-    note_origin(family, sources, done);
+    note_origin(family, reader.sources(), done);
     write_model(out_, done.model);
     print_result(flags, to_json(done), to_text(done, arm));
     return kExitDone;

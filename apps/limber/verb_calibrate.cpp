@@ -59,6 +59,7 @@ class CalibrateVerb final : public Verb {
     app.add_flag("--resume", settings_.resume, "Go on with the finished runs in --folder");
     add_family_flags(app);
     add_check_flags(app);
+    exclude_unused(app);
   }
 
   int run(const CommonFlags& flags) override {
@@ -101,6 +102,24 @@ class CalibrateVerb final : public Verb {
         ->check(CLI::Range(0.0, 10.0));
     app.add_option("--actuator-factor", strength_, "With --check: of the actuators' strength")
         ->check(CLI::Range(0.1, 10.0));
+  }
+
+  /// Flags that would be passed over are refused.
+  static void exclude_unused(CLI::App& app) {
+    CLI::Option* check = app.get_option("--check");
+    app.get_option("--tube")->needs(check);
+    for (const char* flag : {"--out", "--levels", "--confidence", "--recordings", "--plans"}) {
+      check->excludes(app.get_option(flag));
+    }
+    CLI::Option* recordings = app.get_option("--recordings");
+    for (const char* flag :
+         {"--shape-runs", "--screen-runs", "--test-runs", "--audit-runs", "--folder", "--resume"}) {
+      check->excludes(app.get_option(flag));
+      recordings->excludes(app.get_option(flag));
+    }
+    for (const char* flag : {"--max-queries", "--time-limit-s", "--valves", "--no-valves"}) {
+      recordings->excludes(app.get_option(flag));
+    }
   }
 
   /// A family is calibrated over arms that it has not seen.

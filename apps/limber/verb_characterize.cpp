@@ -1,6 +1,4 @@
-#include <algorithm>
 #include <filesystem>
-#include <iterator>
 #include <map>
 
 #include <fmt/ranges.h>
@@ -212,12 +210,7 @@ class CharacterizeVerb final : public Verb {
       return run_recordings_in_space(flags, any);
     }
     const ArmDescription arm = with_lines_for_missing_polynomials(any);
-    std::vector<Episode> episodes;
-    RecordingKinds kinds;
-    for (const std::string& path : recordings_) {
-      Recording recording = kinds.read(path, arm);
-      std::ranges::move(recording.episodes, std::back_inserter(episodes));
-    }
+    std::vector<Episode> episodes = EpisodeReader(flags, arm, false).read_all(recordings_).episodes;
     const std::size_t count = episodes.size();
     const EpisodeErrors errors = leave_out_broken(arm, episodes);
     const SimpleFit fit = fit_simple_model(arm, episodes);
@@ -241,12 +234,7 @@ class CharacterizeVerb final : public Verb {
 
   /// The matrix from chambers' strains to bends, with dead time and lag.
   int run_recordings_in_space(const CommonFlags& flags, const ArmDescription& arm) const {
-    std::vector<Episode> episodes;
-    RecordingKinds kinds;
-    for (const std::string& path : recordings_) {
-      Recording recording = kinds.read(path, arm);
-      std::ranges::move(recording.episodes, std::back_inserter(episodes));
-    }
+    std::vector<Episode> episodes = EpisodeReader(flags, arm, false).read_all(recordings_).episodes;
     const EpisodeErrors errors = leave_out_broken(arm, episodes);
     if (const std::string broken = to_text(errors); !broken.empty()) {
       say(flags, "warning: left out as broken: {}", broken);

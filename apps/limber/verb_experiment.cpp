@@ -147,6 +147,7 @@ class ExperimentVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
+    forest_.require_use();
     settings_.arm = load_asked_arm(arm_, "limber experiment");
     if (environments_.empty()) {
       environments_.push_back((data_folder() / "environments").string());

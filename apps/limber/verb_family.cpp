@@ -232,12 +232,16 @@ class FamilyVerb final : public Verb {
     json["error_of_other_arms_cm"] = result.best_validation_position_error_cm;
     json["tube"] = result.model.tube ? to_json(*result.model.tube) : nullptr;
     json["wall_time_s"] = result.wall_time_s;
+    const std::string on_others =
+        data.validation.empty()
+            ? ""
+            : fmt::format(
+                  "; on {} others, fitted to 20 s at most, the tip's error is {:.2f} cm, open loop",
+                  data.validation.size(), result.best_validation_position_error_cm);
     print_result(flags, json,
-                 fmt::format("{}: a family of {} arms; on {} others, fitted to 20 s at most, the "
-                             "tip's error is {:.2f} cm, open loop. Next: limber adapt --model {} "
+                 fmt::format("{}: a family of {} arms{}. Next: limber adapt --model {} "
                              "--recording MINUTE.h5 --out MINE.safetensors",
-                             out_, arms, data.validation.size(),
-                             result.best_validation_position_error_cm, out_));
+                             out_, arms, on_others, out_));
   }
 
   static constexpr double kHeldBackShare = 0.03;

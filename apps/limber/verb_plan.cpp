@@ -117,6 +117,7 @@ class PlanVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
+    forest_.require_use();
     const std::string arm_file = find_arm_file(arm_);
     const ArmDescription arm = load_asked_arm(arm_file, "limber plan");
     const ForwardModel forward = model_.planning_model(arm);

@@ -38,6 +38,7 @@ class TrainVerb final : public Verb {
              "  limber train --data train.h5 --out model.safetensors") {}
 
   void add_flags(CLI::App& app) override {
+    command_ = &app;
     add_arm_flag(app, arm_);
     files_.add_to(app);
     app.add_option("--preset", preset_, "paper: as published; best: the default")
@@ -109,6 +110,8 @@ class TrainVerb final : public Verb {
     const std::optional<CompensationModel> start = read_start(arm, reader);
     TrainingSettings settings = make_settings(flags, start.has_value());
     IdentifiedValves valves;
+    // First: --validation and --unseen are compared with all that is learnt from.
+    const TrainingData old_data = files_.load_old(flags, reader);
     EpisodeChoice choice =
         family_
             ? files_.load_arms(flags, arm, reader, slice_frames_, valves)
@@ -117,7 +120,6 @@ class TrainVerb final : public Verb {
       return train_on_little(flags, arm, choice, reader.sources(), valves);
     }
     TrainingData& data = choice.data;
-    const TrainingData old_data = files_.load_old(flags, reader);
     data.replay = old_data.training;
     say_episodes(flags, choice);
     say_training(flags, data, settings);
@@ -135,7 +137,7 @@ class TrainVerb final : public Verb {
     if (family_) {
       result.model.family->traits = fit_traits(arm, data.physics, *result.model.family);
     }
-    record_origin(result.model, reader.sources(), settings, choice);
+    record_origin(result.model, reader.all_sources(), settings, choice);
     note_unseen(arm, result.model, data.unseen, flags.jobs);
     write(result);
     std::optional<FineTuningReport> changes;
@@ -180,6 +182,14 @@ class TrainVerb final : public Verb {
           "--epochs 0 only adds bounds, and does not use --unseen: limber evaluate --model MODEL "
           "--data UNSEEN --out OTHER measures a model's error again");
     }
+    for (const char* flag : {"--validation", "--keep-broken", "--setpoints", "--preset", "--replay",
+                             "--windows", "--learning-rate", "--hidden", "--velocity", "--ensemble",
+                             "--checkpoint-interval-s", "--resume"}) {
+      if (command_->count(flag) > 0) {
+        throw InputError(
+            fmt::format("--epochs 0 only adds bounds, and does not use {}; leave it out", flag));
+      }
+    }
     return add_bounds_to_model({arm_, from_, files_.data(), files_.old_data(), out_}, flags);
   }
 
@@ -212,12 +222,16 @@ class TrainVerb final : public Verb {
     require_model_of(start, arm, from_);
     require_no_contradiction(start);
     reader.kinds().add(from_, start.learnt_from_setpoints);
+    if (const auto found = start.training.find("data"); found != start.training.end()) {
+      reader.note_learnt_before(found->second);
+    }
     return start;
   }
 
   /// Nothing says how to train: of little data, folds may choose.
   bool takes_usual() const {
-    return preset_ == "best" && from_.empty() && windows_.empty() && !epochs_ && !time_limit_s_;
+    return preset_ == "best" && from_.empty() && windows_.empty() && !epochs_ && !time_limit_s_ &&
+           !learning_rate_;
   }
 
   int train_on_little(const CommonFlags& flags, const ArmDescription& arm,
@@ -351,6 +365,7 @@ class TrainVerb final : public Verb {
 
   static constexpr int kFamilySize = 8;
 
+  const CLI::App* command_ = nullptr;
   std::string arm_ = "three_segment";
   DataFlags files_;
   std::string preset_ = "best";

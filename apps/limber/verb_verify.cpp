@@ -66,6 +66,7 @@ OtherJudgement judge_by(const std::string& model_file, const Plan& plan, const A
   Plan same_commands = plan;
   same_commands.model = "network";
   same_commands.valves_hash = used.hash();
+  same_commands.tube.reset();  // the plan's model's business, as margins are
   const Certificate found = certify(same_commands, arm, &network, used, environment);
   OtherJudgement judgement;
   judgement.model = model_file;

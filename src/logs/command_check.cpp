@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -233,7 +234,12 @@ void sum_commands(const ImportMapping& mapping, const ArmDescription& arm, Comma
 
 ImportMapping with_sums_named(ImportMapping mapping, const ArmDescription& arm) {
   if (mapping.commands.summed) {
+    std::vector<std::string> setpoint;
     mapping.commands.columns = sums_of(arm);
+    for (const std::string& sum : mapping.commands.columns) {
+      setpoint.push_back("set point of " + sum);
+    }
+    mapping.commands.setpoint = std::move(setpoint);
   }
   return mapping;
 }
@@ -256,6 +262,7 @@ void check_commands(const std::string& log, const ImportMapping& mapping, const 
     if (commands.setpoint.size() > 0) {
       require_within(log, mapping.commands.setpoint[std::size_t(i)], arm, i,
                      facts_of(commands.setpoint, i, limits), mapping);
+      hold_over_gaps(commands.setpoint.col(i));  // frames may pass over the row that has it
     }
     if (facts.sizes.back() > kOvershoot * limit) {
       report.note("a command more than 5 % beyond its limit",

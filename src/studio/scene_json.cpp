@@ -56,11 +56,8 @@ Json plan_to_json(const Plan& plan) {
   Json json = {{"cost_kpa", plan.cost_kpa},
                {"duration_s", plan.duration_s()},
                {"frame_rate_hz", plan.frame_rate_hz},
-               {"model", plan.model},
                {"clearance_m", json_number(plan.clearance_m)},
-               {"margin_m", plan.margin_m},
-               {"goal_distance_m", plan.goal_distance_m},
-               {"certified", plan.certified.has_value()}};
+               {"goal_distance_m", plan.goal_distance_m}};
   json["tube"] = nullptr;
   if (plan.tube) {
     json["tube"] = {{"level", plan.tube->level},

@@ -118,6 +118,26 @@ TEST_F(CommandSums, AnEmptyCellOfSetPointsHoldsThatCommandAlone) {
   }
 }
 
+TEST_F(CommandSums, SetPointsBeyondALimitAreNamedByTheirSum) {
+  std::string told = header_of("", "");
+  for (int k = 0; k < 6; ++k) {
+    told += fmt::format(",setpoint_motor_{}", k);
+  }
+  told += header().substr(header().find(",x0")) + "\n";
+  for (int k = 0; k < rows_; ++k) {
+    const double t = k / rate_hz_;
+    told += fmt::format("{:.6f}", t);
+    for (const double scale : {1.0, 1e3}) {
+      for (const double value : motors(t)) {
+        told += fmt::format(",{:.6f}", scale * value);
+      }
+    }
+    told += pose_cells(t) + "\n";
+  }
+  expect_refusal(told, without_line(without_line(mapping(), "pressures:"), "  columns:"),
+                 {"'set point of motor_0 - motor_1' (segment 0) reaches", "the limit of arm"});
+}
+
 TEST_F(CommandSums, WrongOnesAreRefusedWithTheSumsThatFit) {
   expect_refusal(motor_log(), motor_mapping("motor_2, motor_3, motor_0, motor_1, motor_4, motor_5"),
                  {"not in the segments' order", "Change the mapping, or 'commands' in the arm file",

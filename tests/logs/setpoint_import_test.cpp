@@ -123,6 +123,33 @@ TEST_F(SetpointImport, OfDefaultColumnsIsToldByTheirNames) {
   EXPECT_FALSE(import(log(), without_commands).recording.setpoints_only());
 }
 
+// Written where they change alone, in rows of which frames pass over some.
+TEST_F(SetpointImport, HoldsThemOverEmptyCellsAlsoBesideMeasuredOnes) {
+  constexpr int kEvery = 7;  // rows
+  std::string text = header().substr(0, header().find(",x0")) + ",s1,s2,s3" +
+                     header().substr(header().find(",x0")) + "\n";
+  for (int k = 0; k < rows_; ++k) {
+    const double t = k / rate_hz_;
+    const Eigen::Vector3d p = truth_.pressures(t);
+    const std::string cells = fmt::format(",{:.6f},{:.6f},{:.6f}", p[0], p[1], p[2]);
+    text += fmt::format("{:.6f}", t) + cells + (k % kEvery == 0 ? cells : ",,,") + pose_cells(t);
+    text += "\n";
+  }
+  const Recording recording =
+      import(text, replaced(mapping(), "backbone:", "  setpoints: [s1, s2, s3]\nbackbone:"))
+          .recording;
+  const Episode& episode = recording.episodes.front();
+  EXPECT_FALSE(recording.setpoints_only());
+  for (Eigen::Index t = 0; t < episode.time_s.size(); ++t) {
+    const double row = std::floor(episode.time_s[t] * rate_hz_ + 1e-6);
+    const double written = kEvery * std::floor(row / kEvery);
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      EXPECT_NEAR(double(episode.setpoint_kpa(t, i)), truth_.pressures(written / rate_hz_)[i],
+                  kSingle);
+    }
+  }
+}
+
 // Beside what was measured, in another unit.
 TEST_F(SetpointImport, RefusesSetPointsFarBeyondTheLimitsAlsoBesideMeasuredOnes) {
   std::string text = header().substr(0, header().find(",x0")) + ",s1,s2,s3" +

@@ -110,6 +110,18 @@ TEST_P(MovingStart, EveryPlannersPlanIsCertifiedFromThere) {
   }
 }
 
+TEST_P(MovingStart, AGivenMotionBeginsAtTheSetPointsInForce) {
+  const MovingSetting s(GetParam());
+  const Environment here = s.in_motion();
+  std::vector<Pressures> rest = rest_of_waypoints(s.whole, s.arm);
+  ASSERT_NE(rest.front(), here.start->pressures_kpa);
+  rest.erase(rest.begin());
+  const PlanResult result = plan_along({s.arm, s.motion, here}, rest, "mine");
+  ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+  EXPECT_EQ(result.plan->waypoints_kpa.front(), here.start->setpoint_kpa());
+  EXPECT_TRUE(s.certificate(*result.plan, here).certified());
+}
+
 TEST_P(MovingStart, ACertificateKnowsWhatWasCommandedAndWhatWasMeasured) {
   const MovingSetting s(GetParam());
   const Environment here = s.in_motion();

@@ -77,6 +77,12 @@ class Bounds(InFolder):
             "--out", "m.safetensors", code=2
         ).stderr
         self.assertIn("m.safetensors", message)
+        for flags in (("--validation", "train.h5"), ("--hidden", 8), ("--no-velocity",), ("--resume",)):
+            message = self.run_limber(
+                "train", *ARM, "--from", "m.safetensors", "--epochs", 0, "--data", "train.h5", *flags,
+                "--out", "x.safetensors", code=2).stderr
+            flag = flags[0].replace("--no-", "--")
+            self.assertIn(f"--epochs 0 only adds bounds, and does not use {flag}; leave it out", message)
 
     def test_little_is_learnt_from_as_a_whole_and_measured_by_folds(self):
         one = self.train("--jobs", 1)

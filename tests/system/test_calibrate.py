@@ -49,7 +49,8 @@ class Calibrate(InFolder):
         plan = self.run_json("plan", *shared, "--tube", 0.2, "--max-queries", 20000, "--out", "p.json")
         self.assertEqual(plan["tube"]["level"], 0.2)
         self.assertEqual(self.run_json("inspect", "p.json")["tube"]["level"], 0.2)
-        self.run_json("verify", *shared, "--plan", "p.json")
+        judged = self.run_json("verify", *shared, "--plan", "p.json", "--also", "m.safetensors")["also"][0]
+        self.assertTrue(judged["goal_reached"], "the other model's file carries no tube")
         narrow = json.loads((self.folder / "p.json").read_text(encoding="utf-8"))
         narrow["tube"]["plate_radius_m"][-1] *= 0.5
         self.write("p.json", json.dumps(narrow))
@@ -110,6 +111,9 @@ class Calibrate(InFolder):
         error = self.error("--model", "m.safetensors", "--plans", *reversed(plans), "--recordings",
                            *recordings, "--levels", 0.3, "--out", "d.safetensors")
         self.assertIn("it is not that plan's run", error)
+        error = self.error("--model", "m.safetensors", "--plans", plans[0], plans[0], "--recordings",
+                           recordings[0], recordings[0], "--levels", 0.3, "--out", "d.safetensors")
+        self.assertIn("r1.h5: the same recording as r1.h5; give it once", error)
 
     def test_what_can_give_nothing_is_refused_before_any_work(self):
         model = ("--model", "m.safetensors")
@@ -119,6 +123,11 @@ class Calibrate(InFolder):
         self.assertIn("rising shares", self.error(*model, "--out", "c", "--levels", 0.9, 0.5))
         self.assertIn("carries no tube to check", self.error(*model, "--check", 3))
         self.assertIn("need --check", self.error(*model, "--out", "c", "--load-kg", 0.1))
+        self.assertIn("--tube requires --check", self.error(*model, "--out", "c", "--tube", 0.9))
+        for flags in (("--out", "c"), ("--levels", 0.9), ("--resume",), ("--test-runs", 90)):
+            self.assertIn(f"{flags[0]} excludes --check", self.error(*model, "--check", 3, *flags))
+        self.assertIn("--recordings excludes --audit-runs", self.error(
+            *model, "--plans", "p.json", "--recordings", "r.h5", "--audit-runs", 9, "--out", "c"))
 
 
 if __name__ == "__main__":

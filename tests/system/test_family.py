@@ -82,6 +82,9 @@ class Family(InFolder):
         error = self.run_limber("adapt", *ARM, "--model", "six_segment", "--recording", "minute.h5",
                                 "--out", "x.safetensors", code=2).stderr
         self.assertIn("--model six_segment: no such file, and none of limber's own families", error)
+        error = self.run_limber("adapt", *ARM, "--model", "two_segment", "--recording", "minute.h5", "--recording",
+                                "minute.h5", "--out", "x.safetensors", code=2).stderr
+        self.assertIn("minute.h5: the same recording as minute.h5; give it once", error)
 
     def test_a_minute_tells_what_the_arm_bears(self):
         text = (ROOT / "arms/two_segment.yaml").read_text(encoding="utf-8")

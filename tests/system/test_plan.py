@@ -71,6 +71,10 @@ class Plan(InFolder):
         found = self.run_limber("plan", *ARM, *BUDGET, "--environment", path, "--margin-m", "0")
         self.assertNotIn("error is not known", found.stderr)
 
+    def test_forest_nodes_alone_are_refused(self):
+        error = self.run_limber("plan", *ARM, *BUDGET, "--environment", "01_pillar", "--forest-nodes", 20, code=2).stderr
+        self.assertIn("--forest-nodes 20: nothing would be grown; give --forest FILE or --build-forest too", error)
+
     def test_recordings_that_nobody_knows_cannot_be_kept_to(self):
         path = self.plan_file(PILLAR)
         found = self.run_limber("plan", *ARM, *BUDGET, "--environment", path, "--stay-recorded",

@@ -84,6 +84,8 @@ class SimpleModel(InFolder):
             error[arm] = evaluated["no_load"]["open_loop"]["position_error_cm"]["mean"]
         self.assertLess(error["fitted.yaml"], error["two_segment"])
         self.run_limber("characterize", *ARM, "--recording", "good.h5", "--out", "fitted.yaml", code=2)
+        error = self.run_limber("characterize", *ARM, "--recording", "good.h5", "--recording", "good.h5", code=2).stderr
+        self.assertIn("good.h5: the same recording as good.h5; give it once", error)
         self.assertIn("95 % intervals",
                       self.run_limber("characterize", *ARM, "--recording", "good.h5").stdout)
 

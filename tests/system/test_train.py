@@ -201,6 +201,23 @@ class Train(InFolder):
         for flags in (("--unseen", "copy.h5"), ("--validation", "copy.h5"), ("--keep-broken",)):
             self.assertIn("--family: leave out", self.refused("--family", *flags))
 
+    def test_what_was_learnt_before_is_known(self):
+        self.train("--epochs", 3, "--out", "old.safetensors")
+        (self.folder / "copy.h5").write_bytes((self.folder / "train.h5").read_bytes())
+        self.run_limber("collect", *ARM, "--schedule", "random", "--count", 30, "--out", "new.h5", "--seed", 5)
+        tune = ("train", *ARM, "--from", "old.safetensors", "--epochs", 3, "--data", "new.h5")
+        error = self.run_limber(*tune, "--old-data", "train.h5", "--old-data", "new.h5", code=2).stderr
+        self.assertIn("new.h5: the same recording as new.h5; give it once", error)
+        for more in ((), ("--old-data", "train.h5")):
+            error = self.run_limber(*tune, *more, "--unseen", "copy.h5", code=2).stderr
+            self.assertIn("--unseen copy.h5: learnt from", error)
+        said = self.run_limber(*tune, "--validation", "copy.h5").stderr
+        self.assertIn("--validation copy.h5 is learnt from too", said)
+        said = self.run_limber("evaluate", *ARM, "--model", "model.safetensors", "--data", "train.h5").stderr
+        self.assertIn("the model was trained on train.h5", said)
+        record = self.run_json("inspect", "model.safetensors")["training"]["data"]
+        self.assertEqual([entry.split()[0] for entry in record.split(", ")], ["new.h5", "train.h5"])
+
     def test_another_arms_recording_is_refused(self):
         message = self.run_limber(
             "train", "--arm", "three_segment", "--data", "train.h5", code=2

@@ -82,7 +82,6 @@ export type Result = {
   time_s: number;
   queries: number;
   nodes: number;
-  largest_clearance_cm: number | null;
   tree: number[] | null;
 };
 export type TrackKey = 'simple' | 'network' | 'virtual_arm' | 'arm';
@@ -101,7 +100,7 @@ export type Motion = {
 };
 export type Run = Motion & { request: number };
 /** Where the tip is to be in each frame. */
-export type Followed = Run & { wanted_m: [number, number][]; path_starts_s: number };
+export type Followed = Run & { wanted_m: [number, number][] };
 export type Drive = { request: number; time_s: number; setpoint_kpa: number[] } & Record<
   Exclude<TrackKey, 'arm'>,
   number[] | null

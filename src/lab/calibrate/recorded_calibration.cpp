@@ -1,10 +1,16 @@
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "binomial_bound.hpp"
 #include "limber/arm/names.hpp"
+#include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/lab/tube_calibration.hpp"
 #include "limber/lab/tube_score.hpp"
@@ -95,13 +101,39 @@ TubeLevel level_of(const std::vector<double>& scores, double level, double confi
       std::floor(1e3 * std::pow(1.0 - confidence, 1.0 / runs)) / 1e3, min_runs(level, confidence)));
 }
 
+/// A run counts once.
+void require_different(const std::vector<std::filesystem::path>& recordings) {
+  std::map<std::string, std::string> path_of_hash;
+  for (const std::filesystem::path& path : recordings) {
+    const auto [other, is_new] = path_of_hash.emplace(file_hash(path), path.string());
+    if (!is_new) {
+      throw InputError(
+          fmt::format("{}: the same recording as {}; give it once", path.string(), other->second));
+    }
+  }
+}
+
 }  // namespace
+
+void require_usable_levels(const std::vector<double>& levels, double confidence) {
+  if (levels.empty() ||
+      std::adjacent_find(levels.begin(), levels.end(), std::greater_equal<>()) != levels.end()) {
+    throw InputError("--levels: expected rising shares, such as 0.9 0.95");
+  }
+  for (const double share : {levels.front(), levels.back(), confidence}) {
+    if (!(share > 0.0 && share < 1.0)) {
+      throw InputError(fmt::format("a share of {}: expected more than 0 and less than 1", share));
+    }
+  }
+}
 
 Tube tube_from_recordings(const RecordedCalibration& settings) {
   if (settings.recordings.empty() || settings.plans.size() != settings.recordings.size()) {
     throw InputError(fmt::format("{} recordings and {} plans; expected one plan per recording",
                                  settings.recordings.size(), settings.plans.size()));
   }
+  require_usable_levels(settings.levels, settings.confidence);
+  require_different(settings.recordings);
   Tube tube =
       settings.model.tube ? *settings.model.tube : plain_shape(settings.arm, settings.model);
   tube.levels.clear();

@@ -364,17 +364,8 @@ std::vector<double> tube_factors() {
 void require_usable(const CalibrationSettings& settings) {
   require_runs("--shape-runs", settings.scale_runs, 1);
   require_runs("--audit-runs", settings.audit_runs, 0);
-  if (settings.levels.empty() ||
-      std::adjacent_find(settings.levels.begin(), settings.levels.end(), std::greater_equal<>()) !=
-          settings.levels.end()) {
-    throw InputError("--levels: expected rising shares, such as 0.9 0.95");
-  }
+  require_usable_levels(settings.levels, settings.confidence);
   const double highest = settings.levels.back();
-  for (const double share : {settings.levels.front(), highest, settings.confidence}) {
-    if (!(share > 0.0 && share < 1.0)) {
-      throw InputError(fmt::format("a share of {}: expected more than 0 and less than 1", share));
-    }
-  }
   const double confidence = 1.0 - (1.0 - settings.confidence) / kMaxTests;
   for (const auto& [flag, runs, sure] :
        {std::tuple{"--screen-runs", settings.screen_runs, kScreenConfidence},

@@ -52,7 +52,7 @@ class WaypointPlanner final : public Planner {
     const auto start = std::chrono::steady_clock::now();
     const CollisionChecker checker = checker_of(problem);
     MotionSimulator simulator(problem.arm, problem.model, checker);
-    std::vector<Pressures> whole = {start_state(problem.environment, problem.arm).pressures_kpa};
+    std::vector<Pressures> whole = {start_state(problem.environment, problem.arm).setpoint_kpa()};
     whole.insert(whole.end(), waypoints_kpa_.begin(), waypoints_kpa_.end());
     Plan plan = build_plan(problem, simulator, whole, name_, seed);
     PlanResult result;

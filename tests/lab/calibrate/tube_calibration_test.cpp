@@ -5,7 +5,9 @@
 
 #include <gmock/gmock.h>
 
+#include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace limber {
 namespace {
@@ -55,6 +57,26 @@ TEST(CalibrationSettings, ThoseThatCanGiveNothingAreRefused) {
     EXPECT_THAT([&] { require_usable(settings); },
                 ThrowsMessage<InputError>(HasSubstr(one.message)));
   }
+}
+
+// Recordings can't give such levels either, and two of the same run are one.
+TEST(RecordedCalibration, RefusesWhatCanGiveNothingBeforeReadingARecording) {
+  const TemporaryFolder folder;
+  RecordedCalibration settings;
+  for (const char* name : {"a.h5", "b.h5"}) {
+    write_file_atomically(folder.path() / name, "the same");
+    settings.recordings.push_back(folder.path() / name);
+    settings.plans.push_back(folder.path() / "p.json");
+  }
+  EXPECT_THAT([&] { (void)tube_from_recordings(settings); },
+              ThrowsMessage<InputError>(HasSubstr("b.h5: the same recording as ")));
+  settings.levels = {1.0};
+  EXPECT_THAT([&] { (void)tube_from_recordings(settings); },
+              ThrowsMessage<InputError>(HasSubstr("a share of 1: expected")));
+  settings.levels = {0.5};
+  settings.confidence = 0.0;
+  EXPECT_THAT([&] { (void)tube_from_recordings(settings); },
+              ThrowsMessage<InputError>(HasSubstr("a share of 0: expected")));
 }
 
 // The keys of a calibration's phases, as docs/tube.md and tools/tube_figures.py read them.

@@ -43,6 +43,9 @@ std::vector<double> tube_factors();
 /// @throws InputError
 void require_usable(const CalibrationSettings& settings);
 
+/// Of both kinds of calibration. @throws InputError
+void require_usable_levels(const std::vector<double>& levels, double confidence);
+
 /// docs/tube.md, Calibration: a shape, then factors from the largest down on plans made with them,
 /// a test and an audit, each in environments of its own. Writes evidence.json and evidence.html
 /// into the folder.
@@ -50,8 +53,8 @@ CalibrationResult calibrate_tube(const CalibrationSettings& settings);
 
 /// A tube from plans and the runs that executed them, with what they can promise (docs/tube.md).
 /// @param recordings  one per plan, in the same order
-/// @throws InputError if a recording is not its plan's, or there are too few for a level, naming
-/// the largest level that they can promise.
+/// @throws InputError if a recording is not its plan's, two are the same, or there are too few for
+/// a level, naming the largest level that they can promise.
 struct RecordedCalibration {
   ArmDescription arm;
   CompensationModel model;
