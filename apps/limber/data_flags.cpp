@@ -248,6 +248,14 @@ EpisodeChoice DataFlags::load(const CommonFlags& flags, const ArmDescription& ar
     }
     choice.data.unseen = reader.read(unseen_).episodes;
   }
+  for (const std::string& path : data_) {
+    if (!choice.is_little && reader.was_learnt_before(path)) {
+      say(flags,
+          "warning: the model of --from has learnt {} already: what is held back of it is no news "
+          "to the network, and an error on it says too little",
+          path);
+    }
+  }
   return choice;
 }
 

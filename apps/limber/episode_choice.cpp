@@ -90,8 +90,11 @@ NamedEpisodes EpisodeReader::read_all(const std::vector<std::string>& paths) {
 }
 
 bool EpisodeReader::is_source(const std::string& path) const {
-  const std::string hash = file_hash(path);
-  return path_of_hash_.contains(hash) || learnt_before_.find(hash) != std::string::npos;
+  return path_of_hash_.contains(file_hash(path)) || was_learnt_before(path);
+}
+
+bool EpisodeReader::was_learnt_before(const std::string& path) const {
+  return learnt_before_.find(file_hash(path)) != std::string::npos;
 }
 
 std::string EpisodeReader::all_sources() const {

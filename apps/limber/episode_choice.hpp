@@ -67,6 +67,7 @@ class EpisodeReader {
   void note_learnt_before(std::string sources) { learnt_before_ = std::move(sources); }
   /// Whether a source, or what was learnt before, has the content of that file.
   bool is_source(const std::string& path) const;
+  bool was_learnt_before(const std::string& path) const;
 
   RecordingKinds& kinds() { return kinds_; }
   /// "a.h5 HASH, b.h5 HASH".

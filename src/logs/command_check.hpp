@@ -20,9 +20,9 @@ void hold_setpoints(Eigen::MatrixXd& values);
 /// The mapping with each segment's sum in place of its columns, for messages.
 ImportMapping with_sums_named(ImportMapping mapping, const ArmDescription& arm);
 
-/// Bridges commands missing for at most `mapping.longest_gap_s` (set points: holds those before, for
-/// however long, also beside measured ones), and refuses what is no log of this arm's commands: a
-/// column without numbers, values far beyond the limits, nothing that ever changes. Notes single
+/// Bridges commands missing for at most `mapping.longest_gap_s` (set points: holds those before,
+/// for however long, also beside measured ones), and refuses what is no log of this arm's commands:
+/// a column without numbers, values far beyond the limits, nothing that ever changes. Notes single
 /// commands that never change or overshoot a little.
 /// @throws InputError, its message beginning with `log`.
 void check_commands(const std::string& log, const ImportMapping& mapping, const ArmDescription& arm,

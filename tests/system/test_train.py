@@ -211,6 +211,9 @@ class Train(InFolder):
         for more in ((), ("--old-data", "train.h5")):
             error = self.run_limber(*tune, *more, "--unseen", "copy.h5", code=2).stderr
             self.assertIn("--unseen copy.h5: learnt from", error)
+        again = self.run_limber("train", *ARM, "--from", "old.safetensors", "--epochs", 3, "--data", "train.h5", "--out",
+                                "again.safetensors").stderr
+        self.assertIn("the model of --from has learnt train.h5 already", again)
         said = self.run_limber(*tune, "--validation", "copy.h5").stderr
         self.assertIn("--validation copy.h5 is learnt from too", said)
         said = self.run_limber("evaluate", *ARM, "--model", "model.safetensors", "--data", "train.h5").stderr
