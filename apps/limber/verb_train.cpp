@@ -185,7 +185,7 @@ class TrainVerb final : public Verb {
     for (const char* flag : {"--validation", "--keep-broken", "--setpoints", "--preset", "--replay",
                              "--windows", "--learning-rate", "--hidden", "--velocity", "--ensemble",
                              "--checkpoint-interval-s", "--resume"}) {
-      if (command_->count(flag) > 0) {
+      if (!from_.empty() && command_->count(flag) > 0) {  // else --from is what is missing
         throw InputError(
             fmt::format("--epochs 0 only adds bounds, and does not use {}; leave it out", flag));
       }
@@ -200,7 +200,7 @@ class TrainVerb final : public Verb {
       refuse_to_overwrite(path, flags.force || resume_ || path == checkpoint_path());
     }
     if (resume_ && !fs::exists(checkpoint_path()) &&
-        !fs::exists(folds_path_of(checkpoint_path()))) {
+        !(takes_usual() && fs::exists(folds_path_of(checkpoint_path())))) {
       throw InputError(fmt::format("--resume: there is no checkpoint {}; leave --resume out",
                                    checkpoint_path().string()));
     }

@@ -105,8 +105,9 @@ class Family(InFolder):
         self.run_json("plan", *ARM, "--model", "mine.safetensors", "--environment", environment,
                       "--max-queries", 20000, "--margin-m", 0, "--out", "p.json")
         run = ("execute", *ARM, "--plan", "p.json", "--environment", environment, "--model", "mine.safetensors",
-               "--margin-m", 0, "--disturbance", "friction=1", "--motion-queries", 500)
-        found = self.run_json(*run, "--replan", "--adapted-out", "now.safetensors", "--plans-out", "plans")
+               "--disturbance", "friction=1")
+        closed = ("--replan", "--margin-m", 0, "--motion-queries", 500)
+        found = self.run_json(*run, *closed, "--adapted-out", "now.safetensors", "--plans-out", "plans")
         self.assertLess(found["arm"]["last_window_error_cm"], 0.5 * found["arm"]["largest_window_error_cm"])
         self.assertLess(found["arm"]["changed_s"], found["frames"] / 20)
         friction = [trait for change in found["arm"]["changes"] for trait in change
@@ -118,7 +119,7 @@ class Family(InFolder):
         self.assertNotEqual(now["e"], before["e"])
         self.assertEqual(now["hash"], before["hash"])
         self.verify_further_plans(found["replans"] + found["switches"], before["e"])
-        self.assertNotIn("arm", self.run_json(*run, "--replan", "--no-adapt"))
+        self.assertNotIn("arm", self.run_json(*run, *closed, "--no-adapt"))
         error = self.run_limber(*run, "--adapted-out", "x.safetensors", code=2).stderr
         self.assertIn("--adapted-out: nothing would be adapted", error)
 
