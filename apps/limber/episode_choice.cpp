@@ -94,7 +94,7 @@ bool EpisodeReader::is_source(const std::string& path) const {
 }
 
 bool EpisodeReader::was_learnt_before(const std::string& path) const {
-  return learnt_before_.find(file_hash(path)) != std::string::npos;
+  return !learnt_before_.empty() && learnt_before_.find(file_hash(path)) != std::string::npos;
 }
 
 std::string EpisodeReader::all_sources() const {

@@ -1,7 +1,6 @@
-import { describe, expect, it, vi } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { fitted, gridStep_m, panned, toPixels, toWorld, zoomed } from '../src/camera';
 import { History } from '../src/history';
-import { LivePlanner, type PlanQuestion } from '../src/planner';
 import { centreline, frameAt, sampled, tubeRadii } from '../src/shape';
 
 describe('history', () => {
@@ -93,37 +92,5 @@ describe('shapes', () => {
     expect(frameAt([1, 2, 3], 20, 0.05)).toBe(2);
     expect(frameAt([1, 2, 3], 20, 9)).toBe(3);
     expect(sampled([0, 1, 2, 3, 4, 5, 6], 3)).toEqual([0, 3, 6]);
-  });
-});
-
-describe('the live planner', () => {
-  const question = { arm: 'a', model: '', time_limit_s: 1, tree: false } as PlanQuestion;
-  const plan = (request: number) => ({ request }) as never;
-
-  it('sends the newest question alone once the first is through', async () => {
-    const sent: string[] = [];
-    const answers: (() => void)[] = [];
-    vi.stubGlobal('fetch', (_: string, { body }: { body: string }) => {
-      sent.push(JSON.parse(body).arm);
-      return new Promise((resolve) => answers.push(() => resolve(new Response('{}'))));
-    });
-    const planner = new LivePlanner(() => 'tab', () => {});
-    for (const arm of ['1', '2', '3']) planner.ask({ ...question, arm }, 0);
-    await vi.waitFor(() => expect(sent).toEqual(['1']));
-    answers[0]();
-    await vi.waitFor(() => expect(sent).toEqual(['1', '3']));
-  });
-
-  it('drops answers to older questions', () => {
-    vi.stubGlobal('fetch', () => new Promise(() => {}));
-    const planner = new LivePlanner(() => 'tab', () => {});
-    planner.ask(question, 0);
-    planner.onPlan(plan(0));
-    expect(planner.plan).toBeNull();
-    planner.onPlan(plan(1));
-    expect(planner.isCurrent).toBe(true);
-    planner.onResult({ request: 1, status: 'limit' } as never);
-    expect(planner.plan).toBeNull();
-    expect(planner.searching).toBe(false);
   });
 });

@@ -4,14 +4,30 @@ import { LivePlanner, type PlanQuestion } from '../src/planner';
 const question = { arm: 'a', model: '', time_limit_s: 1, tree: false } as PlanQuestion;
 const plan = (request: number) => ({ request }) as never;
 
-describe('a plan', () => {
-  it('of the last question that was sent is shown, while the newest of those that follow waits', async () => {
-    const sent: number[] = [];
-    const answers: (() => void)[] = [];
-    vi.stubGlobal('fetch', (_: string, { body }: { body: string }) => {
-      sent.push(JSON.parse(body).request);
-      return new Promise((resolve) => answers.push(() => resolve(new Response('{}'))));
-    });
+/** Requests that wait until they are answered. @return of each, what it says of `key` */
+function heldFetch(key: string): { sent: unknown[]; answers: (() => void)[] } {
+  const sent: unknown[] = [];
+  const answers: (() => void)[] = [];
+  vi.stubGlobal('fetch', (_: string, { body }: { body: string }) => {
+    sent.push(JSON.parse(body)[key]);
+    return new Promise((resolve) => answers.push(() => resolve(new Response('{}'))));
+  });
+  return { sent, answers };
+}
+
+describe('the live planner', () => {
+  it('sends the newest question alone once the first is through', async () => {
+    const { sent, answers } = heldFetch('arm');
+    const planner = new LivePlanner(() => 'tab', () => {});
+    for (const arm of ['1', '2', '3']) planner.ask({ ...question, arm }, 0);
+    await vi.waitFor(() => expect(sent).toEqual(['1']));
+    answers[0]();
+    await vi.waitFor(() => expect(sent).toEqual(['1', '3']));
+    answers[1](); // a page's next post waits for it
+  });
+
+  it('shows the plan of the last question that was sent, while the newest of those that follow waits', async () => {
+    const { sent, answers } = heldFetch('request');
     const planner = new LivePlanner(() => 'tab', () => {});
     planner.ask(question, 0);
     await vi.waitFor(() => expect(sent).toEqual([1]));
@@ -27,9 +43,23 @@ describe('a plan', () => {
     planner.onPlan(plan(2));
     expect(planner.isCurrent).toBe(true);
     expect(planner.askedAt_ms).toBe(5);
+    answers[1]();
   });
 
-  it('is stale once another is asked for, also while there is no tab', () => {
+  it('drops answers to older questions', () => {
+    vi.stubGlobal('fetch', () => new Promise(() => {}));
+    const planner = new LivePlanner(() => 'tab', () => {});
+    planner.ask(question, 0);
+    planner.onPlan(plan(0));
+    expect(planner.plan).toBeNull();
+    planner.onPlan(plan(1));
+    expect(planner.isCurrent).toBe(true);
+    planner.onResult({ request: 1, status: 'limit' } as never);
+    expect(planner.plan).toBeNull();
+    expect(planner.searching).toBe(false);
+  });
+
+  it('has a stale plan once another is asked for while there is no tab', () => {
     vi.stubGlobal('fetch', () => new Promise(() => {}));
     let tab = 'tab';
     const planner = new LivePlanner(() => tab, () => {});
