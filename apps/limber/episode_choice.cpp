@@ -111,12 +111,8 @@ std::string EpisodeReader::all_sources() const {
 }
 
 void EpisodeReader::note_source(const std::string& path) {
-  const auto [other, is_new] = path_of_hash_.emplace(file_hash(path), path);
-  if (!is_new) {  // what is held back of one would be learnt from in the other
-    throw InputError(
-        fmt::format("{}: the same recording as {}; give it once", path, other->second));
-  }
-  add_source(sources_, path);
+  // What is held back of one would be learnt from in the other.
+  add_source(sources_, path, add_different(path_of_hash_, path));
 }
 
 std::vector<Episode> EpisodeReader::read_part(const std::string& path,

@@ -2,7 +2,6 @@
 #include <string_view>
 
 #include "limber/common/atomic_file.hpp"
-#include "limber/common/content_hash.hpp"
 #include "limber/common/data_folder.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/utf8.hpp"
@@ -62,9 +61,8 @@ std::string find_environment_file(const std::string& name_or_path) {
       "--environment {}: no such file, and none of limber's own environments has that name");
 }
 
-void add_source(std::string& sources, const std::filesystem::path& path) {
-  sources += fmt::format("{}{} {}", sources.empty() ? "" : ", ", path.filename().string(),
-                         file_hash(path));
+void add_source(std::string& sources, const std::filesystem::path& path, const std::string& hash) {
+  sources += fmt::format("{}{} {}", sources.empty() ? "" : ", ", path.filename().string(), hash);
 }
 
 std::string find_family_file(const std::string& name_or_path) {

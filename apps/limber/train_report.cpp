@@ -63,7 +63,7 @@ std::vector<Episode> episodes_of(const BoundModelRequest& request, const ArmDesc
       Recording recording = read_recording(path);
       require_recording_of(recording, arm, path);
       std::move(recording.episodes.begin(), recording.episodes.end(), std::back_inserter(episodes));
-      add_source(sources, path);
+      add_source(sources, path, file_hash(path));
     }
   }
   return episodes;

@@ -122,6 +122,6 @@ std::string find_environment_file(const std::string& name_or_path);
 std::string find_family_file(const std::string& name_or_path);
 
 /// Adds "FILE HASH" to what a model says that it learnt from.
-void add_source(std::string& sources, const std::filesystem::path& path);
+void add_source(std::string& sources, const std::filesystem::path& path, const std::string& hash);
 
 }  // namespace limber

@@ -43,31 +43,21 @@ class ExportVerb final : public Verb {
     app.add_option("--arm", arm_,
                    "For a plan: the arm whose limits and steps its set points are checked against; "
                    "needed for a plan without a certificate");
-    const char* group = "With --motive";
-    app.add_option("--rate-hz", settings_.rate_hz, "Rows per second; the recording's by default")
-        ->group(group)
-        ->needs(motive);
-    app.add_option("--time-offset-s", settings_.time_offset_s,
-                   "What import has to add to the pressure log's times")
-        ->group(group)
-        ->needs(motive);
-    app.add_option("--noise-m", settings_.noise_m, "Noise of positions, standard deviation")
-        ->group(group)
-        ->needs(motive);
-    app.add_option("--noise-rad", settings_.noise_rad, "Noise of headings")
-        ->group(group)
-        ->needs(motive);
-    app.add_option("--occlusions", settings_.occlusions,
-                   "How often a plate is hidden in each episode")
-        ->group(group)
-        ->needs(motive);
-    app.add_option("--occlusion-s", settings_.occlusion_s, "For how long")
-        ->group(group)
-        ->needs(motive)
-        ->capture_default_str();
-    app.add_flag("--markers", settings_.markers, "Two markers per plate instead of rigid bodies")
-        ->group(group)
-        ->needs(motive);
+    for (CLI::Option* option :
+         {app.add_option("--rate-hz", settings_.rate_hz,
+                         "Rows per second; the recording's by default"),
+          app.add_option("--time-offset-s", settings_.time_offset_s,
+                         "What import has to add to the pressure log's times"),
+          app.add_option("--noise-m", settings_.noise_m, "Noise of positions, standard deviation"),
+          app.add_option("--noise-rad", settings_.noise_rad, "Noise of headings"),
+          app.add_option("--occlusions", settings_.occlusions,
+                         "How often a plate is hidden in each episode"),
+          app.add_option("--occlusion-s", settings_.occlusion_s, "For how long")
+              ->capture_default_str(),
+          app.add_flag("--markers", settings_.markers,
+                       "Two markers per plate instead of rigid bodies")}) {
+      option->group("With --motive")->needs(motive);
+    }
   }
 
   int run(const CommonFlags& flags) override {

@@ -87,10 +87,6 @@ Eigen::VectorXd vector_from(const DoubleArray& array, const char* name) {
   return Eigen::Map<const Eigen::VectorXd>(array.data(), array.size());
 }
 
-py::array_t<double> double_vector(const Eigen::VectorXd& vector) {
-  return copy_of<double>(vector, {vector.size()});
-}
-
 void bind_commands(py::module_& module) {
   Record<ArmCommand>(
       module, "ArmCommand",
@@ -114,14 +110,14 @@ void bind_command_sums(py::module_& module) {
   module.def(
       "segment_commands",
       [](const ArmDescription& arm, const DoubleArray& commands) {
-        return double_vector(segment_commands(arm, vector_from(commands, "commands")));
+        return vector_array(segment_commands(arm, vector_from(commands, "commands")));
       },
       py::arg("arm"), py::arg("commands"),
       "Commands of segments, float64 (n,), that the arm's own commands (k,) make.");
   module.def(
       "commands_for",
       [](const ArmDescription& arm, const DoubleArray& wanted) {
-        return double_vector(commands_for(arm, vector_from(wanted, "segment_commands")));
+        return vector_array(commands_for(arm, vector_from(wanted, "segment_commands")));
       },
       py::arg("arm"), py::arg("segment_commands"),
       "The arm's own commands, float64 (k,), that make these of its segments (n,): the smallest, "

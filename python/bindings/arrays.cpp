@@ -7,6 +7,7 @@
 
 #include "limber/common/error.hpp"
 #include "planar.hpp"
+#include "record.hpp"
 
 namespace limber::python {
 
@@ -122,7 +123,7 @@ py::array_t<float> result_array(const py::object& out, const Shape& shape) {
   if (!fits || !py::reinterpret_borrow<py::array>(out).writeable()) {
     throw InputError(
         fmt::format("out: expected a writable C-contiguous float32 array of shape {}, found {}",
-                    to_text(shape), std::string(py::str(py::type::of(out).attr("__name__")))));
+                    to_text(shape), type_name(out)));
   }
   auto array = py::reinterpret_borrow<py::array_t<float>>(out);
   require_shape(array, shape, "out");

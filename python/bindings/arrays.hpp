@@ -52,11 +52,6 @@ constexpr double kMaxSeconds = 1e6;
 std::string to_text(const Shape& shape);
 Shape shape_of(const py::array& array);
 
-/// Of an object's class, for messages: "list".
-inline std::string type_name(const py::object& of) {
-  return py::str(py::type::of(of).attr("__name__"));
-}
-
 /// @throws InputError "previous_kpa has shape (4,); expected (3,)".
 void require_shape(const py::array& array, const Shape& expected, const char* name);
 /// @throws InputError naming the array and its first number that is not finite.

@@ -9,15 +9,16 @@
 
 namespace limber::python {
 
-/// What a caller gives for a list of episodes: anything, so that episodes_from can say what is
-/// wrong with it.
-class EpisodeList : public pybind11::object {
+/// What a caller gives for a list: anything, so that what reads it can say what is wrong with it.
+template <class Item>
+class ListOf : public pybind11::object {
  public:
-  PYBIND11_OBJECT_DEFAULT(EpisodeList, object, is_object)
+  PYBIND11_OBJECT_DEFAULT(ListOf, object, is_object)
 
  private:
   static bool is_object(PyObject* object) { return object != nullptr; }
 };
+using EpisodeList = ListOf<Episode>;
 
 /// Copies of the episodes of a Python list. @throws TypeError naming what was found instead.
 std::vector<Episode> episodes_from(const EpisodeList& episodes);

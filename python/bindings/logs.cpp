@@ -2,8 +2,10 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "bindings.hpp"
+#include "episodes.hpp"
 #include "limber/logs/log_import.hpp"
 #include "others_may_run.hpp"
+#include "record.hpp"
 
 namespace limber::python {
 
@@ -12,24 +14,15 @@ namespace py = pybind11;
 namespace {
 
 using Paths = std::vector<std::filesystem::path>;
-
-/// What a caller gives for a list of paths: anything, so that paths_from can say what is wrong.
-class PathList : public py::object {
- public:
-  PYBIND11_OBJECT_DEFAULT(PathList, object, is_object)
-
- private:
-  static bool is_object(PyObject* object) { return object != nullptr; }
-};
+using PathList = ListOf<std::filesystem::path>;
 
 bool is_path(const py::handle& object) {
   return py::isinstance<py::str>(object) || py::hasattr(object, "__fspath__");
 }
 
 [[noreturn]] void refuse_path(const std::string& name, const py::handle& found) {
-  throw py::type_error(name + ": expected a path or a list of paths, found " +
-                       std::string(py::str(py::type::of(found).attr("__name__"))) + " " +
-                       std::string(py::repr(found)).substr(0, 60));
+  throw py::type_error(name + ": expected a path or a list of paths, found " + type_name(found) +
+                       " " + std::string(py::repr(found)).substr(0, 60));
 }
 
 /// One path, or several. @throws TypeError naming the argument, and what was found in it.

@@ -4,6 +4,7 @@
 
 #include "arrays.hpp"
 #include "limber/common/error.hpp"
+#include "record.hpp"
 
 namespace limber::python {
 

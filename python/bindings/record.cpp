@@ -36,8 +36,7 @@ std::string record_to_text(const py::object& object, const std::vector<std::stri
   for (const std::string& name : names) {
     fields.push_back(fmt::format("{}={}", name, value_to_text(object.attr(name.c_str()))));
   }
-  return fmt::format("{}({})", std::string(py::str(py::type::of(object).attr("__name__"))),
-                     fmt::join(fields, ", "));
+  return fmt::format("{}({})", type_name(object), fmt::join(fields, ", "));
 }
 
 void set_fields(const py::object& object, const py::kwargs& values,
@@ -45,9 +44,8 @@ void set_fields(const py::object& object, const py::kwargs& values,
   for (const auto& [key, value] : values) {
     const std::string name = py::str(key);
     if (std::ranges::find(names, name) == names.end()) {
-      throw py::type_error(fmt::format("{}() has no field '{}'; it has {}",
-                                       std::string(py::str(py::type::of(object).attr("__name__"))),
-                                       name, fmt::join(names, ", ")));
+      throw py::type_error(fmt::format("{}() has no field '{}'; it has {}", type_name(object), name,
+                                       fmt::join(names, ", ")));
     }
     object.attr(name.c_str()) = value;
   }

@@ -13,6 +13,11 @@ namespace limber::python {
 
 namespace py = pybind11;
 
+/// Of an object's class, for messages: "list".
+inline std::string type_name(py::handle of) {
+  return py::str(py::type::of(of).attr("__name__"));
+}
+
 /// "PlannerLimits(time_s=1.0, iterations=None)", the fields read as Python sees them.
 std::string record_to_text(const py::object& object, const std::vector<std::string>& names);
 

@@ -305,9 +305,8 @@ void bind_recording_inspection(py::module_& module) {
   } else if (py::isinstance<py::str>(found) || py::hasattr(found, "__fspath__")) {
     hint = "; read_recording(path).episodes is one";
   }
-  throw py::type_error(fmt::format("expected a list of Episode, found {}{}{}",
-                                   std::string(py::str(py::type::of(found).attr("__name__"))),
-                                   where, hint));
+  throw py::type_error(
+      fmt::format("expected a list of Episode, found {}{}{}", type_name(found), where, hint));
 }
 
 }  // namespace

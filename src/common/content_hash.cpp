@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>
@@ -29,6 +30,16 @@ std::string file_hash(const std::filesystem::path& path) {
     XXH3_128bits_update(&state, block.data(), block.size());
   });
   return digits_of(XXH3_128bits_digest(&state));
+}
+
+std::string add_different(std::map<std::string, std::string>& path_of_hash,
+                          const std::filesystem::path& path) {
+  const auto [other, is_new] = path_of_hash.emplace(file_hash(path), path.string());
+  if (!is_new) {
+    throw InputError(
+        fmt::format("{}: the same recording as {}; give it once", path.string(), other->second));
+  }
+  return other->first;
 }
 
 }  // namespace limber

@@ -77,21 +77,11 @@ nlohmann::ordered_json experiment_identity(const ExperimentSettings& settings,
   return json;
 }
 
-void require_same_experiment(const std::filesystem::path& file, const nlohmann::json& wanted) {
-  const nlohmann::json root = read_json_object(file);
-  nlohmann::json all = wanted;
+void require_same_experiment(const std::filesystem::path& file, nlohmann::json wanted) {
   for (const char* key : {"adapts", "tube"}) {  // written where they are asked for alone
-    all.emplace(key, nullptr);
+    wanted.emplace(key, nullptr);
   }
-  for (const auto& [key, value] : all.items()) {
-    const nlohmann::json there = root.value(key, nlohmann::json(nullptr));
-    if (there != value) {
-      throw InputError(fmt::format(
-          "{}: {} = {}; this run has {}: --resume continues the same experiment only; choose "
-          "another --out, or drop --resume",
-          file.string(), key, in_few_words(there), in_few_words(value)));
-    }
-  }
+  require_same_run(file, wanted, "experiment only; choose another --out, or drop --resume");
 }
 
 ResultNames result_names(const ExperimentSettings& settings, const EnvironmentCase& item) {

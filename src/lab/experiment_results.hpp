@@ -20,7 +20,7 @@ nlohmann::ordered_json experiment_identity(const ExperimentSettings& settings,
                                            const std::string& model_hash);
 
 /// @throws InputError naming the first key of `file` in which it differs from `wanted`.
-void require_same_experiment(const std::filesystem::path& file, const nlohmann::json& wanted);
+void require_same_experiment(const std::filesystem::path& file, nlohmann::json wanted);
 
 /// Names of what is written of one environment, relative to the experiment's folder. Of more than
 /// 400 they lie in numbered folders: shared file systems suffer from thousands of entries in one.

@@ -80,6 +80,18 @@ bool lies_in(const fs::path& path, const fs::path& folder) {
          begins_with(whole(fs::absolute(named).parent_path()) / named.filename(), end);
 }
 
+void require_same_run(const fs::path& file, const nlohmann::json& wanted, const std::string& what) {
+  const nlohmann::json there = read_json_object(file);
+  for (const auto& [key, value] : wanted.items()) {
+    const nlohmann::json found = there.value(key, nlohmann::json(nullptr));
+    if (found != value) {
+      throw InputError(fmt::format("{}: {} = {}; this run has {}: --resume continues the same {}",
+                                   file.string(), key, in_few_words(found), in_few_words(value),
+                                   what));
+    }
+  }
+}
+
 OutputFolder::OutputFolder(fs::path folder, std::string verb, Start start,
                            const std::vector<fs::path>& inputs)
     : folder_(std::move(folder)), verb_(std::move(verb)) {

@@ -71,28 +71,27 @@ std::vector<std::pair<const char*, std::string>> texts_of(const TrialKey& key) {
   return texts;
 }
 
+void require_same(const JsonReader& field, const std::string& found, const std::string& wanted) {
+  if (found != wanted) {
+    field.refuse_found(fmt::format("this trial is of '{}'", wanted));
+  }
+}
+
 void require_key(const JsonReader& field, const TrialKey& key) {
   for (const auto& [name, wanted] : texts_of(key)) {
-    const JsonReader there = field.at(name);
-    if (there.text() != wanted) {
-      there.refuse_found(fmt::format("this trial is of '{}'", wanted));
-    }
+    require_same(field.at(name), field.at(name).text(), wanted);
   }
 }
 
 /// What it says of itself at its top, for whoever reads it: the same as its key.
 void require_names(const JsonReader& json, const TrialKey& key) {
-  const auto require = [](const JsonReader& field, bool same, const std::string& wanted) {
-    if (!same) {
-      field.refuse_found(fmt::format("this trial is of '{}'", wanted));
-    }
-  };
   for (const auto& [name, wanted] :
        {std::pair{"environment", key.environment}, std::pair{"model", key.model},
         std::pair{"planner", key.planner}}) {
-    require(json.at(name), json.at(name).text() == wanted, wanted);
+    require_same(json.at(name), json.at(name).text(), wanted);
   }
-  require(json.at("seed"), json.at("seed").count(kAny) == key.seed, std::to_string(key.seed));
+  require_same(json.at("seed"), std::to_string(json.at("seed").count(kAny)),
+               std::to_string(key.seed));
 }
 
 Backbone read_backbone(const JsonReader& field, const ArmDescription& arm) {

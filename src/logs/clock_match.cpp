@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
-
-#include <unsupported/Eigen/FFT>
 
 #include "level_correlation.hpp"
 #include "limber/common/interrupt.hpp"
@@ -87,34 +84,6 @@ Turns lagging(const Turns& turns, double lag_s) {
   return late;
 }
 
-/// Σ_t a(t) b(t − s) for every shift s from 1 − |b| to |a| − 1, at index s + |b| − 1.
-Eigen::VectorXd correlation(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-  Eigen::Index size = 1;
-  while (size < a.size() + b.size()) {
-    size *= 2;
-  }
-  const auto transform = [&](const Eigen::VectorXd& values) {
-    std::vector<double> padded(std::size_t(size), 0.0);
-    std::copy(values.begin(), values.end(), padded.begin());
-    std::vector<std::complex<double>> spectrum;
-    Eigen::FFT<double>().fwd(spectrum, padded);
-    return spectrum;
-  };
-  std::vector<std::complex<double>> product = transform(a);
-  const std::vector<std::complex<double>> other = transform(b);
-  for (std::size_t k = 0; k < product.size(); ++k) {
-    product[k] *= std::conj(other[k]);
-  }
-  std::vector<double> circular;
-  Eigen::FFT<double>().inv(circular, product);
-  Eigen::VectorXd result(a.size() + b.size() - 1);
-  for (Eigen::Index k = 0; k < result.size(); ++k) {
-    const Eigen::Index shift = k - (b.size() - 1);
-    result[k] = circular[std::size_t((shift + size) % size)];
-  }
-  return result;
-}
-
 /// Σ of the first k rows' squares, k = 0 … rows.
 std::vector<double> energy_before(const Eigen::MatrixXd& values) {
   std::vector<double> sums = {0.0};
@@ -128,7 +97,7 @@ std::vector<double> energy_before(const Eigen::MatrixXd& values) {
 Eigen::VectorXd normalised_correlation(const TurnRates& a, const TurnRates& b, bool signed_turns) {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(a.values.rows() + b.values.rows() - 1);
   for (Eigen::Index i = 0; i < a.values.cols(); ++i) {
-    const Eigen::VectorXd own = correlation(a.values.col(i), b.values.col(i));
+    const Eigen::VectorXd own = cross_correlation(a.values.col(i), b.values.col(i));
     sum += signed_turns ? own : Eigen::VectorXd(own.cwiseAbs());
   }
   const std::vector<double> a_energy = energy_before(a.values);

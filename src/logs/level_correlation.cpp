@@ -30,23 +30,9 @@ Eigen::VectorXd autocorrelation(const Eigen::VectorXd& values,
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(values.size());
   Eigen::Index begin = 0;
   for (const Eigen::Index end : run_ends) {
-    const Eigen::Index count = end - begin;
-    std::size_t size = 1;
-    while (size < 2 * static_cast<std::size_t>(count)) {
-      size *= 2;
-    }
-    std::vector<double> padded(size, 0.0);
-    std::copy(values.data() + begin, values.data() + end, padded.begin());
-    std::vector<std::complex<double>> spectrum;
-    Eigen::FFT<double> transform;
-    transform.fwd(spectrum, padded);
-    for (std::complex<double>& value : spectrum) {
-      value = std::norm(value);
-    }
-    std::vector<double> circular;
-    transform.inv(circular, spectrum);
-    for (Eigen::Index lag = 0; lag < count; ++lag) {
-      sum[lag] += circular[static_cast<std::size_t>(lag)];
+    if (const Eigen::Index count = end - begin; count > 0) {
+      const Eigen::VectorXd run = values.segment(begin, count);
+      sum.head(count) += cross_correlation(run, run).tail(count);
     }
     begin = end;
   }
@@ -151,6 +137,33 @@ void append(LevelTable& levels, const LevelTable& more) {
   for (const Eigen::Index end : more.run_ends) {
     levels.run_ends.push_back(before + end);
   }
+}
+
+Eigen::VectorXd cross_correlation(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  Eigen::Index size = 1;
+  while (size < a.size() + b.size()) {
+    size *= 2;
+  }
+  const auto transform = [&](const Eigen::VectorXd& values) {
+    std::vector<double> padded(std::size_t(size), 0.0);
+    std::copy(values.begin(), values.end(), padded.begin());
+    std::vector<std::complex<double>> spectrum;
+    Eigen::FFT<double>().fwd(spectrum, padded);
+    return spectrum;
+  };
+  std::vector<std::complex<double>> product = transform(a);
+  const std::vector<std::complex<double>> other = transform(b);
+  for (std::size_t k = 0; k < product.size(); ++k) {
+    product[k] *= std::conj(other[k]);
+  }
+  std::vector<double> circular;
+  Eigen::FFT<double>().inv(circular, product);
+  Eigen::VectorXd result(a.size() + b.size() - 1);
+  for (Eigen::Index k = 0; k < result.size(); ++k) {
+    const Eigen::Index shift = k - (b.size() - 1);
+    result[k] = circular[std::size_t((shift + size) % size)];
+  }
+  return result;
 }
 
 LevelCorrelations correlate_levels(const LevelTable& levels, const ArmDescription& arm) {

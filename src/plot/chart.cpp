@@ -192,15 +192,6 @@ Chart& Chart::without_legend() {
   return *this;
 }
 
-Chart& Chart::bins(int count) {
-  if (count < 1) {
-    throw InputError(
-        fmt::format("chart '{}': {} bins; expected at least 1", settings_.title, count));
-  }
-  settings_.bins = count;
-  return *this;
-}
-
 Chart& Chart::note(std::string text) {
   settings_.note = std::move(text);
   return *this;
@@ -294,10 +285,6 @@ Chart& Chart::vertical_line(std::string label, double x, SeriesStyle style) {
 
 std::string Chart::svg() const {
   return render_chart(settings_, series_);
-}
-
-int Chart::undrawable_values() const {
-  return measure_chart(settings_, series_).undrawable;
 }
 
 ChartGrid::ChartGrid(int columns, std::string title) : columns_(columns), title_(std::move(title)) {

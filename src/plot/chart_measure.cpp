@@ -108,7 +108,8 @@ class Measurer {
   bool padded_ = false;
 };
 
-std::vector<double> even_edges(const Extent& extent, int bins) {
+std::vector<double> even_edges(const Extent& extent) {
+  constexpr int kBins = 40;  // each about 12 px wide in a chart of the usual size
   double low = extent.low();
   double high = extent.high();
   if (low == high) {
@@ -116,9 +117,9 @@ std::vector<double> even_edges(const Extent& extent, int bins) {
     low -= half;
     high += half;
   }
-  std::vector<double> edges(static_cast<std::size_t>(bins) + 1);
+  std::vector<double> edges(kBins + 1);
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    const double share = static_cast<double>(i) / bins;
+    const double share = static_cast<double>(i) / kBins;
     edges[i] = low + share * (high - low);
   }
   edges.back() = high;
@@ -289,7 +290,7 @@ ChartMeasure measure_chart(const ChartSettings& settings, const std::vector<Seri
   ChartMeasure out;
   out.undrawable = measured.undrawable;
   if (!measured.binned.empty()) {
-    out.bin_edges = even_edges(measured.binned, settings.bins);
+    out.bin_edges = even_edges(measured.binned);
     measured.x.include(out.bin_edges.front());
     measured.x.include(out.bin_edges.back());
     measured.value(settings.y.logarithmic ? 0.5 : 0.0);

@@ -208,14 +208,15 @@ void SvgDrawing::arrow(WorldPoint from, WorldPoint to, const ShapeStyle& style) 
     return WorldPoint{to.x_m - head_m * std::cos(angle + offset),
                       to.y_m - head_m * std::sin(angle + offset)};
   };
-  begin_layer("arrow", style.opacity);
+  body_ += "<g" + svg::attribute("data-layer", "arrow") +
+           (style.opacity < 1.0 ? svg::attribute("opacity", style.opacity) : "") + ">\n";
   ShapeStyle opaque = style;
   opaque.opacity = 1.0;
   const std::vector<WorldPoint> shaft{from, behind(0.0)};
   polyline(shaft, opaque);
   const std::vector<WorldPoint> head{to, behind(0.4), behind(-0.4)};
   polygon(head, {.fill = style.stroke, .stroke = "none"});
-  end_layer();
+  body_ += "</g>\n";
 }
 
 void SvgDrawing::text(WorldPoint at, std::string_view text, const TextStyle& style) {
@@ -234,19 +235,6 @@ void SvgDrawing::axes() {
     grid += "M" + svg::point(0.0, pixel_y(y)) + "H" + svg_number(pixel_x(box_.x_max_m));
   }
   body_ += fmt::format("<path d=\"{}\" stroke=\"{}\" fill=\"none\"/>\n", grid, svg::kGrid);
-}
-
-void SvgDrawing::begin_layer(std::string_view name, double opacity) {
-  body_ += "<g" + svg::attribute("data-layer", name) +
-           (opacity < 1.0 ? svg::attribute("opacity", opacity) : "") + ">\n";
-  ++open_layers_;
-}
-
-void SvgDrawing::end_layer() {
-  if (open_layers_ > 0) {
-    body_ += "</g>\n";
-    --open_layers_;
-  }
 }
 
 void SvgDrawing::legend(std::string_view label, const ShapeStyle& style) {
@@ -304,9 +292,6 @@ std::string SvgDrawing::svg() const {
                      svg_number(left), svg_number(top), svg_number(world_width),
                      svg_number(world_height));
   out += body_;
-  for (int i = 0; i < open_layers_; ++i) {
-    out += "</g>\n";
-  }
   out += fmt::format("</svg>\n<g transform=\"translate({} {})\">\n", svg_number(left),
                      svg_number(top));
   return out + frame_and_ticks() + "</g>\n" + below + "</svg>\n";

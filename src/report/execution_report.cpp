@@ -45,10 +45,6 @@ Json to_json(const std::optional<Contact>& contact, const Environment& environme
 constexpr int kShapes = 6;  // drawn along the motion
 constexpr const char* kCollisionColor = "#b2182b";
 
-Backbone recorded_backbone(const Episode& episode, Eigen::Index frame) {
-  return backbone_at(episode.backbone, frame);
-}
-
 WorldPoint tip_of(const Backbone& backbone) {
   const Pose tip = tip_pose(backbone);
   return {tip.x_m, tip.y_m};
@@ -67,11 +63,11 @@ void draw_tip_path(SvgDrawing& drawing, const ArmDescription& arm, const Episode
   const int frames = episode.frame_count();
   std::vector<WorldPoint> tips;
   for (int t = 0; t < frames; ++t) {
-    tips.push_back(tip_of(recorded_backbone(episode, t)));
+    tips.push_back(tip_of(backbone_at(episode.backbone, t)));
   }
   for (int k = 0; k < std::min(kShapes, frames); ++k) {
     const auto frame = static_cast<Eigen::Index>(std::lround(k * (frames - 1.0) / kShapes));
-    draw_arm(drawing, arm, recorded_backbone(episode, frame),
+    draw_arm(drawing, arm, backbone_at(episode.backbone, frame),
              {.fill = color, .stroke = "none", .opacity = 0.08 + 0.03 * k});
   }
   drawing.polyline(tips, {.stroke = color, .width_px = 1.5});
@@ -93,7 +89,7 @@ void draw_collision(SvgDrawing& drawing, const ArmDescription& arm, const Episod
   const Eigen::Index frame =
       std::min<Eigen::Index>(later - episode.time_s.begin(), episode.time_s.size() - 1);
   const ShapeStyle style{.fill = kCollisionColor, .stroke = kCollisionColor, .opacity = 0.5};
-  draw_arm(drawing, arm, recorded_backbone(episode, frame), style);
+  draw_arm(drawing, arm, backbone_at(episode.backbone, frame), style);
   drawing.legend(fmt::format("first collision, {:.2f} s", contact.time_s), style);
 }
 

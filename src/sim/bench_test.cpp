@@ -148,7 +148,6 @@ BenchData bench_test_all(const ArmDescription& arm, int steps) {
 }
 
 std::vector<BenchPoint> bench_test_of_chamber(const ArmDescription& arm, int channel, int steps) {
-  constexpr int kMinSteps = 4;
   if (!arm.is_spatial() || channel < 0 || channel >= arm.channel_count() || steps < kMinSteps) {
     throw InputError(fmt::format(
         "bench test: chamber {} in {} steps; arm '{}' has {} chambers in all, and {} steps at "

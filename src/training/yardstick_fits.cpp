@@ -32,17 +32,11 @@ Folds::Folds(const std::vector<Episode>& episodes, bool elsewhere)
                        : std::min(kYardstickFolds, int(episodes.size()))) {}
 
 int Folds::of(int episode, int frame) const {
-  if (count_ == 1) {
-    return 0;
-  }
   return single_ ? static_cast<int>(std::int64_t(frame) * count_ / frames_) : episode % count_;
 }
 
 std::vector<Episode> Folds::training(const std::vector<Episode>& episodes, int fold) const {
   std::vector<Episode> others;
-  if (count_ == 1) {
-    return episodes;
-  }
   if (!single_) {
     for (std::size_t e = 0; e < episodes.size(); ++e) {
       if (of(static_cast<int>(e), 0) != fold) {

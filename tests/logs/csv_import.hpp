@@ -60,6 +60,22 @@ class CsvImport : public ::testing::Test {
     });
   }
 
+  /// The same with a column of each side: r1, l1, r2, …
+  std::string log_of_sides() const {
+    std::string names = "time_s";
+    for (int i = 1; i <= truth_.arm().segment_count(); ++i) {
+      names += fmt::format(",r{0},l{0}", i);
+    }
+    names += header().substr(header().find(",x0"));
+    return LogTruth::table(names, rows_, rate_hz_, [&](double t) {
+      std::string text;
+      for (const double p : truth_.pressures(t)) {
+        text += fmt::format(",{:.6f},{:.6f}", std::max(p, 0.0), std::max(-p, 0.0));
+      }
+      return text + pose_cells(t);
+    });
+  }
+
   std::string mapping() const {
     std::string text = "schema: limber/import/1\ntime: {column: time_s}\npressures:\n  columns: [";
     for (int i = 1; i <= truth_.arm().segment_count(); ++i) {

@@ -74,22 +74,10 @@ TEST_F(SetpointImport, TakesCommandsAloneForSetPoints) {
 }
 
 TEST_F(SetpointImport, ReadsOneColumnPerSide) {
-  std::string text = "time_s";
-  for (int i = 1; i <= 3; ++i) {
-    text += fmt::format(",r{0},l{0}", i);
-  }
-  text += header().substr(header().find(",x0")) + "\n";
-  for (int k = 0; k < rows_; ++k) {
-    const double t = k / rate_hz_;
-    text += fmt::format("{:.6f}", t);
-    for (const double p : truth_.pressures(t)) {
-      text += fmt::format(",{:.6f},{:.6f}", std::max(p, 0.0), std::max(-p, 0.0));
-    }
-    text += pose_cells(t) + "\n";
-  }
   expect_held(
-      import(text, replaced(mapping(), "columns: [pressure_1_kpa, pressure_2_kpa, pressure_3_kpa]",
-                            "right: [r1, r2, r3]\n  left: [l1, l2, l3]\n  measured: false"))
+      import(log_of_sides(),
+             replaced(mapping(), "columns: [pressure_1_kpa, pressure_2_kpa, pressure_3_kpa]",
+                      "right: [r1, r2, r3]\n  left: [l1, l2, l3]\n  measured: false"))
           .recording);
 }
 

@@ -41,7 +41,7 @@ TEST(Chart, WithEveryKindOfSeriesIsWellFormed) {
   Chart spread("spread");
   spread.distribution("left", {1.0, 2.0, 2.5, 9.0}).distribution("right", {4.0});
   Chart counts("counts");
-  counts.histogram("one", x).histogram("two", {5.0}).bins(7);
+  counts.histogram("one", x).histogram("two", {5.0});
   ChartGrid grid(2, "all");
   grid.add(lines).add(bars).add(spread).add(counts);
   const std::string found = parsed(grid.svg());
@@ -69,7 +69,6 @@ TEST(Chart, LeavesOutAndCountsWhatIsNotFinite) {
   chart.line("l", {0.0, 1.0, 2.0, 3.0, kNan}, {1.0, kNan, kInfinity, 2.0, 1.0});
   chart.points("p", {1.0}, {-kInfinity}).histogram("h", {kNan, 1.0});
   chart.horizontal_line("r", kNan);
-  EXPECT_EQ(chart.undrawable_values(), 6);
   expect_only_finite_numbers(chart.svg());
   EXPECT_THAT(parsed(chart.svg()), HasSubstr("text: 6 values not drawn: not finite"));
 }
@@ -87,15 +86,14 @@ TEST(Chart, BreaksALineWhereValuesAreMissing) {
 TEST(Chart, OnALogarithmicAxisLeavesOutWhatIsNotPositive) {
   Chart chart("log");
   chart.logarithmic_y().line("l", {0.0, 1.0, 2.0, 3.0}, {1.0, 0.0, -3.0, 100.0});
-  EXPECT_EQ(chart.undrawable_values(), 2);
-  EXPECT_THAT(parsed(chart.svg()), HasSubstr("not finite or not positive"));
+  EXPECT_THAT(parsed(chart.svg()), HasSubstr("2 values not drawn: not finite or not positive"));
   EXPECT_THAT(parsed(chart.svg()), HasSubstr("text: 100"));
 }
 
 TEST(Chart, DrawsValuesNearTheEndsOfDoubles) {
   Chart chart("huge");
   chart.line("l", {-1e149, 1e149}, {-1e149, 1e149}).points("overflow", {0.0}, {1e308});
-  EXPECT_EQ(chart.undrawable_values(), 1);
+  EXPECT_THAT(parsed(chart.svg()), HasSubstr("text: 1 value not drawn: not finite"));
   expect_only_finite_numbers(chart.svg());
   Chart tiny("tiny");
   tiny.line("l", {0.0, 5e-324}, {0.0, 1e-300});
@@ -159,7 +157,6 @@ TEST(Chart, RefusesRangesThatAreNone) {
   EXPECT_THAT(([&] { chart.x_range(1.0, 1.0); }),
               ThrowsMessage<InputError>(HasSubstr("x range 1 … 1; expected finite limits")));
   EXPECT_THAT(([&] { chart.y_range(0.0, kNan); }), ThrowsMessage<InputError>(HasSubstr("y range")));
-  EXPECT_THAT(([&] { chart.bins(0); }), ThrowsMessage<InputError>(HasSubstr("0 bins")));
   EXPECT_THAT(([&] { chart.size_px(10, 10); }), ThrowsMessage<InputError>(HasSubstr("10 × 10")));
   EXPECT_THAT([] { ChartGrid grid(0); }, ThrowsMessage<InputError>(HasSubstr("0 columns")));
 }

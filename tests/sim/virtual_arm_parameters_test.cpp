@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "arm/small_arm_text.hpp"
 #include "limber/common/error.hpp"
-#include "limber/common/yaml_reader.hpp"
 #include "support/sample_arm.hpp"
 
 namespace limber {
@@ -18,26 +18,10 @@ using ::testing::ThrowsMessage;
 
 const std::filesystem::path kArms = std::filesystem::path(LIMBER_SOURCE_DIR) / "arms";
 
-ArmDescription read(const std::string& text) {
-  return read_arm(YamlReader::from_text(text, "a.yaml"));
-}
-
 /// An arm file whose lines 12 and 13 say `entry` of the virtual arm.
 std::string with_entry(const std::string& entry) {
-  return R"(schema: limber/arm/1
-name: small
-frame_rate_hz: 20
-pressure_rate_limit_kpa_per_s: 100
-actuator_radius_m: 0.006
-segments:
-  - length_m: 0.2
-    width_m: 0.05
-    gaps: 4
-    pressure_limit_kpa: 80
-    strain_polynomial: [1.0e-3, 1.0e-5, 0, 0]
-virtual_arm:
-  )" + entry +
-         "\n";
+  const std::string arm = kGood;
+  return arm.substr(0, arm.find("friction_coefficient")) + entry + "\n";
 }
 
 TEST(VirtualArmParameters, AreReadFromTheArmsFile) {

@@ -88,3 +88,24 @@ class InFolder(unittest.TestCase):
         path = self.folder / name
         path.write_text(text, encoding="utf-8")
         return path
+
+
+class WithFiles(InFolder):
+    """Each test has copies of the files that FILES names, with the commands that make them once a class."""
+
+    FILES = ()
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.made = {}
+
+    def setUp(self):
+        super().setUp()
+        for name, command in self.FILES:
+            path = self.folder / name
+            if name in self.made:
+                path.write_bytes(self.made[name])
+            else:
+                self.run_limber(*command, "--out", name)
+                self.made[name] = path.read_bytes()

@@ -3,7 +3,7 @@
 import json
 import unittest
 
-from program import PROGRAM, InFolder
+from program import PROGRAM, WithFiles
 from test_plan import PILLAR
 
 ARM = ("--arm", "two_segment")
@@ -11,24 +11,11 @@ SMALL = ("--max-queries", 3000, "--shape-runs", 10, "--screen-runs", 5, "--test-
          "--audit-runs", 4, "--levels", 0.2, 0.3, "--confidence", 0.5)
 
 
-class Calibrate(InFolder):
-    @classmethod
-    def setUpClass(cls):
-        super().setUpClass()
-        cls.made = {}
-
-    def setUp(self):
-        super().setUp()
-        for name, command in (
-            ("t.h5", ("collect", *ARM, "--schedule", "random", "--count", 400)),
-            ("m.safetensors", ("train", *ARM, "--data", "t.h5", "--epochs", 60, "--windows", 8)),
-        ):
-            path = self.folder / name
-            if name in self.made:
-                path.write_bytes(self.made[name])
-            else:
-                self.run_limber(*command, "--out", name)
-                self.made[name] = path.read_bytes()
+class Calibrate(WithFiles):
+    FILES = (
+        ("t.h5", ("collect", *ARM, "--schedule", "random", "--count", 400)),
+        ("m.safetensors", ("train", *ARM, "--data", "t.h5", "--epochs", 60, "--windows", 8)),
+    )
 
     def calibrate(self, out, *arguments, code=0):
         return self.run_json("calibrate", *ARM, "--model", "m.safetensors", "--out", out, *SMALL,

@@ -6,31 +6,18 @@ import subprocess
 import time
 import unittest
 
-from program import PROGRAM, ROOT, InFolder
+from program import PROGRAM, ROOT, WithFiles
 from test_plan import PILLAR
 
 ARM = ("--arm", "two_segment")
 SMALL = ("--hours", 0.25, "--epochs", 60, "--family-size", 3, "--vary-physics", 1.5, "--tube-runs", 0)
 
 
-class Family(InFolder):
-    @classmethod
-    def setUpClass(cls):
-        super().setUpClass()
-        cls.made = {}
-
-    def setUp(self):
-        super().setUp()
-        for name, command in (
-            ("family.safetensors", ("family", *ARM, *SMALL)),
-            ("minute.h5", ("collect", *ARM, "--schedule", "identify", "--seed", 5)),
-        ):
-            path = self.folder / name
-            if name in self.made:
-                path.write_bytes(self.made[name])
-            else:
-                self.run_limber(*command, "--out", name)
-                self.made[name] = path.read_bytes()
+class Family(WithFiles):
+    FILES = (
+        ("family.safetensors", ("family", *ARM, *SMALL)),
+        ("minute.h5", ("collect", *ARM, "--schedule", "identify", "--seed", 5)),
+    )
 
     def adapt(self, *arguments, code=0):
         return self.run_json("adapt", *ARM, "--model", "family.safetensors", "--recording", "minute.h5",

@@ -2,34 +2,21 @@
 
 import unittest
 
-from program import InFolder
+from program import WithFiles
 
 ARM = ("--arm", "hanging_3x2")
+RANDOM = ("collect", *ARM, "--schedule", "random")
 SMALL = ("--hidden", 30, "--epochs", 40)
 
 
-class SpaceFamily(InFolder):
-    @classmethod
-    def setUpClass(cls):
-        super().setUpClass()
-        cls.made = {}
-
-    def setUp(self):
-        super().setUp()
-        random = ("--schedule", "random")
-        for name, command in (
-            ("arms.h5", ("collect", *random, "--count", 12, "--episodes", 14, "--vary-physics", 2, "--seed", 3)),
-            ("minute.h5", ("collect", *random, "--count", 30, "--vary-physics", 2, "--seed", 70)),
-            ("other.h5", ("collect", *random, "--count", 60, "--vary-physics", 2, "--seed", 70)),
-            ("family.safetensors", ("train", "--family", "--family-size", 2, "--data", "arms.h5", *SMALL)),
-            ("one.safetensors", ("train", "--data", "minute.h5", *SMALL)),
-        ):
-            path = self.folder / name
-            if name in self.made:
-                path.write_bytes(self.made[name])
-            else:
-                self.run_limber(*command, *ARM, "--out", name)
-                self.made[name] = path.read_bytes()
+class SpaceFamily(WithFiles):
+    FILES = (
+        ("arms.h5", (*RANDOM, "--count", 12, "--episodes", 14, "--vary-physics", 2, "--seed", 3)),
+        ("minute.h5", (*RANDOM, "--count", 30, "--vary-physics", 2, "--seed", 70)),
+        ("other.h5", (*RANDOM, "--count", 60, "--vary-physics", 2, "--seed", 70)),
+        ("family.safetensors", ("train", *ARM, "--family", "--family-size", 2, "--data", "arms.h5", *SMALL)),
+        ("one.safetensors", ("train", *ARM, "--data", "minute.h5", *SMALL)),
+    )
 
     def adapt(self, *arguments):
         return self.run_json("adapt", *ARM, "--model", "family.safetensors", "--recording", "minute.h5",

@@ -45,6 +45,20 @@ TrainingSettings settings_for(BackboneLayout layout, bool error_in_base_poses, S
   return settings;
 }
 
+/// Of parameter i.
+void expect_difference(const Vector& gradient, Eigen::Index i, Vector& parameters,
+                       WindowGradient<double>& window) {
+  const double value = parameters[i];
+  parameters[i] = value + kDifferenceStep;
+  const double above = window.forward(parameters.data());
+  parameters[i] = value - kDifferenceStep;
+  const double below = window.forward(parameters.data());
+  parameters[i] = value;
+  EXPECT_NEAR(gradient[i], (above - below) / (2 * kDifferenceStep),
+              kDifferenceTolerance * (1.0 + std::abs(gradient[i])))
+      << "parameter " << i;
+}
+
 class GradientInLayout
     : public testing::TestWithParam<std::tuple<BackboneLayout, bool, OutputForm, bool, bool>> {};
 
@@ -72,15 +86,7 @@ TEST_P(GradientInLayout, AgreesWithFiniteDifferencesOverAWholeWindow) {
   window.backward(parameters.data(), gradient.data());
   ASSERT_GT(gradient.norm(), 1e-3);
   for (Eigen::Index i = 0; i < layout.size(); i += 3) {
-    const double value = parameters[i];
-    parameters[i] = value + kDifferenceStep;
-    const double above = window.forward(parameters.data());
-    parameters[i] = value - kDifferenceStep;
-    const double below = window.forward(parameters.data());
-    parameters[i] = value;
-    EXPECT_NEAR(gradient[i], (above - below) / (2 * kDifferenceStep),
-                kDifferenceTolerance * (1.0 + std::abs(gradient[i])))
-        << "parameter " << i;
+    expect_difference(gradient, i, parameters, window);
   }
 }
 
@@ -116,15 +122,7 @@ TEST(WindowGradient, OfTheVectorsOfAFamilysArmsAgreesWithFiniteDifferences) {
   EXPECT_GT(gradient.segment(layout.arm_offset(0), 3 * kSize).cwiseAbs().minCoeff(), 1e-6);
   EXPECT_TRUE(gradient.tail(kSize).isZero(0.0)) << "of an arm without a window";
   for (Eigen::Index i = 0; i < layout.size(); i += i < layout.arm_offset(0) - 7 ? 7 : 1) {
-    const double value = parameters[i];
-    parameters[i] = value + kDifferenceStep;
-    const double above = window.forward(parameters.data());
-    parameters[i] = value - kDifferenceStep;
-    const double below = window.forward(parameters.data());
-    parameters[i] = value;
-    EXPECT_NEAR(gradient[i], (above - below) / (2 * kDifferenceStep),
-                kDifferenceTolerance * (1.0 + std::abs(gradient[i])))
-        << "parameter " << i;
+    expect_difference(gradient, i, parameters, window);
   }
 }
 

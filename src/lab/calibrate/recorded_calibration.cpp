@@ -101,18 +101,6 @@ TubeLevel level_of(const std::vector<double>& scores, double level, double confi
       std::floor(1e3 * std::pow(1.0 - confidence, 1.0 / runs)) / 1e3, min_runs(level, confidence)));
 }
 
-/// A run counts once.
-void require_different(const std::vector<std::filesystem::path>& recordings) {
-  std::map<std::string, std::string> path_of_hash;
-  for (const std::filesystem::path& path : recordings) {
-    const auto [other, is_new] = path_of_hash.emplace(file_hash(path), path.string());
-    if (!is_new) {
-      throw InputError(
-          fmt::format("{}: the same recording as {}; give it once", path.string(), other->second));
-    }
-  }
-}
-
 }  // namespace
 
 void require_usable_levels(const std::vector<double>& levels, double confidence) {
@@ -133,7 +121,10 @@ Tube tube_from_recordings(const RecordedCalibration& settings) {
                                  settings.recordings.size(), settings.plans.size()));
   }
   require_usable_levels(settings.levels, settings.confidence);
-  require_different(settings.recordings);
+  std::map<std::string, std::string> path_of_hash;
+  for (const std::filesystem::path& path : settings.recordings) {
+    add_different(path_of_hash, path);  // a run counts once
+  }
   Tube tube =
       settings.model.tube ? *settings.model.tube : plain_shape(settings.arm, settings.model);
   tube.levels.clear();

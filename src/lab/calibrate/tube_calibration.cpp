@@ -178,7 +178,7 @@ class Calibration {
     const fs::path file = settings_.folder / kCalibrationFile;
     const bool resumes = settings_.resume && fs::exists(file);
     if (resumes) {
-      require_same(file);
+      require_same_run(file, identity_, "calibration only");
     } else if (fs::exists(file) && !settings_.force) {
       throw InputError(
           fmt::format("{}: holds a calibration already: --resume continues it, --force replaces it",
@@ -194,19 +194,6 @@ class Calibration {
     }
     evidence_ = identity_;
     evidence_["phases"] = Json::array();
-  }
-
-  void require_same(const fs::path& file) const {
-    const nlohmann::json there = read_json_object(file);
-    const nlohmann::json wanted = identity_;
-    for (const auto& [key, value] : wanted.items()) {
-      const nlohmann::json found = there.value(key, nlohmann::json(nullptr));
-      if (found != value) {
-        throw InputError(fmt::format(
-            "{}: {} = {}; this run has {}: --resume continues the same calibration only",
-            file.string(), key, in_few_words(found), in_few_words(value)));
-      }
-    }
   }
 
   TubeRuns run_phase(const std::string& name, int runs, const Tube* shape, double factor,

@@ -31,6 +31,7 @@ constexpr const char* kCheckpoint = "model.safetensors.checkpoint";
 
 /// Of size, beginning and end: thousands of units may read a recording of gigabytes.
 std::string fingerprint_of(const fs::path& path) {
+  require_plain_file(path);  // what can't be read is like nothing else
   std::error_code error;
   const std::uintmax_t size = fs::file_size(path, error);
   std::ifstream file(path, std::ios::binary);

@@ -26,7 +26,12 @@ namespace {
 constexpr std::uint64_t kEnvironmentStream = 0x656e76ULL << 32;
 constexpr int kMaxWaypoints = 3;
 constexpr double kMinTravelM = 0.15;  // of the tip, from start to goal
+constexpr int kFewestObstacles = 2;
+constexpr int kMostObstacles = 5;
 constexpr int kTriesPerObstacle = 30;
+constexpr double kPositionToleranceM = 0.02;  // these three as in limber's own environments
+constexpr double kOrientationToleranceRad = 0.3;
+constexpr double kOrientationShare = 0.3;  // of environments whose goal asks for a heading
 constexpr int kStraightLineStarts = 20;
 
 /// Builds one environment about one random motion.
@@ -51,11 +56,9 @@ class EnvironmentSampler {
       return std::nullopt;
     }
     result_.environment.goal =
-        random_goal(tip, settings_.position_tolerance_m, settings_.orientation_tolerance_rad,
-                    settings_.orientation_share, random_);
+        random_goal(tip, kPositionToleranceM, kOrientationToleranceRad, kOrientationShare, random_);
     const int wanted =
-        settings_.min_obstacles + static_cast<int>(random_.index(static_cast<std::uint32_t>(
-                                      settings_.max_obstacles - settings_.min_obstacles + 1)));
+        kFewestObstacles + static_cast<int>(random_.index(kMostObstacles - kFewestObstacles + 1));
     for (int k = 0; k < wanted * kTriesPerObstacle &&
                     static_cast<int>(result_.environment.obstacles.size()) < wanted;
          ++k) {
@@ -189,9 +192,6 @@ constexpr int kMaxObstacles = 13;
 constexpr int kTriesPerWitnessed = 30;
 constexpr double kNearM = 0.16;                   // from a plate to an obstacle's middle
 constexpr double kClearancesM[] = {0.012, 0.02};  // each of half of the environments
-constexpr double kPositionToleranceM = 0.02;      // these three as in limber's own environments
-constexpr double kOrientationToleranceRad = 0.3;
-constexpr double kOrientationShare = 0.3;
 
 /// One attempt.
 class Sampler {

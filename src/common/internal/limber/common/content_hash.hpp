@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -11,5 +12,10 @@ namespace limber {
 std::string content_hash(std::string_view content);
 /// The same of a file, which is not held. @throws as read_file.
 std::string file_hash(const std::filesystem::path& path);
+
+/// Adds a recording to those before it. @return its hash
+/// @throws InputError where one of them has the same content.
+std::string add_different(std::map<std::string, std::string>& path_of_hash,
+                          const std::filesystem::path& path);
 
 }  // namespace limber

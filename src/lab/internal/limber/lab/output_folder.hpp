@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "limber/common/folder_lock.hpp"
 
 namespace limber {
@@ -16,6 +18,11 @@ namespace limber {
 /// Whether `path`, or what it leads to, is `folder` or lies in it. Links and detours don't hide it;
 /// neither has to exist.
 bool lies_in(const std::filesystem::path& path, const std::filesystem::path& folder);
+
+/// @param what  may go on: ends the message
+/// @throws InputError naming the first key of `file` that is not as in `wanted`.
+void require_same_run(const std::filesystem::path& file, const nlohmann::json& wanted,
+                      const std::string& what);
 
 /// The folder of one verb's results, with a manifest of the files that it wrote there
 /// (`.limber-VERB`, docs/formats.md). Files that the manifest does not list, or that have changed

@@ -14,13 +14,8 @@
 namespace limber {
 
 struct RandomEnvironmentSettings {
-  int min_obstacles = 2;
-  int max_obstacles = 5;
   double clearance_m = 0.01;  ///< of the witness motion, ≥ 0
-  double position_tolerance_m = 0.02;
-  double orientation_tolerance_rad = 0.3;
-  double orientation_share = 0.3;  ///< of environments whose goal asks for a heading
-  int attempts = 1000;             ///< motions sampled before giving up, ≥ 1
+  int attempts = 1000;        ///< motions sampled before giving up, ≥ 1
   /// Where the arm rests; none: straight, all pressures zero. It is not checked: what no plan can
   /// start from gives no plan.
   std::optional<ArmStart> start = std::nullopt;
@@ -36,7 +31,8 @@ struct RandomEnvironment {
 /// executed plans: the arm may be any, and start under pressure. The arm starts free and at rest. A
 /// motion through random waypoints, simulated with `model`, stays clear of every obstacle, and the
 /// goal is where its tip ends after the hold. The straight motion in pressure to the same end
-/// collides, and no straight motion to an inverse-kinematics solution solves the environment.
+/// collides, and no straight motion to an inverse-kinematics solution solves the environment. There
+/// are 2 to 5 obstacles.
 /// @param number  of the environment among those of `seed`; part of its name
 /// @return none if `attempts` did not give one
 std::optional<RandomEnvironment> random_environment(

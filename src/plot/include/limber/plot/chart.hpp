@@ -91,7 +91,6 @@ struct ChartSettings {
   bool legend = true;
   int width_px = 560;
   int height_px = 380;
-  int bins = 40;
   std::string note;  ///< a small line under the chart
 };
 
@@ -123,7 +122,6 @@ class Chart {
   Chart& equal_aspect();
   Chart& size_px(int width_px, int height_px);
   Chart& without_legend();
-  Chart& bins(int count);
   Chart& note(std::string text);
 
   Chart& line(std::string label, std::vector<double> x, std::vector<double> y,
@@ -146,9 +144,6 @@ class Chart {
 
   /// The whole picture: well-formed XML, one `svg` element, nothing external.
   std::string svg() const;
-
-  /// How many values svg() leaves out because they can't be drawn.
-  int undrawable_values() const;
 
   const ChartSettings& settings() const { return settings_; }
   const std::vector<Series>& series() const { return series_; }

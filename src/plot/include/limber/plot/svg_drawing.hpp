@@ -90,19 +90,11 @@ class SvgDrawing {
 
   /// Grid lines behind what follows, and a frame with ticks in metres around the picture.
   void axes();
-  /// Everything until end_layer() is drawn as one, with `opacity`. Layers nest.
-  void begin_layer(std::string_view name, double opacity = 1.0);
-  void end_layer();
   /// An entry of the key under the picture: a swatch of the style and its meaning.
   void legend(std::string_view label, const ShapeStyle& style);
 
-  /// The whole picture; open layers are closed in it.
+  /// The whole picture.
   std::string svg() const;
-
-  /// How many shapes or line points were left out because they were not finite.
-  int undrawable_shapes() const { return undrawable_; }
-
-  const WorldBox& box() const { return box_; }
 
  private:
   double pixel_x(double x_m) const;
@@ -118,8 +110,7 @@ class SvgDrawing {
   std::string title_;
   std::string body_;
   std::vector<LegendEntry> legend_;
-  int open_layers_ = 0;
-  int undrawable_ = 0;
+  int undrawable_ = 0;  ///< shapes or line points left out because they were not finite
   bool axes_ = false;
 };
 
