@@ -22,8 +22,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-constexpr double kInstant_s = 1e-4;  // lag of a fake arm that is where it is told to be
-
 class Executor : public ::testing::Test {
  protected:
   void SetUp() override {
