@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <complex>
 
 #include <fmt/format.h>
 

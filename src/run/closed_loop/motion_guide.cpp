@@ -1,7 +1,6 @@
 #include "motion_guide.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>

@@ -9,7 +9,6 @@
 #include <Eigen/Cholesky>
 
 #include "limber/arm/damped_solve.hpp"
-#include "limber/arm/pressure_limits.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/run/executor.hpp"
 #include "limber/world/straight_motion.hpp"

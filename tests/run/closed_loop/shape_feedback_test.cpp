@@ -1,7 +1,6 @@
 #include "src/run/closed_loop/shape_feedback.hpp"
 
 #include <cmath>
-#include <optional>
 
 #include <gtest/gtest.h>
 

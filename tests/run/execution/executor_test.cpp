@@ -10,7 +10,6 @@
 #include "limber/common/interrupt.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/report/execution_report.hpp"
-#include "limber/run/schedule.hpp"
 #include "limber/sim/virtual_arm.hpp"
 #include "limber/world/straight_motion.hpp"
 #include "support/bending_plan.hpp"
