@@ -1,6 +1,5 @@
 #include "driver_flags.hpp"
 
-#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <string>

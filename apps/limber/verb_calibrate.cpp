@@ -1,5 +1,3 @@
-#include <filesystem>
-
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"

@@ -1,5 +1,4 @@
 #include <list>
-#include <type_traits>
 
 #include "driver_flags.hpp"
 #include "limber/arm/arm_identity.hpp"
@@ -112,29 +111,38 @@ class ExecuteVerb final : public Verb {
     prepare_plans_out(flags);
     settings_.max_start_error_m = max_start_error_m_;
     const DisturbedArm met = disturbed(arm, plan, disturbances, flags.seed);
+    settings_.obstacle = met.obstacle ? &*met.obstacle : nullptr;
+    return with_driver(arm, arm_file, met, flags, [&](auto& driver, const ProcessDriver* program) {
+      if (program != nullptr) {
+        require_within(plan, program->limits_kpa(), plan_, "the driver");
+        settings_.max_start_error_m = max_start_error_m_.value_or(allowed_start_error_m(plan));
+        replan_.settings().corrections.limits = program->limits_kpa();
+      }
+      const ExecutionResult result = run_plan(arm, environment, plan, driver, flags);
+      return finish(arm, environment, plan, result, program, flags);
+    });
+  }
+
+ private:
+  /// Makes what --driver names. @param use  is given it, and again as a program; null: it is none
+  /// @return what `use` does
+  template <class Use>
+  int with_driver(const ArmDescription& arm, const std::string& arm_file, const DisturbedArm& met,
+                  const CommonFlags& flags, const Use& use) const {
     if (driver_.is_program()) {
       const std::unique_ptr<ProcessDriver> driver = driver_.start(arm, arm_file, out_, true, flags);
-      require_within(plan, driver->limits_kpa(), plan_, "the driver");
-      settings_.max_start_error_m = max_start_error_m_.value_or(allowed_start_error_m(plan));
-      replan_.settings().corrections.limits = driver->limits_kpa();
-      settings_.obstacle = met.obstacle ? &*met.obstacle : nullptr;
-      const ExecutionResult result = run_plan(arm, environment, plan, *driver, flags);
-      return finish(arm, environment, plan, result, driver.get(), flags);
+      return use(*driver, driver.get());
     }
     if (driver_.is_model()) {
       CompensationModel network = read_model_of_one_arm(driver_.model_file());
       const ValveParameters valves = network.valves.value_or(ValveParameters{});
       ModelArm driver(arm, std::move(network), valves);
-      const ExecutionResult result = run_plan(arm, environment, plan, driver, flags);
-      return finish(arm, environment, plan, result, nullptr, flags);
+      return use(driver, nullptr);
     }
-    settings_.obstacle = met.obstacle ? &*met.obstacle : nullptr;
     VirtualArm driver(met.arm, met.options);
-    const ExecutionResult result = run_plan(arm, environment, plan, driver, flags);
-    return finish(arm, environment, plan, result, nullptr, flags);
+    return use(driver, nullptr);
   }
 
- private:
   void refuse_what_cannot_be_disturbed(const std::vector<Disturbance>& disturbances) const {
     const bool is_obstacle =
         disturbances.size() == 1 && has_kind(disturbances, DisturbanceKind::obstacle);
@@ -220,22 +228,13 @@ class ExecuteVerb final : public Verb {
     out_ = driver_.recording_or_default(out_, flags);
     refuse_to_overwrite_any(flags);
     track_.prepare(arm, model_, flags);
-    std::vector<PressureLimits> limits = limits_of(with_scaled_limits(arm, driver_.limit_scale()));
-    if (driver_.is_program()) {
-      const std::unique_ptr<ProcessDriver> driver = driver_.start(arm, arm_file, out_, true, flags);
-      limits = driver->limits_kpa();
-      return finish_track(arm, track_.run(arm, environment, *driver, limits, flags), driver.get(),
-                          flags);
-    }
-    if (driver_.is_model()) {
-      CompensationModel network = read_model_of_one_arm(driver_.model_file());
-      const ValveParameters valves = network.valves.value_or(ValveParameters{});
-      ModelArm driver(arm, std::move(network), valves);
-      return finish_track(arm, track_.run(arm, environment, driver, limits, flags), nullptr, flags);
-    }
     const DisturbedArm met = disturbed(arm, Plan{}, disturbances, flags.seed);
-    VirtualArm driver(met.arm, met.options);
-    return finish_track(arm, track_.run(arm, environment, driver, limits, flags), nullptr, flags);
+    return with_driver(arm, arm_file, met, flags, [&](auto& driver, const ProcessDriver* program) {
+      const std::vector<PressureLimits> limits =
+          program != nullptr ? program->limits_kpa()
+                             : limits_of(with_scaled_limits(arm, driver_.limit_scale()));
+      return finish_track(arm, track_.run(arm, environment, driver, limits, flags), program, flags);
+    });
   }
 
   int finish_track(const ArmDescription& arm, const TrackRun& run, const ProcessDriver* driver,
@@ -288,7 +287,7 @@ class ExecuteVerb final : public Verb {
                     flags.seed);
     ExecutionSettings closed_loop = settings_;
     closed_loop.controller = &loop;
-    if constexpr (std::is_same_v<Driver, ProcessDriver>) {
+    if constexpr (requires { driver.look(); }) {
       driver.look();  // since it was started, a network was read
     }
     ExecutionResult result = execute(arm, environment, plan, driver, closed_loop);

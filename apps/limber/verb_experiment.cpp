@@ -7,7 +7,6 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/data_folder.hpp"
-#include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/lab/planning_experiment.hpp"
 #include "limber/lab/trial_run.hpp"

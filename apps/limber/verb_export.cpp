@@ -1,5 +1,4 @@
 #include <filesystem>
-#include <functional>
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"

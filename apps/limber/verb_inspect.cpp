@@ -4,11 +4,9 @@
 #include <fmt/ranges.h>
 
 #include "inspect_arm.hpp"
-#include "limber/arm/arm_commands.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/arm/no_load_model.hpp"
 #include "limber/arm/pressure_limits.hpp"
-#include "limber/arm/space_no_load.hpp"
 #include "limber/arm/valve_parameters.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
@@ -17,7 +15,6 @@
 #include "limber/network/compensation_model.hpp"
 #include "limber/network/gap_bounds.hpp"
 #include "limber/planning/forest.hpp"
-#include "limber/sim/virtual_arm_parameters.hpp"
 #include "limber/world/environment.hpp"
 #include "limber/world/plan.hpp"
 #include "verbs.hpp"

@@ -1,7 +1,6 @@
 #include "driver_flags.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
-#include "limber/common/data_folder.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/yaml_reader.hpp"

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <optional>
@@ -14,7 +13,6 @@
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/data/recording_inspection.hpp"
-#include "limber/data/valve_identification.hpp"
 #include "limber/lab/family_traits.hpp"
 #include "limber/report/training_report.hpp"
 #include "limber/training/fine_tuning.hpp"

@@ -7,7 +7,6 @@
 #include <fmt/ranges.h>
 
 #include "limber/arm/pressure_limits.hpp"
-#include "limber/common/error.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "segment_reader.hpp"
 

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <complex>
 
 #include <fmt/format.h>
 
@@ -183,7 +182,6 @@ class Certifier::Certification {
                         result_.max_heading_deviation_rad <= Certificate::kHeadingDeviationRad;
     if (!(of_path.apart_m <= result_.max_deviation_m)) {
       result_.max_deviation_m = of_path.apart_m;
-      result_.deviation_frame = static_cast<int>(k);
     }
     if (!(of_path.turned_rad <= result_.max_heading_deviation_rad)) {
       result_.max_heading_deviation_rad = of_path.turned_rad;

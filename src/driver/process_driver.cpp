@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "driver_link.hpp"
-#include "limber/arm/pressure_limits.hpp"
 #include "limber/common/arm_signals.hpp"
 #include "limber/common/error.hpp"
 #include "limber/run/safety_gate.hpp"

@@ -1,7 +1,6 @@
 #include "limber/forward/motion_simulator.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace limber {
 

@@ -1,7 +1,6 @@
 #include "limber/network/gap_bounds.hpp"
 
 #include <cmath>
-#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -10,7 +10,6 @@
 
 #include "kernels/vector_sincos.hpp"
 #include "limber/arm/names.hpp"
-#include "limber/common/error.hpp"
 #include "limber/network/backbone_layout.hpp"
 #include "refusal.hpp"
 

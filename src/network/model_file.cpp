@@ -8,7 +8,6 @@
 #include "limber/arm/names.hpp"
 #include "limber/arm/valve_parameters.hpp"
 #include "limber/common/atomic_file.hpp"
-#include "limber/common/error.hpp"
 #include "limber/common/json_reader.hpp"
 #include "limber/common/number_text.hpp"
 #include "limber/common/safetensors.hpp"

@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "limber/arm/arm_identity.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/aligned_floats.hpp"
 #include "limber/common/atomic_file.hpp"

@@ -1,6 +1,5 @@
 #include "limber/planning/problem_check.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

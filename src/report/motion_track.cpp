@@ -10,20 +10,11 @@ namespace limber {
 using Json = nlohmann::ordered_json;
 
 void MotionTrack::add(const Eigen::Ref<const Pressures>& kpa,
-                      const Eigen::Ref<const Backbone>& shape) {
+                      const Eigen::Ref<const Backbone>& shape, bool is_seen) {
   pressures_kpa_.push_back(pressures_to_json(kpa));
   shapes_.push_back(shape_to_json(shape));
   if (!obstacles_.empty()) {
-    clearances_m_.push_back(length_to_json(checker_.clearance(shape).value_m));
-  }
-}
-
-void MotionTrack::add_unseen(const Eigen::Ref<const Pressures>& kpa,
-                             const Eigen::Ref<const Backbone>& shape) {
-  pressures_kpa_.push_back(pressures_to_json(kpa));
-  shapes_.push_back(shape_to_json(shape));
-  if (!obstacles_.empty()) {
-    clearances_m_.push_back(nullptr);
+    clearances_m_.push_back(is_seen ? length_to_json(checker_.clearance(shape).value_m) : Json());
   }
 }
 

@@ -1,7 +1,6 @@
 #include "limber/run/model_arm.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 

@@ -69,11 +69,11 @@ class FrameWatch {
     if (state.backbone) {
       shape_ = *state.backbone;
       for (const Pressures& kpa : std::exchange(unseen_kpa_, {})) {
-        track_.add_unseen(kpa, *shape_);
+        track_.add(kpa, *shape_, false);
       }
-      track_.add(state.pressure_kpa, *shape_);
-    } else if (shape_) {
-      track_.add_unseen(state.pressure_kpa, *shape_);
+    }
+    if (shape_) {
+      track_.add(state.pressure_kpa, *shape_, state.backbone.has_value());
     } else {
       unseen_kpa_.push_back(state.pressure_kpa);
     }

@@ -1,7 +1,6 @@
 #include "limber/world/environment.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -2,13 +2,10 @@
 #include <malloc.h>
 #endif
 
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "cross.hpp"
 #include "limber/arm/names.hpp"
-#include "limber/common/error.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "limber/world/environment.hpp"
 #include "limber/world/start_shape.hpp"

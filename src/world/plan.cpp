@@ -1,6 +1,5 @@
 #include "limber/world/plan.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>

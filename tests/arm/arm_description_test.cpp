@@ -1,6 +1,5 @@
 #include "limber/arm/arm_description.hpp"
 
-#include <filesystem>
 #include <functional>
 
 #include <gmock/gmock.h>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -10,6 +11,14 @@
 namespace limber {
 
 inline constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
+inline SegmentValves lag(double inflate_s, double vent_s) {
+  return {{inflate_s, kNoLimit}, {vent_s, kNoLimit}, 0.0, 0.0};
+}
+
+inline ValveParameters same(int segments, const SegmentValves& valves, bool has_sides = true) {
+  return {has_sides, std::vector<SegmentValves>(std::size_t(segments), valves)};
+}
 
 /// Random but physical: lags, limits and dead times that may be none.
 inline SegmentValves random_valves(RandomStream& random) {

@@ -1,7 +1,5 @@
 #include "limber/arm/space_pose.hpp"
 
-#include <numbers>
-
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 

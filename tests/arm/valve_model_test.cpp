@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -20,18 +19,9 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-constexpr double kNone = std::numeric_limits<double>::infinity();
 constexpr double kExactKpa = 1e-9;      // closed forms in double precision
 constexpr double kFloatKpa = 2e-5;      // float at 100 kPa
 constexpr double kFloatWalkKpa = 1e-3;  // float against double over long walks
-
-SegmentValves lag(double inflate_s, double vent_s) {
-  return {{inflate_s, kNone}, {vent_s, kNone}, 0.0, 0.0};
-}
-
-ValveParameters same(int segments, const SegmentValves& valves, bool has_sides = true) {
-  return {has_sides, std::vector<SegmentValves>(std::size_t(segments), valves)};
-}
 
 ArmDescription one_segment(double frame_rate_hz = 20.0) {
   ArmDescription arm = arm_of(1);
@@ -65,7 +55,7 @@ TEST(ValveModel, VentsWithItsOwnTimeConstant) {
 
 TEST(ValveModel, FollowsTheRateLimitThenTheExponential) {
   // 40 kPa/s until 0.2 s · 40 kPa/s = 8 kPa are left, at 1.05 s.
-  const SegmentValves valves{{0.2, 40.0}, {0.1, kNone}, 0.0, 0.0};
+  const SegmentValves valves{{0.2, 40.0}, {0.1, kNoLimit}, 0.0, 0.0};
   const auto pressure = at_constant(valves, 0.0, 50.0, 40);
   EXPECT_NEAR(pressure[10], 20.0, kExactKpa);
   EXPECT_NEAR(pressure[21], 42.0, kExactKpa);

@@ -1,7 +1,5 @@
 #include "limber/arm/valve_parameters.hpp"
 
-#include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -10,6 +8,7 @@
 
 #include "limber/arm/valve_model.hpp"
 #include "limber/common/error.hpp"
+#include "random_valves.hpp"
 #include "test_arms.hpp"
 
 namespace limber {
@@ -18,22 +17,12 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-constexpr double kNone = std::numeric_limits<double>::infinity();
-
-SegmentValves lag(double inflate_s, double vent_s) {
-  return {{inflate_s, kNone}, {vent_s, kNone}, 0.0, 0.0};
-}
-
-ValveParameters same(int segments, const SegmentValves& valves, bool has_sides = true) {
-  return {has_sides, std::vector<SegmentValves>(std::size_t(segments), valves)};
-}
-
 TEST(ValveParameters, TheHashChangesWithEveryNumber) {
   const ValveParameters base = same(2, {{0.1, 100.0}, {0.12, 90.0}, 0.01, 0.2});
   std::vector<ValveParameters> others(8, base);
   others[0].has_sides = false;
   others[1].segments[1].inflating.time_constant_s += 1e-12;
-  others[2].segments[1].inflating.rate_limit_kpa_per_s = kNone;
+  others[2].segments[1].inflating.rate_limit_kpa_per_s = kNoLimit;
   others[3].segments[1].venting.time_constant_s += 1e-12;
   others[4].segments[1].venting.rate_limit_kpa_per_s += 1e-9;
   others[5].segments[1].dead_time_s += 1e-12;
@@ -57,7 +46,7 @@ TEST(ValveParameters, SaysWhichParameterIsOutOfRange) {
   expect_refused(same(2, lag(0.1, 0.1), false), "has_sides = false; arm 'test_arm_of_2' is driven");
   expect_refused(same(2, lag(-0.1, 0.1)),
                  "segment 0: inflating.time_constant_s = -0.1; expected 0 to 100 s");
-  expect_refused(same(2, lag(0.1, kNone)), "segment 0: venting.time_constant_s = inf");
+  expect_refused(same(2, lag(0.1, kNoLimit)), "segment 0: venting.time_constant_s = inf");
   SegmentValves valves = lag(0.1, 0.1);
   valves.venting.rate_limit_kpa_per_s = 0.0;
   expect_refused(same(2, valves), "segment 0: venting.rate_limit_kpa_per_s = 0; expected a rate");

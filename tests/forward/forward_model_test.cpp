@@ -1,7 +1,6 @@
 #include "limber/forward/forward_model.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include <gmock/gmock.h>

@@ -1,7 +1,6 @@
 #include "src/forward/row_kernels.hpp"
 
 #include <cmath>
-#include <cstdlib>
 #include <string>
 
 #include <gtest/gtest.h>

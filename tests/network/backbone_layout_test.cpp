@@ -1,6 +1,5 @@
 #include "limber/network/backbone_layout.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 

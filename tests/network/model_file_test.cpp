@@ -1,4 +1,3 @@
-#include <fstream>
 #include <limits>
 
 #include <gmock/gmock.h>

@@ -1,6 +1,5 @@
 #include "src/planning/search/goal_seeker.hpp"
 
-#include <cmath>
 #include <numbers>
 #include <set>
 

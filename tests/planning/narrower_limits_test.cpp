@@ -5,7 +5,6 @@
 #include "limber/planning/forest.hpp"
 #include "limber/planning/planner_factory.hpp"
 #include "planning/planner_setting.hpp"
-#include "src/planning/paper/pressure_rrt_star.hpp"
 
 namespace limber {
 namespace {

@@ -1,7 +1,5 @@
 #include "limber/planning/ompl_planner.hpp"
 
-#include <cstdio>
-
 #include <gmock/gmock.h>
 
 #include "limber/common/error.hpp"

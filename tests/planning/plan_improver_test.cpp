@@ -1,7 +1,5 @@
 #include "src/planning/search/plan_improver.hpp"
 
-#include <cmath>
-
 #include <gtest/gtest.h>
 
 #include "planning/planner_setting.hpp"

@@ -1,7 +1,5 @@
 #include "limber/planning/planner_factory.hpp"
 
-#include <algorithm>
-
 #include <gmock/gmock.h>
 
 #include "limber/common/error.hpp"

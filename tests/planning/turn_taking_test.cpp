@@ -1,7 +1,5 @@
 #include "src/planning/planner_budget.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>

@@ -66,7 +66,7 @@ TEST(MotionTrack, HasNoClearanceWhereNobodySawTheArm) {
   const ArmDescription arm = three_segment_arm();
   const PlanFrame frame = random_plan(arm, "network").frames.front();
   MotionTrack track("arm", arm, {Circle{0.4, 0.2, 0.03}});
-  track.add_unseen(frame.pressure_kpa, frame.backbone);
+  track.add(frame.pressure_kpa, frame.backbone, false);
   track.add(frame.pressure_kpa, frame.backbone);
   const nlohmann::ordered_json json = track.json();
   ASSERT_EQ(json["shapes"].size(), 2U);

@@ -1,7 +1,5 @@
 #include "limber/run/model_arm.hpp"
 
-#include <cmath>
-
 #include <gmock/gmock.h>
 
 #include "limber/common/error.hpp"

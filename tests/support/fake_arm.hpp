@@ -13,6 +13,8 @@
 
 namespace limber {
 
+inline constexpr double kInstant_s = 1e-4;  // lag of a fake arm that is where it is told to be
+
 /// A two-segment arm, three backbone points a segment, 10 kPa a frame.
 inline ArmDescription small_arm(int segments = 2) {
   ArmDescription arm;

@@ -1,7 +1,5 @@
 #include "limber/world/pressure_index.hpp"
 
-#include <algorithm>
-
 #include <gtest/gtest.h>
 
 #include "limber/common/random_stream.hpp"

@@ -1,6 +1,5 @@
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <string>
 
 #include <fmt/format.h>

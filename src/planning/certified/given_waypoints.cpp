@@ -15,7 +15,6 @@
 #include "limber/planning/plan_builder.hpp"
 #include "limber/planning/planner_factory.hpp"
 #include "limber/planning/problem_check.hpp"
-#include "search/default_planner.hpp"
 
 namespace limber {
 

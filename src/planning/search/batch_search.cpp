@@ -1,7 +1,6 @@
 #include "batch_search.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace limber {

@@ -1,7 +1,6 @@
 #include "motion_guide.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -229,8 +228,7 @@ std::optional<FollowedPlan> MotionGuide::find(const PlanProgress& at, const Ahea
   from_here.start = start_at(way.from);
   from_here.goal = goal;
   const double tolerance_m = environment_.goal.position_tolerance_m;
-  const double max_error_m =
-      is_safe ? std::min(tolerance_m, error_m - settings_.corrections.min_gain_m) : tolerance_m;
+  const double max_error_m = is_safe ? std::min(tolerance_m, error_m - kMinGainM) : tolerance_m;
   if (max_error_m <= 0.0) {
     return std::nullopt;
   }

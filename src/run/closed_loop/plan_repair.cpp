@@ -1,6 +1,5 @@
 #include "plan_repair.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -106,7 +106,7 @@ bool Replanner::may_go_on(const Plan& plan, std::size_t frame,
 bool Replanner::has_more_to_gain(double error_m, bool has_arrived) const {
   const double near_enough =
       kNearEnough + kNearEnoughLater * std::max(0, replans_ - kPlansBeforeLater);
-  return error_m >= settings_.min_gain_m &&
+  return error_m >= kMinGainM &&
          (!has_arrived || error_m >= near_enough * environment_.goal.position_tolerance_m);
 }
 
@@ -288,7 +288,7 @@ PlanningProblem Replanner::problem_from(const Plan& before, const Environment& f
 /// goal had better be moved a little than not at all (docs/experiments.md, Disturbances).
 std::optional<Plan> Replanner::nearer(const Plan& before, Environment from_here, double error_m) {
   const double max_error_m = kNearerShare * error_m;
-  if (!(error_m - max_error_m >= settings_.min_gain_m)) {
+  if (!(error_m - max_error_m >= kMinGainM)) {
     return std::nullopt;
   }
   const double widened = std::max(1.0, max_error_m / aim_.position_tolerance_m);

@@ -51,7 +51,7 @@ void require_state_of(const ArmDescription& arm, const ArmState& state) {
 
 EpisodeRecorder::EpisodeRecorder(const ArmDescription& arm) : arm_(arm) {}
 
-void EpisodeRecorder::add(const ArmState& state, const Pressures& setpoint_kpa, int motion_index) {
+bool EpisodeRecorder::add(const ArmState& state, const Pressures& setpoint_kpa, int motion_index) {
   assert(setpoint_kpa.size() == arm_.channel_count());
   require_state_of(arm_, state);
   const std::span<const float> shape = shape_of(state, arm_.dimension);
@@ -63,7 +63,9 @@ void EpisodeRecorder::add(const ArmState& state, const Pressures& setpoint_kpa, 
   backbone_.insert(backbone_.end(), shape.begin(), shape.end());
   backbone_.resize(time_s_.size() * shape_size(arm_), 0.0F);
   motion_index_.push_back(motion_index);
-  tracked_.push_back(!shape.empty() && is_new ? 1 : 0);
+  const bool is_seen = !shape.empty() && is_new;
+  tracked_.push_back(is_seen ? 1 : 0);
+  return is_seen;
 }
 
 /// Frames that repeat a sample lie evenly between it and the next.

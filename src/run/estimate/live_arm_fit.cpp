@@ -1,7 +1,6 @@
 #include "live_arm_fit.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <Eigen/Cholesky>

@@ -1,7 +1,5 @@
 #include "limber/run/appearing_obstacle.hpp"
 
-#include <algorithm>
-
 #include "limber/common/random_stream.hpp"
 #include "limber/world/collision.hpp"
 

@@ -1,6 +1,5 @@
 #include "limber/run/executor.hpp"
 
-#include <functional>
 #include <utility>
 
 #include <fmt/format.h>

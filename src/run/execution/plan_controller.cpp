@@ -88,11 +88,13 @@ Decision PlanController::step(const Moment& now) {
   }
 }
 
-Decision PlanController::sent(const Pressures& setpoint_kpa) {
+Decision PlanController::sent(const Pressures& setpoint_kpa, bool is_certified) {
+  frames_not_certified_ += is_certified ? 0 : 1;
   sent_kpa_ = setpoint_kpa;
   Decision decision;
   decision.setpoint_kpa = setpoint_kpa;
   decision.motion = motion_;
+  decision.is_certified = is_certified;
   return decision;
 }
 
@@ -105,12 +107,10 @@ Decision PlanController::move(const ArmEstimate& arm) {
                                  frame_name(static_cast<Eigen::Index>(frame.frame)), frame_,
                                  plan_->frames.size() - 1));
   }
-  frames_not_certified_ += frame.is_certified ? 0 : 1;
   waits_ = frame.frame == frame_;
   next_frame_ = frame.frame;
   is_in_frame_ = true;
-  Decision decision = sent(frame.kpa);
-  decision.is_certified = frame.is_certified;
+  Decision decision = sent(frame.kpa, frame.is_certified);
   decision.begins_at_rest = std::exchange(begins_at_rest_, false);
   if (!waits_) {
     decision.plan = plan_;
@@ -193,20 +193,13 @@ void PlanController::take(MotionAdvice advice) {
 /// Holds; or goes on along the plan, where an arm that is held now strikes.
 Decision PlanController::hold_frame(const ArmEstimate& arm) {
   FrameSetpoint frame = setpoint(progress(), frame_, arm);
-  frames_not_certified_ += frame.is_certified ? 0 : 1;
   frame_ = frame.frame;
-  Decision decision = sent(frame.kpa);
-  decision.is_certified = frame.is_certified;
-  return decision;
+  return sent(frame.kpa, frame.is_certified);
 }
 
 /// Holds whatever becomes of it: a plan that starts there is being made.
 Decision PlanController::hold_still(const ArmEstimate& arm) {
-  const bool is_certified = may_hold(arm);
-  frames_not_certified_ += is_certified ? 0 : 1;
-  Decision decision = sent(Pressures(sent_kpa_));
-  decision.is_certified = is_certified;
-  return decision;
+  return sent(Pressures(sent_kpa_), may_hold(arm));
 }
 
 /// A plan's own hold counts: planner and executor judge the goal at the same moment.

@@ -29,14 +29,13 @@ RunWatch::RunWatch(const ArmDescription& arm, const Environment& environment,
 
 void RunWatch::start(const Plan& plan) {
   started_ = true;
-  start_time_s_ = sampled_s_ = driver_.state().time_s;
+  start_time_s_ = driver_.state().time_s;
   see();
   if (shape_) {
     const BackboneD planned = plan.frames.front().backbone.cast<double>();
     start_error_m_ = largest_plate_distance_m(*shape_, planned);
   }
   recorder_.add(driver_.state(), plan.frames.front().setpoint_kpa, 0);
-  measured_ = driver_.state().backbone.has_value();
 }
 
 void RunWatch::observe(double time_s, const BackboneD& backbone) {
@@ -49,11 +48,7 @@ void RunWatch::observe(double time_s, const BackboneD& backbone) {
 const Environment* RunWatch::take_in(const Pressures& setpoint_kpa, int motion) {
   const ArmState& state = driver_.state();
   ++frames_;
-  const bool is_new = state.time_s != sampled_s_;  // else the driver has repeated its last sample
-  frames_not_seen_ += state.backbone && is_new ? 0 : 1;
-  sampled_s_ = state.time_s;
-  recorder_.add(state, setpoint_kpa, motion);
-  measured_ = measured_ || state.backbone.has_value();
+  frames_not_seen_ += recorder_.add(state, setpoint_kpa, motion) ? 0 : 1;
   see();
   return appearance_.advance(frames_, state.time_s, shape_);
 }
@@ -100,7 +95,8 @@ void RunWatch::judge(ExecutionResult& result) {
     result.goal_error = pose_error(environment_.goal, tip_pose(*shape_));
     result.goal_reached = result.status == ExecutionStatus::done && is_in_goal();
   }
-  if (measured_) {
+  // A virtual arm knows its shape even if none was delivered.
+  if (recorder_.tracked_count() > 0) {
     result.episode = recorder_.finish();
   }
   result.prediction = prediction_.error();

@@ -131,10 +131,7 @@ class RunWatch {
   int shape_frame_ = -1;
   double shape_time_s_ = 0.0;
   bool started_ = false;
-  // Whether some frame was measured; a virtual arm knows its shape even if none was delivered.
-  bool measured_ = false;
   double start_time_s_ = 0.0;
-  double sampled_s_ = 0.0;  // the last state's time
   double start_error_m_ = 0.0;
 };
 

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "limber/run/schedule.hpp"
 #include "limber/world/straight_motion.hpp"
 
 namespace limber {

@@ -9,7 +9,7 @@
 #include <Eigen/Cholesky>
 
 #include "limber/arm/damped_solve.hpp"
-#include "limber/arm/pressure_limits.hpp"
+#include "limber/common/random_stream.hpp"
 #include "limber/run/executor.hpp"
 #include "limber/world/straight_motion.hpp"
 
@@ -23,6 +23,17 @@ constexpr int kRounds = 2;            // of sampling and fitting, in each frame
 constexpr double kRidge = 1e-3;       // of the fit, over the samples' own variance
 constexpr double kStepShares[] = {0.25, 0.5, 0.75, 1.0};
 constexpr int kMinSamples = 8;
+constexpr int kKnots = 4;  // set points that are searched for, straight motions between them
+constexpr int kFramesPerKnot = 3;
+constexpr int kHorizon = kKnots * kFramesPerKnot;
+constexpr double kSpreadKpa = 3.0;  // standard deviation of sampled knots
+/// What a knot's step costs: metres of tip error that are as bad as a step of 1 kPa.
+constexpr double kStepCostMPerKpa = 2e-5;
+/// What a knot costs that lies off the lap's posture by half of its limits' width: metres of tip
+/// error. Many shapes have the same tip; without it the arm drifts into bends from which a short
+/// horizon finds no way back.
+constexpr double kPostureM = 3e-2;
+constexpr double kBlindS = 0.5;  // bridged by prediction, then the run stops
 
 }  // namespace
 
@@ -44,13 +55,11 @@ TipTracker::TipTracker(const ArmDescription& arm, const MotionModel& model, cons
   approach_.insert(approach_.end(), static_cast<std::size_t>(arm.frames_in(kApproachHoldS)),
                    start_kpa);
   path_start_frame_ = static_cast<int>(approach_.size()) + arm.frames_in(kFirstPointS);
-  knots_kpa_ = start_kpa.cast<double>().replicate(settings_.knots, 1);
-  if (!posture_.is_known()) {
-    settings_.posture_m = 0.0;
-  }
+  knots_kpa_ = start_kpa.cast<double>().replicate(kKnots, 1);
+  const double posture_m = posture_.is_known() ? kPostureM : 0.0;
   posture_weight_m_per_kpa_.resize(knots_kpa_.size());
   for (Eigen::Index i = 0; i < knots_kpa_.size(); ++i) {
-    posture_weight_m_per_kpa_[i] = settings_.posture_m / limits_of_knot(i).half_width_kpa();
+    posture_weight_m_per_kpa_[i] = posture_m / limits_of_knot(i).half_width_kpa();
   }
 }
 
@@ -68,10 +77,9 @@ std::string TipTracker::why_stopped(const ArmEstimate& arm) const {
     return "nothing tracks the arm; to keep its tip on a path, its shape has to be measured";
   }
   const int blind = arm.frames_unseen();
-  return blind > arm_.frames_in(settings_.blind_s)
-             ? fmt::format("nothing has tracked the arm for {:.2f} s",
-                           blind * arm_.frame_period_s())
-             : "";
+  return blind > arm_.frames_in(kBlindS) ? fmt::format("nothing has tracked the arm for {:.2f} s",
+                                                       blind * arm_.frame_period_s())
+                                         : "";
 }
 
 /// Where the arm is, where it was asked to be, and what this lap's frame teaches the next.
@@ -86,8 +94,8 @@ void TipTracker::take_in(const ArmEstimate& arm) {
 }
 
 Eigen::VectorXd TipTracker::wanted_tips(const ArmEstimate& arm) const {
-  Eigen::VectorXd wanted(2 * horizon());
-  for (int h = 1; h <= horizon(); ++h) {
+  Eigen::VectorXd wanted(2 * kHorizon);
+  for (int h = 1; h <= kHorizon; ++h) {
     wanted.segment<2>(2 * (h - 1)) = path_.at(path_time_s(frame_ + h)) -
                                      settings_.missed_share * arm.missed_ahead_m(h) +
                                      laps_.shift_m(frame_ + h - path_start_frame_);
@@ -100,33 +108,32 @@ void TipTracker::roll_out(Candidates& candidates) {
   const auto knot = [&](Eigen::Index candidate, int k) {
     return Pressures(candidates.knots_kpa.col(candidate).segment(k * n, n).cast<float>());
   };
-  candidates.tips_m.resize(2 * horizon(), candidates.knots_kpa.cols());
+  candidates.tips_m.resize(2 * kHorizon, candidates.knots_kpa.cols());
   rollouts_.clear();
   for (Eigen::Index c = 0; c < candidates.knots_kpa.cols(); ++c) {
-    rollouts_.add(static_cast<int>(c), state_, knot(c, 0), settings_.frames_per_knot);
+    rollouts_.add(static_cast<int>(c), state_, knot(c, 0), kFramesPerKnot);
   }
-  for (int h = 0; h < horizon(); ++h) {
+  for (int h = 0; h < kHorizon; ++h) {
     rollouts_.step();
     for (int column = 0; column < rollouts_.size(); ++column) {
       candidates.tips_m.col(rollouts_.label(column)).segment<2>(2 * h) =
           tip_position_m(rollouts_.now(column));
     }
-    const int next_knot = (h + 1) / settings_.frames_per_knot;
-    if ((h + 1) % settings_.frames_per_knot == 0 && next_knot < settings_.knots) {
+    const int next_knot = (h + 1) / kFramesPerKnot;
+    if ((h + 1) % kFramesPerKnot == 0 && next_knot < kKnots) {
       for (int column = 0; column < rollouts_.size(); ++column) {
-        rollouts_.go_on(column, knot(rollouts_.label(column), next_knot),
-                        settings_.frames_per_knot);
+        rollouts_.go_on(column, knot(rollouts_.label(column), next_knot), kFramesPerKnot);
       }
     }
   }
-  queries_ += static_cast<std::uint64_t>(horizon() * candidates.knots_kpa.cols());
+  queries_ += static_cast<std::uint64_t>(kHorizon * candidates.knots_kpa.cols());
 }
 
 Eigen::VectorXd TipTracker::posture_of_knots() const {
   Eigen::VectorXd kpa(knots_kpa_.size());
-  for (int k = 0; k < settings_.knots; ++k) {
+  for (int k = 0; k < kKnots; ++k) {
     kpa.segment(k * channels(), channels()) =
-        posture_.at(path_time_s(frame_ + (k + 1) * settings_.frames_per_knot));
+        posture_.at(path_time_s(frame_ + (k + 1) * kFramesPerKnot));
   }
   return kpa;
 }
@@ -143,13 +150,13 @@ double TipTracker::cost(const Eigen::Ref<const Eigen::VectorXd>& knots_kpa,
   steps.tail(knots_kpa.size() - n) -= knots_kpa.head(knots_kpa.size() - n);
   steps.head(n) -= state_.setpoint_kpa().cast<double>();
   return (tips_m - wanted).squaredNorm() + off_posture(knots_kpa).squaredNorm() +
-         std::pow(settings_.effort_m_per_kpa, 2) * steps.squaredNorm();
+         std::pow(kStepCostMPerKpa, 2) * steps.squaredNorm();
 }
 
 /// Knots as near as limits and frame rule allow.
 Eigen::VectorXd TipTracker::within_rule(Eigen::VectorXd knots_kpa) const {
   const Eigen::Index n = channels();
-  const double step_kpa = settings_.frames_per_knot * arm_.pressure_step_limit_kpa();
+  const double step_kpa = kFramesPerKnot * arm_.pressure_step_limit_kpa();
   for (Eigen::Index i = 0; i < knots_kpa.size(); ++i) {
     const double before = i < n ? double(state_.setpoint_kpa()[i]) : knots_kpa[i - n];
     knots_kpa[i] =
@@ -173,7 +180,7 @@ Eigen::VectorXd TipTracker::fitted_step(const Candidates& samples,
   difference.bottomLeftCorner(size - n, size - n).diagonal().array() -= 1.0;
   Eigen::VectorXd steps = difference * samples.knots_kpa.col(0);
   steps.head(n) -= state_.setpoint_kpa().cast<double>();
-  const double effort = std::pow(settings_.effort_m_per_kpa, 2);
+  const double effort = std::pow(kStepCostMPerKpa, 2);
   Eigen::MatrixXd left = slope.transpose() * slope + effort * difference.transpose() * difference;
   left.diagonal() += posture_weight_m_per_kpa_.cwiseAbs2();
   const Eigen::VectorXd right =
@@ -187,7 +194,7 @@ Eigen::VectorXd TipTracker::knots_one_frame_on() const {
   const Eigen::Index n = channels();
   const Eigen::Index rest = knots_kpa_.size() - n;
   Eigen::VectorXd slope(knots_kpa_.size());
-  slope.head(rest) = (knots_kpa_.tail(rest) - knots_kpa_.head(rest)) / settings_.frames_per_knot;
+  slope.head(rest) = (knots_kpa_.tail(rest) - knots_kpa_.head(rest)) / kFramesPerKnot;
   slope.tail(n) = rest > 0 ? Eigen::VectorXd(slope.segment(rest - n, n)) : Eigen::VectorXd::Zero(n);
   return knots_kpa_ + slope;
 }
@@ -195,7 +202,7 @@ Eigen::VectorXd TipTracker::knots_one_frame_on() const {
 void TipTracker::search(const ArmEstimate& arm) {
   const Eigen::VectorXd wanted = wanted_tips(arm);
   const int samples =
-      std::max(kMinSamples, settings_.queries / horizon() / kRounds - int(std::size(kStepShares)));
+      std::max(kMinSamples, settings_.queries / kHorizon / kRounds - int(std::size(kStepShares)));
   RandomStream random(seed_, static_cast<std::uint64_t>(frame_));
   knots_kpa_ = within_rule(knots_kpa_);
   posture_kpa_ = posture_of_knots();
@@ -204,9 +211,8 @@ void TipTracker::search(const ArmEstimate& arm) {
     sampled.knots_kpa.resize(knots_kpa_.size(), samples);
     sampled.knots_kpa.col(0) = knots_kpa_;
     for (int c = 1; c < samples; ++c) {
-      const double spread_kpa = settings_.spread_kpa;
       sampled.knots_kpa.col(c) = within_rule(
-          knots_kpa_.unaryExpr([&](double kpa) { return kpa + spread_kpa * random.normal(); }));
+          knots_kpa_.unaryExpr([&](double kpa) { return kpa + kSpreadKpa * random.normal(); }));
     }
     roll_out(sampled);
     const Eigen::VectorXd step = fitted_step(sampled, wanted);
@@ -236,8 +242,7 @@ Pressures TipTracker::decide(const ArmEstimate& arm) {
   }
   search(arm);
   const Eigen::VectorXd now = state_.setpoint_kpa().cast<double>();
-  const Eigen::VectorXd next =
-      now + (knots_kpa_.head(channels()) - now) / settings_.frames_per_knot;
+  const Eigen::VectorXd next = now + (knots_kpa_.head(channels()) - now) / kFramesPerKnot;
   knots_kpa_ = knots_one_frame_on();
   return within_frame_rule(arm_, state_.setpoint_kpa(), next);
 }

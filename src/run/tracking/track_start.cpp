@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <limits>
 
 #include "lap_fit.hpp"
 #include "limber/arm/pressure_limits.hpp"

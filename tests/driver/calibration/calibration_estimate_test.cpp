@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <string>
 
 #include <gmock/gmock.h>
 
-#include "limber/common/data_folder.hpp"
 #include "simulated_rig.hpp"
 
 namespace limber {

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include "limber/common/error.hpp"
-#include "limber/run/safety_settings.hpp"
 #include "limber/sim/misassembly.hpp"
 
 namespace limber {

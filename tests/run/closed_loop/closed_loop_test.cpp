@@ -16,8 +16,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-constexpr double kInstant_s = 1e-4;  // lag of a fake arm that is where it is told to be
-
 /// The fake arm bends by its own no-load model; limber knows that one, or a weaker one.
 class ClosedLoopTest : public ::testing::Test {
  protected:

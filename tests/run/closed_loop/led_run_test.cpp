@@ -10,8 +10,7 @@
 namespace limber {
 namespace {
 
-constexpr double kInstant_s = 1e-4;  // lag of a fake arm that is where it is told to be
-constexpr float kNoPlayM = 0.0F;     // the network then says what the no-load model says
+constexpr float kNoPlayM = 0.0F;  // the network then says what the no-load model says
 
 /// A network without play, of an arm that bends less than it says.
 class LedRunTest : public ::testing::Test {

@@ -12,8 +12,6 @@
 namespace limber {
 namespace {
 
-constexpr double kInstant_s = 1e-4;  // lag of a fake arm that is where it is told to be
-
 /// The fake arm bends by its own no-load model, limber's knows a weaker one: open loop, plans end
 /// off the goal.
 class ReplannerTest : public ::testing::Test {

@@ -1,7 +1,6 @@
 #include "src/run/closed_loop/shape_feedback.hpp"
 
 #include <cmath>
-#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -10,8 +9,6 @@
 
 namespace limber {
 namespace {
-
-constexpr double kInstant_s = 1e-4;  // lag of a fake arm that is where it is told to be
 
 /// limber's model has the arm bend twice as far as it does, so that it stays behind its plan.
 class ShapeFeedbackTest : public ::testing::Test {

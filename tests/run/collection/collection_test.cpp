@@ -1,6 +1,5 @@
 #include <csignal>
 #include <cstdlib>
-#include <fstream>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

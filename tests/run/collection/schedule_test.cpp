@@ -1,7 +1,6 @@
 #include "limber/run/schedule.hpp"
 
 #include <map>
-#include <set>
 
 #include <gmock/gmock.h>
 

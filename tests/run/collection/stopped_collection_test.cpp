@@ -1,5 +1,3 @@
-#include <fstream>
-
 #include <gmock/gmock.h>
 
 #include "limber/common/atomic_file.hpp"

@@ -11,8 +11,6 @@ namespace limber {
 namespace {
 
 constexpr double kRadius_m = 0.02;
-constexpr double kInstant_s = 1e-4;  // lag of a fake arm that is where it is told to be
-
 /// Slow enough for a motion of 4 s.
 ArmDescription slow_arm() {
   ArmDescription arm = small_arm();

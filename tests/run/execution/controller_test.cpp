@@ -18,8 +18,6 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-constexpr double kInstant_s = 1e-4;
-
 /// Says what a function of the frame says.
 class Scripted final : public Controller {
  public:

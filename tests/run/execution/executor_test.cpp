@@ -10,7 +10,6 @@
 #include "limber/common/interrupt.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/report/execution_report.hpp"
-#include "limber/run/schedule.hpp"
 #include "limber/sim/virtual_arm.hpp"
 #include "limber/world/straight_motion.hpp"
 #include "support/bending_plan.hpp"
@@ -21,8 +20,6 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
-
-constexpr double kInstant_s = 1e-4;  // lag of a fake arm that is where it is told to be
 
 class Executor : public ::testing::Test {
  protected:

@@ -21,8 +21,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-constexpr double kInstant_s = 1e-4;  // lag of a fake arm that is where it is told to be
-
 /// Advises what it is told to, and notes what it was shown.
 class Adviser final : public PlanController {
  public:

@@ -14,8 +14,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-constexpr double kHaltS = 0.3;       // for which an arm that was halted is held
-constexpr double kInstant_s = 1e-4;  // lag of a fake arm that is where it is told to be
+constexpr double kHaltS = 0.3;  // for which an arm that was halted is held
 
 /// Halts once, in frame 3, and goes on with one more plan.
 class HaltOnce final : public PlanController {

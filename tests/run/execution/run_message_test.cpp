@@ -16,8 +16,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr double kInstant_s = 1e-4;  // lag of a fake arm that is where it is told to be
-constexpr double kUnseen_s = 0.25;   // so long before the end an arm may have been seen last
+constexpr double kUnseen_s = 0.25;  // so long before the end an arm may have been seen last
 
 /// The executed plan bends the arm for 16 frames, and its end is held for 20.
 class RunMessage : public ::testing::Test {

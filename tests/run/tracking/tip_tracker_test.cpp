@@ -13,8 +13,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr double kInstant_s = 1e-4;  // lag of a fake arm that is where it is told to be
-
 /// The path is where the no-load model has the tip at set points that wander
 /// slowly: it can be kept.
 class TipTrackerTest : public ::testing::Test {

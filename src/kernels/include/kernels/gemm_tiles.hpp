@@ -34,11 +34,6 @@ struct Tile {
   int i, j, tail;
 };
 
-template <bool kPartial>
-inline Vector load_rows(const float* p, int tail) {
-  return kPartial ? load_part(p, tail) : load(p);
-}
-
 template <int kVectors, int kColumns, bool kPartial>
 inline void start_tile(const Product& p, Tile t, Vector (&sum)[kColumns][kVectors]) {
 #pragma GCC unroll 12

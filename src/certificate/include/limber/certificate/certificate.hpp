@@ -34,7 +34,6 @@ struct Certificate {
   int clearance_gap = -1;    ///< between plates gap and gap + 1, from 0 at the base
   int clearance_obstacle = -1;   ///< index in the environment's list
   double max_deviation_m = 0.0;  ///< of a plate, own simulation against the stored backbone
-  int deviation_frame = -1;
   double max_heading_deviation_rad = 0.0;
   /// The same as max_deviation_m, but with each frame simulated from the stored one before it. If
   /// this is rounding and the other is not, the plan is not at fault: the model amplifies rounding

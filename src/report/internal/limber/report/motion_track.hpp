@@ -20,9 +20,10 @@ class MotionTrack {
   MotionTrack(const char* key, const ArmDescription& arm, const std::vector<Obstacle>& obstacles)
       : key_(key), arm_(arm), obstacles_(obstacles), checker_(arm, obstacles) {}
 
-  void add(const Eigen::Ref<const Pressures>& kpa, const Eigen::Ref<const Backbone>& shape);
-  /// A frame in which nobody saw the arm: it is drawn where it was seen, but has no clearance.
-  void add_unseen(const Eigen::Ref<const Pressures>& kpa, const Eigen::Ref<const Backbone>& shape);
+  /// @param is_seen  else nobody saw the arm in that frame: it is drawn where it was seen, but has
+  ///                 no clearance
+  void add(const Eigen::Ref<const Pressures>& kpa, const Eigen::Ref<const Backbone>& shape,
+           bool is_seen = true);
   /// From the next frame on there is one more.
   void add_obstacle(const Obstacle& obstacle);
   void set_outcome(std::string words) { outcome_ = std::move(words); }

@@ -22,8 +22,9 @@ class EpisodeRecorder {
  public:
   explicit EpisodeRecorder(const ArmDescription& arm);
 
+  /// @return whether the arm was seen in that frame
   /// @throws SystemFault as require_state_of: such a state is kept out of the recording.
-  void add(const ArmState& state, const Pressures& setpoint_kpa, int motion_index);
+  bool add(const ArmState& state, const Pressures& setpoint_kpa, int motion_index);
 
   int frame_count() const { return static_cast<int>(time_s_.size()); }
   /// Frames that had a backbone.

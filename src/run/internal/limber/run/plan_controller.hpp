@@ -118,7 +118,7 @@ class PlanController : public Controller {
 
   bool is_at_end() const { return frame_ + 1 == plan_->frames.size(); }
   PlanProgress progress() const { return {*plan_, frame_, sent_kpa_}; }
-  Decision sent(const Pressures& setpoint_kpa);
+  Decision sent(const Pressures& setpoint_kpa, bool is_certified);
   Decision move(const ArmEstimate& arm);
   void end_frame(const Moment& now);
   void drop_late_advice(bool is_thinking);

@@ -15,13 +15,14 @@
 
 namespace limber {
 
+/// About what the tracker's noise hides. An arm nearer to the goal's centre than that is left
+/// alone. [m]
+inline constexpr double kMinGainM = 0.001;
+
 struct ReplannerSettings {
   /// Of each search; a number of queries, so that runs in simulated time can be repeated.
   std::uint64_t queries = 20000;
   int max_replans = 24;
-  /// About what the tracker's noise hides. An arm nearer to the goal's centre than that is left
-  /// alone. [m], > 0.
-  double min_gain_m = 0.001;
   int planner_jobs = 1;
   /// Of set points, where they are narrower than the arm's; empty: the arm's. Plans stay within
   /// them, and within those of the plan that runs.

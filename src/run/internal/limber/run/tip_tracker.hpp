@@ -1,13 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <string>
 
 #include <Eigen/Core>
 
-#include "limber/common/random_stream.hpp"
 #include "limber/forward/motion_model.hpp"
 #include "limber/forward/rollout_batch.hpp"
 #include "limber/run/controller.hpp"
@@ -32,19 +30,9 @@ TrackStart find_track_start(const ArmDescription& arm, const MotionModel& model,
 struct TipTrackerSettings {
   /// Model queries in each frame; a number, so that runs in simulated time can be repeated.
   int queries = 3000;
-  int knots = 4;            ///< set points that are searched for, straight motions between them
-  int frames_per_knot = 3;  ///< the horizon is knots × frames_per_knot
-  double spread_kpa = 3.0;  ///< standard deviation of sampled knots, > 0
-  /// What a knot's step costs: metres of tip error that are as bad as a step of 1 kPa.
-  double effort_m_per_kpa = 2e-5;
-  /// What a knot costs that lies off the lap's posture by half of its limits' width: metres of tip
-  /// error. Many shapes have the same tip; without it the arm drifts into bends from which a short
-  /// horizon finds no way back.
-  double posture_m = 3e-2;
   /// Of what a lap missed, what the next one is asked for less; 0: nothing is learnt from laps.
   double lap_share = 0.25;
   double missed_share = 1.0;  ///< of what the estimate has the model miss: allowed for
-  double blind_s = 0.5;       ///< bridged by prediction, then the run stops
 };
 
 /// Keeps the tip on a path over time by receding horizon (docs/tracking.md). In
@@ -81,7 +69,6 @@ class TipTracker final : public Controller {
     Eigen::MatrixXd tips_m;     // 2·horizon × k
   };
 
-  int horizon() const { return settings_.knots * settings_.frames_per_knot; }
   Eigen::Index channels() const { return model_.channel_count(); }
   /// Of the segment that entry `i` of the knots is a set point of.
   const PressureLimits& limits_of_knot(Eigen::Index i) const;
@@ -93,7 +80,7 @@ class TipTracker final : public Controller {
   double cost(const Eigen::Ref<const Eigen::VectorXd>& knots_kpa,
               const Eigen::Ref<const Eigen::VectorXd>& tips_m, const Eigen::VectorXd& wanted) const;
   Eigen::VectorXd posture_of_knots() const;
-  /// The knots' distances from the lap's posture, as posture_m counts them.
+  /// The knots' distances from the lap's posture, as kPostureM counts them.
   Eigen::VectorXd off_posture(const Eigen::Ref<const Eigen::VectorXd>& knots_kpa) const;
   Eigen::VectorXd within_rule(Eigen::VectorXd knots_kpa) const;
   Eigen::VectorXd fitted_step(const Candidates& samples, const Eigen::VectorXd& wanted) const;
