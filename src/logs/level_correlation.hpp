@@ -45,7 +45,8 @@ LevelTable levels_of(const BackboneTrack& motion, const CommandTrack& commands,
 /// Puts the rows of another run behind those that are there.
 void append(LevelTable& levels, const LevelTable& more);
 
-/// Σ_t a(t) b(t − s) for every shift s from 1 − |b| to |a| − 1, at index s + |b| − 1. @pre not empty
+/// Σ_t a(t) b(t − s) for every shift s from 1 − |b| to |a| − 1, at index s + |b| − 1.
+/// @pre neither is empty
 Eigen::VectorXd cross_correlation(const Eigen::VectorXd& a, const Eigen::VectorXd& b);
 
 /// How the levels of every segment go with every column.
