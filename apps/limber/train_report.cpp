@@ -9,6 +9,7 @@
 #include "limber/arm/names.hpp"
 #include "limber/arm/valve_parameters.hpp"
 #include "limber/common/atomic_file.hpp"
+#include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/data/recording_inspection.hpp"
 #include "limber/forward/forward_model.hpp"
