@@ -98,7 +98,6 @@ Polygon star(int corners, double inner_m, double outer_m) {
   return polygon;
 }
 
-// Boxes over edges only say where not to look: the distance is that over all edges.
 // Room that grows from the first shape: as the planner's own checker has it, which shares no code.
 TEST(SweptClearance, WithGrowingRoomAgreesWithTheCollisionChecker) {
   constexpr double kToleranceM = 1e-4;

@@ -257,6 +257,33 @@ TEST_F(Executor, KnowsNothingOfAnArmThatNothingTracks) {
   EXPECT_EQ(result.episode.frame_count(), 0);
 }
 
+TEST_F(Executor, RecordsNothingOfAnArmWhoseFirstSampleIsRepeatedForEver) {
+  /// Not seen at first; what it says later is of the same time.
+  class StoppedClock final : public ArmDriver {
+   public:
+    explicit StoppedClock(const ArmDescription& arm) : arm_(arm, kInstant_s), now_(arm_.state()) {
+      now_.backbone.reset();
+    }
+    const ArmState& state() const override { return now_; }
+    const ArmState& command(const Eigen::Ref<const Pressures>& kpa) override {
+      const double first_s = now_.time_s;
+      now_ = arm_.command(kpa);
+      now_.time_s = first_s;
+      return now_;
+    }
+    void vent() noexcept override { arm_.vent(); }
+
+   private:
+    FakeArm arm_;
+    ArmState now_;
+  };
+  StoppedClock driver(arm_);
+  const ExecutionResult result = execute(arm_, environment_, plan(), driver);
+  EXPECT_GT(result.frames, 0);
+  EXPECT_EQ(result.frames_not_seen, result.frames);
+  EXPECT_EQ(result.episode.frame_count(), 0);
+}
+
 TEST_F(Executor, VentsWhenADriverRefuses) {
   class Refusing final : public ArmDriver {
    public:
