@@ -1,12 +1,9 @@
-#include <list>
-
 #include "driver_flags.hpp"
+#include "further_plans.hpp"
 #include "limber/arm/arm_identity.hpp"
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/atomic_file.hpp"
-#include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
-#include "limber/lab/output_folder.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/report/execution_report.hpp"
 #include "limber/report/plan_picture.hpp"
@@ -61,9 +58,7 @@ class ExecuteVerb final : public Verb {
         "--adapted-out", adapted_out_,
         "With --replan and a model that limber adapt made: the model to write, with what "
         "the run told about the arm; it has no tube");
-    app.add_option("--plans-out", plans_out_,
-                   "With --replan: folder to write, each plan after the first as 01.json, 02.json, "
-                   "…, and as 01.yaml, … what it was certified for: limber verify repeats that");
+    further_plans_.add_to(app);
     app.add_option("--svg", svg_, "Picture to write: the run and its prediction");
     app.add_option("--pressures-svg", pressures_svg_,
                    "Picture to write: set points, predicted and measured pressures over time");
@@ -108,7 +103,7 @@ class ExecuteVerb final : public Verb {
     }
     out_ = driver_.recording_or_default(out_, flags);
     refuse_to_overwrite_any(flags);
-    prepare_plans_out(flags);
+    further_plans_.prepare({plan_, environment_, model_.model_file()}, flags);
     settings_.max_start_error_m = max_start_error_m_;
     const DisturbedArm met = disturbed(arm, plan, disturbances, flags.seed);
     settings_.obstacle = met.obstacle ? &*met.obstacle : nullptr;
@@ -158,7 +153,7 @@ class ExecuteVerb final : public Verb {
   void refuse_to_overwrite_any(const CommonFlags& flags) const {
     refuse_to_overwrite_given({out_, adapted_out_, svg_, pressures_svg_, times_svg_, animation_},
                               flags);
-    if (!plans_out_.empty() && !replan_.is_asked_for()) {
+    if (further_plans_.are_asked_for() && !replan_.is_asked_for()) {
       throw InputError("--plans-out: plans after the first are made by --replan; give that too");
     }
     if (!adapted_out_.empty()) {
@@ -175,38 +170,14 @@ class ExecuteVerb final : public Verb {
     }
   }
 
-  /// Cleared before the run: what lies in it is never of an earlier one.
-  void prepare_plans_out(const CommonFlags& flags) {
-    if (!plans_out_.empty()) {
-      plans_folder_.emplace(
-          plans_out_, "execute", OutputFolder::start(false, flags.force),
-          std::vector<std::filesystem::path>{plan_, environment_, model_.model_file()});
-    }
-  }
-
-  void write_further_plans() {
-    if (!plans_folder_) {
-      return;
-    }
-    const std::string model_hash = file_hash(model_.model_file());
-    std::size_t number = 0;
-    for (FollowedPlan& followed : further_plans_) {
-      const std::string name = fmt::format("{:02}", ++number);
-      plans_folder_->write(name + ".yaml", environment_to_yaml(followed.environment));
-      followed.plan.model_hash = model_hash;
-      const std::string file = name + ".json";
-      plans_folder_->write_with({file},
-                                [&] { write_plan(plans_folder_->path() / file, followed.plan); });
-    }
-  }
-
   /// Follows a path with the tip; docs/tracking.md.
   int track(const ArmDescription& arm, const std::string& arm_file,
             const std::vector<Disturbance>& disturbances, const CommonFlags& flags) {
     using Given = std::pair<const char*, bool>;
     for (const auto& [flag, value] :
          {Given{"--plan", !plan_.empty()}, Given{"--adapted-out", !adapted_out_.empty()},
-          Given{"--replan", replan_.is_asked_for()}, Given{"--plans-out", !plans_out_.empty()},
+          Given{"--replan", replan_.is_asked_for()},
+          Given{"--plans-out", further_plans_.are_asked_for()},
           Given{"--pressures-svg", !pressures_svg_.empty()},
           Given{"--times-svg", !times_svg_.empty()}, Given{"--animation", !animation_.empty()}}) {
       if (value) {
@@ -291,9 +262,7 @@ class ExecuteVerb final : public Verb {
       driver.look();  // since it was started, a network was read
     }
     ExecutionResult result = execute(arm, environment, plan, driver, closed_loop);
-    if (plans_folder_) {
-      further_plans_ = loop.further_plans();
-    }
+    further_plans_.take(loop);
     return result;
   }
 
@@ -301,7 +270,7 @@ class ExecuteVerb final : public Verb {
   int finish(const ArmDescription& arm, const Environment& environment, const Plan& plan,
              const ExecutionResult& result, const ProcessDriver* driver, const CommonFlags& flags) {
     write_run(arm, plan, result, driver);
-    write_further_plans();
+    further_plans_.write(model_.model_file());
     write_adapted(result);
     if (!svg_.empty()) {
       write_file_atomically(svg_, execution_picture(arm, environment, plan, result));
@@ -386,9 +355,7 @@ class ExecuteVerb final : public Verb {
   std::string disturbance_;
   std::string out_;
   std::string adapted_out_;
-  std::string plans_out_;
-  std::optional<OutputFolder> plans_folder_;  // that
-  std::list<FollowedPlan> further_plans_;     // of the run
+  FurtherPlans further_plans_;
   std::string svg_;
   std::string pressures_svg_;
   std::string times_svg_;
