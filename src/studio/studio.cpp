@@ -156,8 +156,7 @@ class Studio::Server {
         refuse(response, kNotFound, "nothing is there");
         return;
       }
-      const std::string_view bytes = file->second;
-      response.set_content(bytes.data(), bytes.size(), media_type_of(file->first));
+      send(response, file->second, media_type_of(file->first));
     });
   }
 

@@ -140,6 +140,12 @@ TEST_F(StudioServer, WithTheCookieThereIsThePage) {
   EXPECT_THAT(get("/api/project"), HasSubstr("limber:01_pillar"));
 }
 
+TEST_F(StudioServer, BrowsersThatTakePackedAnswersDoNotWaitForPacking) {
+  const std::string headers = own_headers() + "Accept-Encoding: gzip, deflate, br\r\n";
+  EXPECT_THAT(ask("GET /", headers), HasSubstr("<title>limber studio</title>"));
+  EXPECT_THAT(ask("GET /api/project", headers), HasSubstr("limber:01_pillar"));
+}
+
 TEST_F(StudioServer, StrangersGetNothing) {
   const std::string own_host = "Host: " + host() + "\r\n";
   const std::string json = "Content-Type: application/json\r\nContent-Length: 2\r\n";
