@@ -139,7 +139,7 @@ class AdaptVerb final : public Verb {
           "\nwarning: the family does not contain this arm; more motions of it, given to limber "
           "train --from, make a model of its own";
     }
-    text += "\n" + limber::to_text(done.model.identified_valves(), arm.command.unit);
+    text += "\n" + limber::to_text(done.model.identified_valves(), arm.command.unit, arm.dimension);
     return text;
   }
 

@@ -267,7 +267,7 @@ class CharacterizeVerb final : public Verb {
 
   int run_valves(const CommonFlags& flags) const {
     const ArmDescription arm =
-        load_asked_arm(arm_, "characterize --valves", PolynomialsOf::characterisation);
+        load_any_arm(find_arm_file(arm_), PolynomialsOf::characterisation);
     const fs::path plot = plots_.empty() ? fs::path() : fs::path(plots_) / "valves.svg";
     refuse_to_overwrite_given({out_, plot}, flags);
     const Recording recording = read_recording(valves_);
@@ -285,7 +285,7 @@ class CharacterizeVerb final : public Verb {
     }
     nlohmann::ordered_json json = to_json(valves);
     json["hash"] = valves.parameters.hash();
-    std::string text = to_text(valves, arm.command.unit);
+    std::string text = to_text(valves, arm.command.unit, arm.dimension);
     if (!plot.empty()) {
       write_file_atomically(plot, valve_plot_svg(valves.parameters, recording));
       json["plot"] = plot.string();

@@ -226,7 +226,7 @@ class CollectVerb final : public Verb {
                              "recorded in {:.1f} s\n{}",
                              out_, motions, recording.episodes.size(), recording.frame_count(),
                              format_duration(recording.duration_s()), recording.seed,
-                             result.wall_time_s, to_text(valves, arm.command.unit)));
+                             result.wall_time_s, to_text(valves, arm.command.unit, arm.dimension)));
   }
 
   std::string arm_ = "three_segment";

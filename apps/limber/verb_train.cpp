@@ -341,10 +341,10 @@ class TrainVerb final : public Verb {
                                 const std::optional<CompensationModel>& start,
                                 IdentifiedValves& valves) {
     if (valves.parameters.is_ideal() && start && start->valves) {
-      say(flags, "{}; the model's own are kept", to_text(valves, arm.command.unit));
+      say(flags, "{}; the model's own are kept", to_text(valves, arm.command.unit, arm.dimension));
       valves = start->identified_valves();
     }
-    say(flags, "{}", to_text(valves, arm.command.unit));
+    say(flags, "{}", to_text(valves, arm.command.unit, arm.dimension));
     for (const std::string& warning : valves.findings.warnings) {
       say(flags, "warning: {}", warning);
     }

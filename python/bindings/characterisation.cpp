@@ -95,6 +95,8 @@ void bind_space_fit(py::module_& module) {
                              "recordings, in its units.")
       .def_readonly("dead_time_s", &SpaceFit::dead_time_s,
                     "From a command to its first effect [s].")
+      .def_readonly("dead_time_sd_s", &SpaceFit::dead_time_sd_s,
+                    "Its standard deviation, of ten pieces of the recordings [s].")
       .def_readonly("lag_s", &SpaceFit::lag_s, "Time constant of shapes behind commands [s].")
       .def_readonly("plates_mm", &SpaceFit::plates_mm,
                     "Mean distance of the plates from the fit [mm].")

@@ -12,13 +12,11 @@ namespace limber {
 
 namespace {
 
-constexpr int kRowsOfSegment = 3;  // of a segment: bend about y, bend about z, extension
-
 /// Of a segment whose chambers are springs of equal stiffness: the constant strain that fits all of
 /// their own strains best. A chamber at (y, z) has ε = ε0 − κz y + κy z.
 Eigen::MatrixXd shape_of_chambers(const Segment& segment) {
   const auto count = static_cast<Eigen::Index>(segment.chambers.size());
-  Eigen::MatrixXd places(count, kRowsOfSegment);
+  Eigen::MatrixXd places(count, kShapeRows);
   for (Eigen::Index i = 0; i < count; ++i) {
     const Chamber& chamber = segment.chambers[static_cast<std::size_t>(i)];
     const double angle_rad = chamber.angle_deg * std::numbers::pi / 180.0;
@@ -40,16 +38,16 @@ SpaceSegmentShape shape_of(const Segment& segment, const Eigen::Vector3d& number
 }  // namespace
 
 SpaceNoLoad::SpaceNoLoad(const ArmDescription& arm) : arm_(arm) {
-  shape_ = Eigen::MatrixXd::Zero(kRowsOfSegment * arm.segment_count(), arm.channel_count());
+  shape_ = Eigen::MatrixXd::Zero(kShapeRows * arm.segment_count(), arm.channel_count());
   Eigen::Index first = 0;
   for (int i = 0; i < arm.segment_count(); ++i) {
     const Segment& segment = arm.segments[static_cast<std::size_t>(i)];
     const auto chambers = static_cast<Eigen::Index>(segment.chambers.size());
     if (arm.no_load == NoLoadKind::chambers) {
-      shape_.block(kRowsOfSegment * i, first, kRowsOfSegment, chambers) =
+      shape_.block(kShapeRows * i, first, kShapeRows, chambers) =
           shape_of_chambers(segment);
     } else if (arm.no_load == NoLoadKind::fitted) {
-      shape_.middleRows<kRowsOfSegment>(kRowsOfSegment * i) = segment.shape_of_strains;
+      shape_.middleRows<kShapeRows>(kShapeRows * i) = segment.shape_of_strains;
     }
     first += chambers;
   }
@@ -75,7 +73,7 @@ Eigen::VectorXd SpaceNoLoad::strains(const Eigen::Ref<const Eigen::VectorXd>& co
 
 SpaceSegmentShape SpaceNoLoad::segment_shape(int segment, const Eigen::VectorXd& strains) const {
   return shape_of(arm_.segments[static_cast<std::size_t>(segment)],
-                  shape_.middleRows<kRowsOfSegment>(kRowsOfSegment * segment) * strains);
+                  shape_.middleRows<kShapeRows>(kShapeRows * segment) * strains);
 }
 
 void SpaceNoLoad::poses(const Eigen::Ref<const Eigen::VectorXd>& commands,
@@ -91,7 +89,7 @@ void SpaceNoLoad::poses_of_shapes(const Eigen::Ref<const Eigen::VectorXd>& shape
   for (int i = 0; i < arm_.segment_count(); ++i) {
     const Segment& segment = arm_.segments[static_cast<std::size_t>(i)];
     const SpaceSegmentShape shape =
-        shape_of(segment, shapes.segment<kRowsOfSegment>(kRowsOfSegment * i));
+        shape_of(segment, shapes.segment<kShapeRows>(kShapeRows * i));
     const int gaps = segment.gaps;
     const SpacePose step =
         element<double>(shape.length_m / gaps, Eigen::Vector3d(shape.rotation_rad / gaps));
@@ -101,6 +99,30 @@ void SpaceNoLoad::poses_of_shapes(const Eigen::Ref<const Eigen::VectorXd>& shape
       numbers.segment<kSpacePoseSize>(at) = numbers_of(pose).cast<float>();
     }
   }
+}
+
+Eigen::VectorXd shapes_of_poses(const ArmDescription& arm,
+                                const Eigen::Ref<const Eigen::VectorXd>& poses) {
+  Eigen::VectorXd shapes(kShapeRows * arm.segment_count());
+  const auto pose = [&](Eigen::Index plate) {
+    return space_pose_of(poses.segment<kSpacePoseSize>(kSpacePoseSize * plate));
+  };
+  Eigen::Index plate = 0;
+  for (int i = 0; i < arm.segment_count(); ++i) {
+    const Segment& segment = arm.segments[static_cast<std::size_t>(i)];
+    Eigen::Vector3d turned = Eigen::Vector3d::Zero();
+    double length_m = 0.0;
+    for (int g = 0; g < segment.gaps; ++g, ++plate) {
+      const SpacePose step = between(pose(plate), pose(plate + 1));
+      const Eigen::Vector3d omega = rotation_vector(step.rotation);
+      turned += omega;
+      const double half = 0.5 * std::hypot(omega.y(), omega.z());
+      length_m += step.position_m.norm() / sine_over(half);  // the arc over its chord
+    }
+    shapes.segment<kShapeRows>(kShapeRows * i) << turned.y(), turned.z(),
+        length_m / segment.length_m - 1.0;
+  }
+  return shapes;
 }
 
 }  // namespace limber

@@ -161,7 +161,7 @@ std::string valves_to_yaml(const IdentifiedValves& valves) {
   return text;
 }
 
-std::string to_text(const IdentifiedValves& valves, const std::string& unit) {
+std::string to_text(const IdentifiedValves& valves, const std::string& unit, Dimension dimension) {
   const ValveParameters& parameters = valves.parameters;
   if (parameters.is_ideal()) {
     return "valves: none known" +
@@ -172,7 +172,8 @@ std::string to_text(const IdentifiedValves& valves, const std::string& unit) {
   });
   std::string text = "valves: ";
   for (std::size_t i = 0; i < (alike ? 1 : parameters.segments.size()); ++i) {
-    text += (i > 0 ? "; " : "") + (alike ? std::string() : fmt::format("{}: ", segment_name(i))) +
+    text += (i > 0 ? "; " : "") +
+            (alike ? std::string() : fmt::format("{}: ", channel_name(dimension, Eigen::Index(i)))) +
             to_text(parameters.segments[i], parameters.has_sides, unit);
   }
   const ValveErrors& errors = valves.findings.held_back;

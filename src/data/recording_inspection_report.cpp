@@ -138,7 +138,7 @@ std::string to_text(const Recording& recording, const RecordingInspection& inspe
                                               : "in space, positions and rotations");
   text += ranges_to_text(recording, inspection.pressures);
   text += transitions_to_text(recording, inspection);
-  text += "  " + to_text(inspection.valves, recording.command.unit) + "\n";
+  text += "  " + to_text(inspection.valves, recording.command.unit, recording.dimension) + "\n";
   for (const std::string& warning : inspection.valves.findings.warnings) {
     text += "    warning: " + warning + "\n";
   }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <Eigen/Cholesky>
 
+#include "limber/arm/names.hpp"
 #include "limber/arm/no_load_model.hpp"
 #include "limber/arm/space_no_load.hpp"
 #include "limber/arm/space_pose.hpp"
@@ -19,7 +20,6 @@ namespace limber {
 
 namespace {
 
-constexpr int kShapeRows = 3;       // of a segment
 constexpr int kMinFitFrames = 100;  // tracked: fewer tell a fit nothing
 constexpr int kSpacePieces = 10;    // of the jackknife
 constexpr int kRobustRounds = 3;
@@ -50,32 +50,7 @@ Eigen::MatrixXd lagged(const FrameMatrix& commands, double period_s, double dead
   return result;
 }
 
-/// Bend about y and z and extension of every segment in one frame, 3s numbers.
-Eigen::VectorXd shapes_of(const ArmDescription& arm, const Episode& episode, int t) {
-  Eigen::VectorXd shapes(kShapeRows * arm.segment_count());
-  Eigen::Index plate = 0;
-  for (int i = 0; i < arm.segment_count(); ++i) {
-    const Segment& segment = arm.segments[static_cast<std::size_t>(i)];
-    Eigen::Vector3d turned = Eigen::Vector3d::Zero();
-    double length_m = 0.0;
-    for (int g = 0; g < segment.gaps; ++g, ++plate) {
-      const auto pose = [&](Eigen::Index p) {
-        return space_pose_of(
-            episode.backbone.row(t).segment<kSpacePoseSize>(kSpacePoseSize * p).cast<double>());
-      };
-      const SpacePose step = between(pose(plate), pose(plate + 1));
-      const Eigen::Vector3d omega = rotation_vector(step.rotation);
-      turned += omega;
-      const double half = 0.5 * std::hypot(omega.y(), omega.z());
-      length_m += step.position_m.norm() / sine_over(half);  // the arc over its chord
-    }
-    shapes.segment<kShapeRows>(kShapeRows * i) << turned.y(), turned.z(),
-        length_m / segment.length_m - 1.0;
-  }
-  return shapes;
-}
-
-/// What one unit of each of those moves the tip by, about [m].
+/// What one unit of each number of a shape moves the tip by, about [m].
 Eigen::VectorXd levers_m(const ArmDescription& arm) {
   Eigen::VectorXd levers(kShapeRows * arm.segment_count());
   double beyond_m = 0.0;
@@ -86,6 +61,20 @@ Eigen::VectorXd levers_m(const ArmDescription& arm) {
     beyond_m += length_m;
   }
   return levers;
+}
+
+/// Standard deviations of numbers that were found with one piece after the other left out.
+Eigen::MatrixXd jackknife(const std::vector<Eigen::MatrixXd>& without) {
+  const double count = double(without.size());
+  Eigen::MatrixXd mean = Eigen::MatrixXd::Zero(without.front().rows(), without.front().cols());
+  for (const Eigen::MatrixXd& one : without) {
+    mean += one / count;
+  }
+  Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(mean.rows(), mean.cols());
+  for (const Eigen::MatrixXd& one : without) {
+    squares += (one - mean).cwiseAbs2();
+  }
+  return (squares * ((count - 1.0) / count)).cwiseSqrt();
 }
 
 /// Fits one model after the other to the same frames.
@@ -107,8 +96,10 @@ class SpaceFitter {
     }
     shapes_.resize(Eigen::Index(frames_.size()), kShapeRows * arm.segment_count());
     for (std::size_t i = 0; i < frames_.size(); ++i) {
+      const auto [episode, frame] = frames_[i];
       shapes_.row(Eigen::Index(i)) =
-          shapes_of(arm, episodes[frames_[i].first], frames_[i].second).transpose();
+          shapes_of_poses(arm, episodes[episode].backbone.row(frame).transpose().cast<double>())
+              .transpose();
     }
     weights_ = Eigen::VectorXd::Ones(shapes_.rows());
   }
@@ -119,10 +110,12 @@ class SpaceFitter {
     const auto consider = [&](double dead_time_s, double lag_s) {
       throw_if_interrupted();
       set_terms(dead_time_s, lag_s);
-      const Eigen::MatrixXd shape = solve(-1);
-      if (const double off = mean_off_m(shape); off < best) {
+      const Eigen::MatrixXd shape = solve(weights_);
+      if (const double off = mean_off_m(shape, weights_); off < best) {
         best = off;
-        fit = {shape, {}, dead_time_s, lag_s, 0.0, 0.0};
+        fit.shape = shape;
+        fit.dead_time_s = dead_time_s;
+        fit.lag_s = lag_s;
       }
     };
     const double step_s = std::max(0.5 * arm_.frame_period_s(), kFinestStep_s);
@@ -138,15 +131,23 @@ class SpaceFitter {
       }
       set_terms(fit.dead_time_s, fit.lag_s);
       weigh(fit.shape);
-      fit.shape = solve(-1);
-      best = mean_off_m(fit.shape);
+      fit.shape = solve(weights_);
+      best = mean_off_m(fit.shape, weights_);
     }
-    fit.shape_sd = deviations();
+    fit.shape_sd = shape_deviations();
+    fit.dead_time_sd_s = dead_time_deviation_s(fit, step_s);
     return fit;
   }
 
  private:
-  Eigen::Index piece_of(Eigen::Index row) const { return row * kSpacePieces / shapes_.rows(); }
+  /// Of all frames but those of one piece of the jackknife.
+  Eigen::VectorXd weights_without(Eigen::Index piece) const {
+    Eigen::VectorXd weights = weights_;
+    for (Eigen::Index row = 0; row < weights.size(); ++row) {
+      weights[row] *= row * kSpacePieces / weights.size() == piece ? 0.0 : 1.0;
+    }
+    return weights;
+  }
 
   void set_terms(double dead_time_s, double lag_s) {
     terms_.resize(shapes_.rows(), arm_.channel_count() + 1);
@@ -163,12 +164,8 @@ class SpaceFitter {
     }
   }
 
-  /// Least squares over all frames but those of piece `left_out`.
-  Eigen::MatrixXd solve(Eigen::Index left_out) const {
-    Eigen::VectorXd weights = weights_;
-    for (Eigen::Index row = 0; left_out >= 0 && row < weights.size(); ++row) {
-      weights[row] *= piece_of(row) == left_out ? 0.0 : 1.0;
-    }
+  /// Least squares.
+  Eigen::MatrixXd solve(const Eigen::VectorXd& weights) const {
     const Eigen::MatrixXd weighted = terms_.array().colwise() * weights.array();
     Eigen::MatrixXd square = weighted.transpose() * terms_;
     // A chamber that never acts has no share; units of commands differ by orders.
@@ -183,8 +180,8 @@ class SpaceFitter {
   Eigen::VectorXd off_m(const Eigen::MatrixXd& shape) const {
     return ((terms_ * shape.transpose() - shapes_) * levers_m_.asDiagonal()).rowwise().norm();
   }
-  double mean_off_m(const Eigen::MatrixXd& shape) const {
-    return off_m(shape).dot(weights_) / weights_.sum();
+  double mean_off_m(const Eigen::MatrixXd& shape, const Eigen::VectorXd& weights) const {
+    return off_m(shape).dot(weights) / weights.sum();
   }
 
   void weigh(const Eigen::MatrixXd& shape) {
@@ -194,18 +191,33 @@ class SpaceFitter {
         [&](double one) { return one > kSpaceHuber * middle ? kSpaceHuber * middle / one : 1.0; });
   }
 
-  Eigen::MatrixXd deviations() const {
+  Eigen::MatrixXd shape_deviations() const {
     std::vector<Eigen::MatrixXd> without;
-    Eigen::MatrixXd mean = Eigen::MatrixXd::Zero(shapes_.cols(), terms_.cols());
     for (Eigen::Index piece = 0; piece < kSpacePieces; ++piece) {
-      without.push_back(solve(piece));
-      mean += without.back() / kSpacePieces;
+      without.push_back(solve(weights_without(piece)));
     }
-    Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(mean.rows(), mean.cols());
-    for (const Eigen::MatrixXd& one : without) {
-      squares += (one - mean).cwiseAbs2();
+    return jackknife(without);
+  }
+
+  /// The dead time lies at the vertex of the parabola through the errors there and one step before
+  /// and after.
+  double dead_time_deviation_s(const SpaceFit& fit, double step_s) {
+    const double middle_s = std::max(fit.dead_time_s, step_s);
+    Eigen::MatrixXd off_m(kSpacePieces, 3);
+    for (Eigen::Index k = 0; k < off_m.cols(); ++k) {
+      set_terms(middle_s + double(k - 1) * step_s, fit.lag_s);
+      for (Eigen::Index piece = 0; piece < kSpacePieces; ++piece) {
+        const Eigen::VectorXd weights = weights_without(piece);
+        off_m(piece, k) = mean_off_m(solve(weights), weights);
+      }
     }
-    return (squares * (double(kSpacePieces - 1) / kSpacePieces)).cwiseSqrt();
+    std::vector<Eigen::MatrixXd> vertices;
+    for (const auto& off : off_m.rowwise()) {
+      const double bend = off[0] - 2.0 * off[1] + off[2];
+      const double part = bend > 0.0 ? std::clamp(0.5 * (off[0] - off[2]) / bend, -1.0, 1.0) : 0.0;
+      vertices.push_back(Eigen::MatrixXd::Constant(1, 1, part * step_s));
+    }
+    return jackknife(vertices)(0, 0);
   }
 
   const ArmDescription& arm_;
@@ -276,12 +288,29 @@ FrameMatrix predict(const SpaceFit& fit, const ArmDescription& arm, const Episod
   return poses;
 }
 
+SegmentAtRest segment_at_rest(const SpaceFit& fit, const ArmDescription& arm, int segment) {
+  const Eigen::Index row = kShapeRows * segment + kShapeRows - 1;
+  const Eigen::Index constant = arm.channel_count();
+  const double length_m = arm.segments[static_cast<std::size_t>(segment)].length_m;
+  return {length_m * (1.0 + fit.shape(row, constant)), length_m * fit.shape_sd(row, constant)};
+}
+
 ArmDescription with_space_fit(ArmDescription arm, const SpaceFit& fit) {
+  const ArmDescription of_file = arm;
   arm.no_load = NoLoadKind::fitted;
   for (int i = 0; i < arm.segment_count(); ++i) {
-    arm.segments[static_cast<std::size_t>(i)].shape_of_strains =
-        fit.shape.block(kShapeRows * i, 0, kShapeRows, arm.channel_count())
-            .unaryExpr(&seven_digits);
+    Segment& segment = arm.segments[static_cast<std::size_t>(i)];
+    const double length_m = segment_at_rest(fit, of_file, i).length_m;
+    if (!(length_m > 0.0)) {
+      throw InputError(fmt::format("the recordings have {} {:.4g} m long at rest; expected more "
+                                   "than 0. Is it the arm of the file?",
+                                   segment_name(i), length_m));
+    }
+    Eigen::MatrixXd shape =
+        fit.shape.block(kShapeRows * i, 0, kShapeRows, arm.channel_count());
+    shape.row(kShapeRows - 1) *= segment.length_m / length_m;  // shares of another length
+    segment.shape_of_strains = shape.unaryExpr(&seven_digits);
+    segment.length_m = seven_digits(length_m);
   }
   return arm;
 }

@@ -14,6 +14,7 @@ namespace limber {
 
 namespace {
 
+constexpr double kMmPerM = 1e3;
 constexpr double kHardly_rad = 0.02;    // over the whole range: noise bends that much
 constexpr double kOtherWay_deg = 60.0;  // between neighbours of three
 
@@ -84,10 +85,16 @@ std::vector<ChamberFinding> chamber_findings(const ArmDescription& arm, const Sp
 
 nlohmann::ordered_json to_json(const SpaceFit& fit, const ArmDescription& arm) {
   nlohmann::ordered_json json = {{"dead_time_s", fit.dead_time_s},
+                                 {"dead_time_sd_s", fit.dead_time_sd_s},
                                  {"lag_s", fit.lag_s},
                                  {"plates_mm", fit.plates_mm},
                                  {"tip_mm", fit.tip_mm},
+                                 {"segments", nlohmann::ordered_json::array()},
                                  {"chambers", nlohmann::ordered_json::array()}};
+  for (int i = 0; i < arm.segment_count(); ++i) {
+    const SegmentAtRest rest = segment_at_rest(fit, arm, i);
+    json["segments"].push_back({{"length_m", rest.length_m}, {"length_sd_m", rest.length_sd_m}});
+  }
   for (const ChamberFinding& found : chamber_findings(arm, fit)) {
     json["chambers"].push_back({{"name", found.name},
                                 {"bend_rad", found.bend_rad},
@@ -101,9 +108,15 @@ nlohmann::ordered_json to_json(const SpaceFit& fit, const ArmDescription& arm) {
 
 std::string to_text(const SpaceFit& fit, const ArmDescription& arm) {
   std::string text = fmt::format(
-      "constant curvature behind {:.3f} s of dead time and a lag of {:.2f} s: {:.1f} mm off over "
-      "the plates, {:.1f} mm at the tip\n",
-      fit.dead_time_s, fit.lag_s, fit.plates_mm, fit.tip_mm);
+      "constant curvature behind {:.3f} ± {:.3f} s of dead time and a lag of {:.2f} s: {:.1f} mm "
+      "off over the plates, {:.1f} mm at the tip\n",
+      fit.dead_time_s, fit.dead_time_sd_s, fit.lag_s, fit.plates_mm, fit.tip_mm);
+  for (int i = 0; i < arm.segment_count(); ++i) {
+    const SegmentAtRest rest = segment_at_rest(fit, arm, i);
+    text += fmt::format("  {}: {:.1f} ± {:.1f} mm long at rest; the arm file has {:.1f} mm\n",
+                        segment_name(i), kMmPerM * rest.length_m, kMmPerM * rest.length_sd_m,
+                        kMmPerM * arm.segments[static_cast<std::size_t>(i)].length_m);
+  }
   for (const ChamberFinding& found : chamber_findings(arm, fit)) {
     text +=
         fmt::format("  {}: bends by {:.3f} ± {:.3f} rad toward {:.0f}°, extends by {:.1f} %{}{}\n",

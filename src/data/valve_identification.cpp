@@ -233,8 +233,9 @@ class Identification {
     }
     if (int(told_.size()) < recording_.channel_count()) {
       result.findings.warnings.push_back(fmt::format(
-          "set points of {} of {} segments hardly change: these take the valves of the others",
-          recording_.channel_count() - int(told_.size()), recording_.channel_count()));
+          "set points of {} of {} {} hardly change: these take the valves of the others",
+          recording_.channel_count() - int(told_.size()), recording_.channel_count(),
+          recording_.dimension == Dimension::space ? "chambers" : "segments"));
     }
     if (held_back.mean_kpa <= kSuspiciousMean * scale()) {
       return;

@@ -152,10 +152,40 @@ Peak peak_near(Eigen::Index around, const TurnRates& a, const TurnRates& b, bool
   return peak;
 }
 
+/// What of two logs can be compared.
+enum class Alike {
+  turns,     // of each segment
+  sizes,     // of each segment's turns: to which side is not known
+  activity,  // in all: no column belongs to a segment
+};
+
+Alike alike_of(const ArmDescription& arm) {
+  if (arm.no_load != NoLoadKind::straight) {
+    return Alike::turns;
+  }
+  return arm.is_spatial() ? Alike::activity : Alike::sizes;
+}
+
+/// How much moves at all, whichever segment and to whichever side: one column.
+TurnRates activity(const Turns& turns, double difference_s) {
+  TurnRates rates = whole(turns, difference_s);
+  for (Eigen::Index i = 0; i < rates.values.cols(); ++i) {
+    const double size = rates.values.col(i).norm();
+    rates.values.col(i) /= size > 0.0 ? size : 1.0;
+  }
+  Eigen::MatrixXd sum = rates.values.rowwise().norm();
+  sum.array() -= sum.mean();
+  return {rates.start_s, std::move(sum)};
+}
+
 /// How far the clocks are apart by changes over `difference_s`.
-ClockMatch match_by(const Turns& turned, const Turns& told, bool has_sign, double difference_s) {
-  const TurnRates seen = whole(turned, difference_s);
-  const TurnRates typical = whole(lagging(told, kTypicalLag_s), difference_s);
+ClockMatch match_by(const Turns& turned, const Turns& told, Alike alike, double difference_s) {
+  const bool has_sign = alike != Alike::sizes;
+  const auto rates = [&](const Turns& turns) {
+    return alike == Alike::activity ? activity(turns, difference_s) : whole(turns, difference_s);
+  };
+  const TurnRates seen = rates(turned);
+  const TurnRates typical = rates(lagging(told, kTypicalLag_s));
   const Eigen::VectorXd values = normalised_correlation(seen, typical, has_sign);
   ClockMatch match;
   Eigen::Index best = -1;
@@ -185,8 +215,7 @@ ClockMatch match_by(const Turns& turned, const Turns& told, bool has_sign, doubl
   for (int step = 0; step * kLagStep_s <= kLongestLag_s; ++step) {
     throw_if_interrupted();
     const double lag_s = step * kLagStep_s;
-    const Peak peak =
-        peak_near(best - no_shift, seen, whole(lagging(told, lag_s), difference_s), has_sign);
+    const Peak peak = peak_near(best - no_shift, seen, rates(lagging(told, lag_s)), has_sign);
     if (step == 0 || peak.value > match.correlation + kClearlyBetter) {
       match.correlation = peak.value;
       match.lag_s = lag_s;
@@ -194,18 +223,6 @@ ClockMatch match_by(const Turns& turned, const Turns& told, bool has_sign, doubl
     }
   }
   return match;
-}
-
-/// How much moves at all, whichever segment and to whichever side: one column.
-TurnRates activity(const Turns& turns) {
-  TurnRates rates = whole(turns, kActivityDifference_s);
-  for (Eigen::Index i = 0; i < rates.values.cols(); ++i) {
-    const double size = rates.values.col(i).norm();
-    rates.values.col(i) /= size > 0.0 ? size : 1.0;
-  }
-  Eigen::MatrixXd sum = rates.values.rowwise().norm();
-  sum.array() -= sum.mean();
-  return {rates.start_s, std::move(sum)};
 }
 
 }  // namespace
@@ -221,8 +238,7 @@ ClockMatch match_clocks(const BackboneTrack& motion, const CommandTrack& command
   const Turns told = turns_of(commands, arm);
   ClockMatch best;
   for (const double difference_s : kDifferences_s) {
-    const ClockMatch match =
-        match_by(turned, told, arm.no_load != NoLoadKind::straight, difference_s);
+    const ClockMatch match = match_by(turned, told, alike_of(arm), difference_s);
     if (match.is_decisive()) {
       return match;
     }
@@ -236,8 +252,8 @@ ClockMatch match_clocks(const BackboneTrack& motion, const CommandTrack& command
 
 double offset_by_activity(const BackboneTrack& motion, const CommandTrack& commands,
                           const ArmDescription& arm) {
-  const TurnRates seen = activity(turns_of(motion, arm));
-  const TurnRates told = activity(turns_of(commands, arm));
+  const TurnRates seen = activity(turns_of(motion, arm), kActivityDifference_s);
+  const TurnRates told = activity(turns_of(commands, arm), kActivityDifference_s);
   const Eigen::VectorXd values = normalised_correlation(seen, told, true);
   Eigen::Index best = told.values.rows() - 1;
   for (Eigen::Index k = 0; k < values.size(); ++k) {

@@ -7,11 +7,13 @@
 #include <unsupported/Eigen/FFT>
 
 #include "limber/arm/no_load_model.hpp"
+#include "limber/arm/space_no_load.hpp"
 
 namespace limber {
 
 namespace {
 
+constexpr int kBends = 2;  // of a segment in space, about y and z
 constexpr double kTimeRounding_s = 1e-6;
 constexpr double kMinTurn_rad = 0.02;  // standard deviation; markers 50 mm apart see 0.01 in noise
 constexpr double kMinChange = 0.02;    // of the limit, from lowest to highest
@@ -48,6 +50,29 @@ double independent_rows(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   return double(a.size()) / sum;
 }
 
+/// Bends of every segment out of its shapes, 3s.
+Eigen::RowVectorXd bends_of(const Eigen::VectorXd& shapes) {
+  Eigen::RowVectorXd bends(kBends * (shapes.size() / kShapeRows));
+  for (Eigen::Index i = 0; i * kShapeRows < shapes.size(); ++i) {
+    bends.segment<kBends>(kBends * i) = shapes.segment<kBends>(kShapeRows * i);
+  }
+  return bends;
+}
+
+/// `values` of the rows that are known, NaN of the others.
+template <class BendsOfRow>
+Eigen::MatrixXd bends_where_known(const ArmDescription& arm, const Eigen::MatrixXd& rows,
+                                  const BendsOfRow& bends_of_row) {
+  Eigen::MatrixXd bends =
+      Eigen::MatrixXd::Constant(rows.rows(), kBends * arm.segment_count(), std::nan(""));
+  for (Eigen::Index t = 0; t < rows.rows(); ++t) {
+    if (rows.row(t).allFinite()) {
+      bends.row(t) = bends_of(bends_of_row(rows.row(t).transpose()));
+    }
+  }
+  return bends;
+}
+
 }  // namespace
 
 double Turns::at(double asked_s, Eigen::Index column) const {
@@ -71,6 +96,11 @@ double Turns::at(double asked_s, Eigen::Index column) const {
 }
 
 Turns turns_of(const BackboneTrack& motion, const ArmDescription& arm) {
+  if (arm.is_spatial()) {
+    return {motion.time_s, bends_where_known(arm, motion.poses, [&](const Eigen::VectorXd& poses) {
+              return shapes_of_poses(arm, poses);
+            })};
+  }
   Turns turns{motion.time_s, Eigen::MatrixXd(motion.row_count(), arm.segment_count())};
   int plate = 0;
   for (int i = 0; i < arm.segment_count(); ++i) {
@@ -85,6 +115,13 @@ Turns turns_of(const BackboneTrack& motion, const ArmDescription& arm) {
 Turns turns_of(const CommandTrack& commands, const ArmDescription& arm) {
   Turns turns{commands.time_s, commands.values, !commands.measured};
   if (arm.no_load == NoLoadKind::straight) {
+    return turns;
+  }
+  if (arm.is_spatial()) {
+    const SpaceNoLoad model(arm);
+    turns.values = bends_where_known(arm, commands.values, [&](const Eigen::VectorXd& command) {
+      return Eigen::VectorXd(model.shape_of_strains() * model.strains(command));
+    });
     return turns;
   }
   const NoLoadModel model(arm);

@@ -10,9 +10,10 @@
 namespace limber {
 
 /// By how much each segment turns, over a log's own times. The times are borrowed from the track.
+/// In space a segment has two columns, about y and about z.
 struct Turns {
   const std::vector<double>& time_s;
-  Eigen::MatrixXd values;  ///< T×n [rad], NaN where unknown
+  Eigen::MatrixXd values;  ///< T×n, in space T×2s [rad], NaN where unknown
   bool held = false;       ///< set points: in force until the next row
 
   /// On the straight line between the rows around `time_s`, or held; NaN outside of them, or beside

@@ -38,9 +38,7 @@ void check_clocks(const std::string& log, const std::string& command_log,
   run.report.duration_s = run.points.time_s.back() - run.points.time_s.front();
   if (!run.one_clock) {
     check_clock(command_log, mapping.commands.time, run.commands.time_s, arm);
-    if (!arm.is_spatial()) {
-      check_span(command_log, mapping.commands.time, run.commands.time_s, log, run.points.time_s);
-    }
+    check_span(command_log, mapping.commands.time, run.commands.time_s, log, run.points.time_s);
   }
 }
 
@@ -84,7 +82,9 @@ void bring_clocks_together(const std::string& log, const std::string& command_lo
     clock.offset_s = *options.time_offset_s;
   } else {
     const ClockMatch match = match_clocks(motion, commands, arm);
-    refuse_columns_behind_clocks(log, command_log, options.mapping, arm, motion, commands, match);
+    if (!arm.is_spatial()) {
+      refuse_columns_behind_clocks(log, command_log, options.mapping, arm, motion, commands, match);
+    }
     if (!match.is_decisive()) {
       refuse_clocks(log, command_log, arm, match);
     }
@@ -198,17 +198,9 @@ ImportOptions as_counted(const fs::path& log, ImportOptions options, const ArmDe
   return options;
 }
 
-/// Of an arm in space they are on the motion log's clock, or `time_offset_s` off it: nothing is
-/// found by correlation.
 template <class Tracks>
 void add_command_log(const fs::path& log, const ImportOptions& options, const ArmDescription& arm,
                      RunOf<Tracks>& run) {
-  if (arm.is_spatial() && !options.time_offset_s) {
-    throw InputError(fmt::format(
-        "{}: clocks of two logs are not compared for arms in space. Give what is to be added to "
-        "its times: --time-offset-s 0, where both logs have one clock",
-        log.string()));
-  }
   run.one_clock = false;
   run.commands = read_command_log(log, options.mapping, arm, run.report);
 }

@@ -86,8 +86,8 @@ std::string valve_plot_svg(const ValveParameters& valves, const Recording& recor
   const Eigen::VectorXd time_s = episode.time_s.segment(range.first, range.count);
   const std::vector<double> time(time_s.begin(), time_s.end());
   ChartGrid grid(1, "Valves: a motion that they were not fitted to");
-  for (int i = 0; i < recording.segment_count; ++i) {
-    Chart chart(fmt::format("{}", segment_name(i)));
+  for (int i = 0; i < recording.channel_count(); ++i) {
+    Chart chart(channel_name(recording.dimension, i));
     chart.x_axis("time [s]")
         .y_axis(fmt::format("{} [{}]", recording.command.name, recording.command.unit))
         .size_px(900, 260);

@@ -152,6 +152,15 @@ TEST(SpaceNoLoad, APlanarArmInSpaceIsThePlanarArm) {
   }
 }
 
+TEST(SpaceNoLoad, ShapesComeBackFromPoses) {
+  const ArmDescription arm = space_arm();
+  Eigen::VectorXd shapes(kShapeRows * arm.segment_count());
+  shapes << 0.7, -0.4, 0.05, -1.2, 2.0, -0.08;
+  Eigen::VectorXf poses(kSpacePoseSize * arm.point_count());
+  SpaceNoLoad(arm).poses_of_shapes(shapes, poses);
+  EXPECT_LT((shapes_of_poses(arm, poses.cast<double>()) - shapes).norm(), 1e-5);
+}
+
 TEST(SpaceNoLoad, PlanarOnlyUsesAreRefusedByName) {
   EXPECT_THAT([] { require_planar(space_arm(), "limber plan"); },
               ThrowsMessage<InputError>(

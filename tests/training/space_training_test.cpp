@@ -34,6 +34,38 @@ TEST(SpaceFit, FindsLagDeadTimeAndWhatEveryChamberDoes) {
   }
 }
 
+TEST(SpaceFit, FindsHowLongSegmentsAreAtRest) {
+  const ArmDescription arm = space_arm();
+  ArmDescription shorter = arm;
+  shorter.segments[0].length_m *= 0.8;
+  const SpaceFit fit = fit_space_model(shorter, {space_toy_episode(arm, 800, 1, 2)});
+  const SegmentAtRest rest = segment_at_rest(fit, shorter, 0);
+  EXPECT_GT(rest.length_sd_m, 0.0);
+  EXPECT_NEAR(rest.length_m, arm.segments[0].length_m, 4.0 * rest.length_sd_m);
+  EXPECT_NEAR(rest.length_m, arm.segments[0].length_m, 0.002);
+  const ArmDescription fitted = with_space_fit(shorter, fit);
+  EXPECT_NEAR(fitted.segments[0].length_m, rest.length_m, 1e-6);
+  // What a chamber adds to the length is the same, whatever the file had.
+  const ArmDescription of_right_file =
+      with_space_fit(arm, fit_space_model(arm, {space_toy_episode(arm, 800, 1, 2)}));
+  EXPECT_NEAR(fitted.segments[0].shape_of_strains(2, 0),
+              of_right_file.segments[0].shape_of_strains(2, 0), 1e-3);
+}
+
+TEST(SpaceFit, SaysHowSureItIsOfTheDeadTime) {
+  const ArmDescription arm = space_arm();
+  const std::vector<Episode> clean = {space_toy_episode(arm, 800, 1, 2)};
+  std::vector<Episode> noisy = clean;
+  RandomStream random(3, 1);
+  for (float& number : noisy[0].backbone.reshaped()) {
+    number += 0.01F * float(random.normal());
+  }
+  const SpaceFit sure = fit_space_model(arm, clean);
+  const SpaceFit unsure = fit_space_model(arm, noisy);
+  EXPECT_LT(sure.dead_time_sd_s, 0.01);
+  EXPECT_GT(unsure.dead_time_sd_s, 1.5 * sure.dead_time_sd_s);
+}
+
 TEST(SpaceFit, NamesColumnsInAnotherOrder) {
   const ArmDescription arm = space_arm();
   std::vector<Episode> episodes = {space_toy_episode(arm, 800, 1, 2)};

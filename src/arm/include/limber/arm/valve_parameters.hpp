@@ -8,6 +8,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "limber/arm/pose_size.hpp"
+
 namespace limber {
 
 struct ArmDescription;
@@ -82,7 +84,8 @@ nlohmann::ordered_json to_json(const IdentifiedValves& valves);
 /// The file's text. Numbers survive the round trip exactly.
 std::string valves_to_yaml(const IdentifiedValves& valves);
 /// One line for people: parameters of each segment (once where all are alike) and errors.
-std::string to_text(const IdentifiedValves& valves, const std::string& unit = "kPa");
+std::string to_text(const IdentifiedValves& valves, const std::string& unit = "kPa",
+                    Dimension dimension = Dimension::plane);
 
 void write_valves(const std::filesystem::path& path, const IdentifiedValves& valves);
 /// YAML, or JSON, which is YAML too. @throws InputError naming file, line and key.

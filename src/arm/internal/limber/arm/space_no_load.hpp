@@ -6,6 +6,8 @@
 
 namespace limber {
 
+inline constexpr int kShapeRows = 3;  ///< of a segment: bend about y, bend about z, extension
+
 /// Bend and length of one segment in space.
 struct SpaceSegmentShape {
   Eigen::Vector3d rotation_rad;  ///< from its beginning to its end; nothing twists it
@@ -39,5 +41,10 @@ class SpaceNoLoad {
   ArmDescription arm_;
   Eigen::MatrixXd shape_;
 };
+
+/// The way back: 3s bends [rad] and extensions of segments whose plates are at `poses` (7m), summed
+/// over their gaps, each taken for an arc.
+Eigen::VectorXd shapes_of_poses(const ArmDescription& arm,
+                                const Eigen::Ref<const Eigen::VectorXd>& poses);
 
 }  // namespace limber

@@ -29,9 +29,10 @@ struct SpaceFit {
   Eigen::MatrixXd shape;     ///< 3s × (n + 1): bend about y and z [rad], extension; constants last
   Eigen::MatrixXd shape_sd;  ///< of each, as the jackknife over ten pieces of the recordings says
   double dead_time_s = 0.0;
+  double dead_time_sd_s = 0.0;  ///< likewise, with the lag as it is
   double lag_s = 0.0;
-  double plates_mm =
-      0.0;  ///< mean distance of the plates behind the base, over the frames fitted to
+  /// Mean distance of the plates behind the base, over the frames fitted to.
+  double plates_mm = 0.0;
   double tip_mm = 0.0;
 };
 
@@ -49,8 +50,16 @@ EpisodeErrors episode_errors(const SpaceFit& model, const ArmDescription& arm,
 /// Poses that the model expects under an episode's commands, T×7m, base at the origin.
 FrameMatrix predict(const SpaceFit& fit, const ArmDescription& arm, const Episode& episode);
 
-/// The arm with the fit as its no-load model, `no_load: fitted`, without the constants. Seven
-/// significant digits.
+/// What a segment is long where no chamber acts.
+struct SegmentAtRest {
+  double length_m = 0.0;
+  double length_sd_m = 0.0;
+};
+SegmentAtRest segment_at_rest(const SpaceFit& fit, const ArmDescription& arm, int segment);
+
+/// The arm with the fit as its no-load model, `no_load: fitted`, and segments as long as they were
+/// at rest; bends at rest are left out. Seven significant digits.
+/// @throws InputError where a segment's length at rest is not positive.
 ArmDescription with_space_fit(ArmDescription arm, const SpaceFit& fit);
 
 /// What a chamber does to the segment that it is in, over all of its range, and what the arm file
