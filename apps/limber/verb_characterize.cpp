@@ -266,8 +266,7 @@ class CharacterizeVerb final : public Verb {
   }
 
   int run_valves(const CommonFlags& flags) const {
-    const ArmDescription arm =
-        load_any_arm(find_arm_file(arm_), PolynomialsOf::characterisation);
+    const ArmDescription arm = load_any_arm(find_arm_file(arm_), PolynomialsOf::characterisation);
     const fs::path plot = plots_.empty() ? fs::path() : fs::path(plots_) / "valves.svg";
     refuse_to_overwrite_given({out_, plot}, flags);
     const Recording recording = read_recording(valves_);

@@ -74,7 +74,8 @@ Finding inspect_valves(const YamlReader& root, const std::optional<ArmDescriptio
   finding.json = {{"kind", "valves"}, {"hash", valves.parameters.hash()}};
   finding.json.update(to_json(valves));
   finding.text = fmt::format(
-      "{}\n  from {}, hash {}", arm ? to_text(valves, arm->command.unit, arm->dimension) : to_text(valves),
+      "{}\n  from {}, hash {}",
+      arm ? to_text(valves, arm->command.unit, arm->dimension) : to_text(valves),
       valves.findings.source.empty() ? "a source that is not stored" : valves.findings.source,
       valves.parameters.hash());
   for (const std::string& warning : valves.findings.warnings) {

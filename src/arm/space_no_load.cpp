@@ -44,8 +44,7 @@ SpaceNoLoad::SpaceNoLoad(const ArmDescription& arm) : arm_(arm) {
     const Segment& segment = arm.segments[static_cast<std::size_t>(i)];
     const auto chambers = static_cast<Eigen::Index>(segment.chambers.size());
     if (arm.no_load == NoLoadKind::chambers) {
-      shape_.block(kShapeRows * i, first, kShapeRows, chambers) =
-          shape_of_chambers(segment);
+      shape_.block(kShapeRows * i, first, kShapeRows, chambers) = shape_of_chambers(segment);
     } else if (arm.no_load == NoLoadKind::fitted) {
       shape_.middleRows<kShapeRows>(kShapeRows * i) = segment.shape_of_strains;
     }
@@ -88,8 +87,7 @@ void SpaceNoLoad::poses_of_shapes(const Eigen::Ref<const Eigen::VectorXd>& shape
   Eigen::Index at = 0;
   for (int i = 0; i < arm_.segment_count(); ++i) {
     const Segment& segment = arm_.segments[static_cast<std::size_t>(i)];
-    const SpaceSegmentShape shape =
-        shape_of(segment, shapes.segment<kShapeRows>(kShapeRows * i));
+    const SpaceSegmentShape shape = shape_of(segment, shapes.segment<kShapeRows>(kShapeRows * i));
     const int gaps = segment.gaps;
     const SpacePose step =
         element<double>(shape.length_m / gaps, Eigen::Vector3d(shape.rotation_rad / gaps));

@@ -172,9 +172,10 @@ std::string to_text(const IdentifiedValves& valves, const std::string& unit, Dim
   });
   std::string text = "valves: ";
   for (std::size_t i = 0; i < (alike ? 1 : parameters.segments.size()); ++i) {
-    text += (i > 0 ? "; " : "") +
-            (alike ? std::string() : fmt::format("{}: ", channel_name(dimension, Eigen::Index(i)))) +
-            to_text(parameters.segments[i], parameters.has_sides, unit);
+    text +=
+        (i > 0 ? "; " : "") +
+        (alike ? std::string() : fmt::format("{}: ", channel_name(dimension, Eigen::Index(i)))) +
+        to_text(parameters.segments[i], parameters.has_sides, unit);
   }
   const ValveErrors& errors = valves.findings.held_back;
   if (errors.frames > 0) {

@@ -40,11 +40,7 @@ std::int64_t Recording::frame_count() const {
 }
 
 std::int64_t Recording::untracked_count() const {
-  std::int64_t frames = 0;
-  for (const Episode& episode : episodes) {
-    frames += episode.untracked_count();
-  }
-  return frames;
+  return frame_count() - tracked_count(episodes);
 }
 
 double Recording::duration_s() const {

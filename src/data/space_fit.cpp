@@ -15,6 +15,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/statistics.hpp"
+#include "limber/data/episode_slice.hpp"
 
 namespace limber {
 
@@ -259,11 +260,7 @@ void measure(const ArmDescription& arm, const std::vector<Episode>& episodes, Sp
 }  // namespace
 
 bool is_enough_for_space_fit(const std::vector<Episode>& episodes) {
-  int tracked = 0;
-  for (const Episode& episode : episodes) {
-    tracked += episode.frame_count() - episode.untracked_count();
-  }
-  return tracked >= kMinFitFrames;
+  return tracked_count(episodes) >= kMinFitFrames;
 }
 
 SpaceFit fit_space_model(const ArmDescription& arm, const std::vector<Episode>& episodes) {
@@ -302,12 +299,12 @@ ArmDescription with_space_fit(ArmDescription arm, const SpaceFit& fit) {
     Segment& segment = arm.segments[static_cast<std::size_t>(i)];
     const double length_m = segment_at_rest(fit, of_file, i).length_m;
     if (!(length_m > 0.0)) {
-      throw InputError(fmt::format("the recordings have {} {:.4g} m long at rest; expected more "
-                                   "than 0. Is it the arm of the file?",
-                                   segment_name(i), length_m));
+      throw InputError(
+          fmt::format("the recordings have {} {:.4g} m long at rest; expected more "
+                      "than 0. Is it the arm of the file?",
+                      segment_name(i), length_m));
     }
-    Eigen::MatrixXd shape =
-        fit.shape.block(kShapeRows * i, 0, kShapeRows, arm.channel_count());
+    Eigen::MatrixXd shape = fit.shape.block(kShapeRows * i, 0, kShapeRows, arm.channel_count());
     shape.row(kShapeRows - 1) *= segment.length_m / length_m;  // shares of another length
     segment.shape_of_strains = shape.unaryExpr(&seven_digits);
     segment.length_m = seven_digits(length_m);

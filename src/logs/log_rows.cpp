@@ -112,26 +112,15 @@ class RowOrder {
 }  // namespace
 
 void keep_rows(std::vector<double>& values, const std::vector<std::size_t>& order) {
-  if (values.empty()) {
-    return;
+  if (!values.empty()) {
+    values = picked(values, order, 1.0);
   }
-  std::vector<double> kept;
-  kept.reserve(order.size());
-  for (const std::size_t row : order) {
-    kept.push_back(values[row]);
-  }
-  values = std::move(kept);
 }
 
 void keep_rows(Eigen::MatrixXd& matrix, const std::vector<std::size_t>& order) {
-  if (matrix.size() == 0) {
-    return;
+  if (matrix.size() > 0) {
+    matrix = matrix(order, Eigen::all).eval();
   }
-  Eigen::MatrixXd kept(static_cast<Eigen::Index>(order.size()), matrix.cols());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    kept.row(static_cast<Eigen::Index>(i)) = matrix.row(static_cast<Eigen::Index>(order[i]));
-  }
-  matrix = std::move(kept);
 }
 
 void keep_rows(PointTracks& tracks, const std::vector<std::size_t>& order) {

@@ -29,7 +29,7 @@ std::unique_ptr<Planner> make_paper_planner(PlannerName parsed, const std::strin
         fmt::format("planner setting {}: unknown; '{}' has the setting valves (0 or 1)",
                     parsed.settings.begin()->first, parsed.name));
   }
-  return make_certified_planner(make_pressure_rrt_star({}, name), jobs, valves);
+  return make_certified_planner(make_pressure_rrt_star(name), jobs, valves);
 }
 
 const LearntRegion* recorded_of(const MotionModel& model) {

@@ -12,6 +12,7 @@
 #include "arm_physics.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
+#include "limber/run/safety_gate.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
 #include "measurement.hpp"
 #include "space_physics.hpp"
@@ -19,8 +20,6 @@
 namespace limber {
 
 namespace {
-
-constexpr double kMaxClampedKpa = 1e-3;  // excess of a set point that is clamped, not refused
 
 /// Simulator steps per frame: the fewest that keep the step within the arm's `time_step_s`.
 int steps_per_frame(const ArmDescription& arm, const VirtualArmParameters& parameters) {
@@ -79,11 +78,11 @@ class VirtualArm::Simulation {
   }
 
   const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) {
-    std::vector<double> commanded = checked(setpoint_kpa);
+    const Eigen::VectorXd commanded = checked_setpoints(arm_, setpoint_kpa);
     if (!fault_.empty()) {
       throw SystemFault(fault_);
     }
-    pending_.push_back({step_ + dead_steps_, std::move(commanded)});
+    pending_.push_back({step_ + dead_steps_, {commanded.begin(), commanded.end()}});
     // The frame to deliver `frames_late_` frames from now is taken `steps_late_` before its end.
     for (int step = 1; step <= steps_per_frame_; ++step) {
       advance();
@@ -185,28 +184,6 @@ class VirtualArm::Simulation {
           "virtual arm: leaking_channel = {}; arm '{}' has {} 0 to {}", parameters_.leaking_channel,
           arm_.name, arm_.is_spatial() ? "chambers" : "segments", arm_.channel_count() - 1));
     }
-  }
-
-  /// Set points within the arm's limits. Changes nothing if it throws.
-  std::vector<double> checked(const Eigen::Ref<const Pressures>& setpoint_kpa) const {
-    if (setpoint_kpa.size() != arm_.channel_count()) {
-      throw InputError(fmt::format("{} set points; arm '{}' has {} {}", setpoint_kpa.size(),
-                                   arm_.name, arm_.channel_count(),
-                                   arm_.is_spatial() ? "chambers" : "segments"));
-    }
-    std::vector<double> result;
-    for (int s = 0; s < arm_.channel_count(); ++s) {
-      const PressureLimits& limits = arm_.limits_of_channel(s);
-      const double value = setpoint_kpa[s];
-      if (!(value >= limits.lower_kpa - kMaxClampedKpa &&
-            value <= limits.upper_kpa + kMaxClampedKpa)) {
-        throw InputError(fmt::format("set point of {} is {} kPa; expected {} to {} kPa",
-                                     channel_name(arm_, s), setpoint_kpa[s], limits.lower_kpa,
-                                     limits.upper_kpa));
-      }
-      result.push_back(limits.clamped(value));
-    }
-    return result;
   }
 
   void take_arrived_setpoints() {

@@ -28,16 +28,20 @@ double arm_length_m(const ForwardModel& model) {
   return length;
 }
 
-/// Whether some gap of the predicted shape lies on a bound.
-bool is_held(const GapBounds& bounds, const Eigen::MatrixX3d& plates) {
+/// Whether some gap of a predicted shape, by its gaps (NetworkLayout), lies on a bound.
+bool is_held(const GapBounds& bounds, const Eigen::VectorXd& gaps, Dimension dimension) {
   constexpr double kRounding = 1e-5;  // of float poses about the base [m, rad]
-  for (Eigen::Index g = 0; g + 1 < plates.rows(); ++g) {
-    const Eigen::RowVector3d step = plates.row(g + 1) - plates.row(g);
-    const double length = step.head<2>().norm();
+  const int places = position_size(dimension);
+  for (Eigen::Index g = 0; g < bounds.min_length_m.size(); ++g) {
+    const Eigen::VectorXd gap = gaps.segment(gap_size(dimension) * g, gap_size(dimension));
+    const double length = gap.head(places).norm();
+    const double turn = gap[places];
     if (length <= double(bounds.min_length_m[g]) + kRounding ||
         length >= double(bounds.max_length_m[g]) - kRounding ||
-        step[2] <= double(bounds.min_turn_rad[g]) + kRounding ||
-        step[2] >= double(bounds.max_turn_rad[g]) - kRounding) {
+        turn <= double(bounds.min_turn_rad[g]) + kRounding ||
+        turn >= double(bounds.max_turn_rad[g]) - kRounding ||
+        (dimension == Dimension::space &&
+         gap.tail<2>().norm() >= double(bounds.max_bend_rad[g]) - kRounding)) {
       return true;
     }
   }
@@ -63,87 +67,43 @@ std::vector<const Episode*> episodes_to_walk(const std::vector<Episode>& episode
   return longest;
 }
 
-/// Of an arm in space, by its gaps (NetworkLayout).
-bool is_held_in_space(const GapBounds& bounds, const Eigen::VectorXd& gaps) {
-  constexpr double kRounding = 1e-5;
-  for (Eigen::Index g = 0; g < bounds.min_length_m.size(); ++g) {
-    const Eigen::VectorXd gap = gaps.segment<kSpaceGapSize>(kSpaceGapSize * g);
-    const double length = gap.head<3>().norm();
-    if (length <= double(bounds.min_length_m[g]) + kRounding ||
-        length >= double(bounds.max_length_m[g]) - kRounding ||
-        gap.tail<2>().norm() >= double(bounds.max_bend_rad[g]) - kRounding ||
-        gap[3] <= double(bounds.min_turn_rad[g]) + kRounding ||
-        gap[3] >= double(bounds.max_turn_rad[g]) - kRounding) {
-      return true;
-    }
-  }
-  return false;
-}
-
-/// The same of an arm in space, whose poses lie in a column.
-bool walk_in_space(const ForwardModel& model, const Episode& episode, int frames,
-                   LongRollout& result, int& held) {
-  const int count = frames_from_tracked(episode);
-  const int begin = episode.frame_count() - count;
-  ForwardModel::Workspace workspace;
-  const Eigen::MatrixXf told = model.told_commands(episode.pressure_kpa.transpose());
-  Eigen::MatrixXf state = episode.backbone.row(begin).transpose();
-  Eigen::MatrixXf before = state;
-  for (int frame = 0; frame < frames && state.allFinite(); ++frame) {
-    throw_if_interrupted();
-    const auto commands = [&](int step) -> Eigen::MatrixXf {
-      return told.col(begin + there_and_back(step, count));
-    };
-    model.step_batch(commands(frame), commands(frame + 1), before, state, before, workspace);
-    before.swap(state);
-    ++result.frames;
-    for (Eigen::Index at = 0; state.allFinite() && at < state.rows(); at += kSpacePoseSize) {
-      result.max_distance_m =
-          std::max(result.max_distance_m, double(state.col(0).segment<3>(at).norm()));
-    }
-    if (state.allFinite() && model.has_network() && model.compensation().bounds) {
-      held += is_held_in_space(*model.compensation().bounds,
-                               gap_poses_of(state.cast<double>(), Dimension::space).col(0))
-                  ? 1
-                  : 0;
-    }
-  }
-  return state.allFinite();
-}
-
 /// One episode there and back for so many frames, added to `result`; `held` counts frames.
 /// @return whether all of it is finite
 bool walk(const ForwardModel& model, const Episode& episode, int frames, LongRollout& result,
           int& held) {
-  if (model.dimension() == Dimension::space) {
-    return walk_in_space(model, episode, frames, result, held);
-  }
+  const Dimension dimension = model.dimension();
   const int count = frames_from_tracked(episode);
   const int begin = episode.frame_count() - count;
   ForwardModel::Workspace workspace;
-  Backbone state(model.point_count(), kPoseSize);
-  state.reshaped<Eigen::RowMajor>() = episode.backbone.row(begin).transpose();
-  Backbone before = state;
-  Pressures previous = episode.pressure_kpa.row(begin);
+  const Eigen::MatrixXf told = model.told_commands(episode.pressure_kpa.transpose());
+  const auto commands = [&](int step) -> Eigen::MatrixXf {
+    return told.col(begin + there_and_back(step, count));
+  };
+  Eigen::MatrixXf state = episode.backbone.row(begin).transpose();
+  Eigen::MatrixXf before = state;
   const bool is_bounded = model.has_network() && model.compensation().bounds.has_value();
-  const GapBounds* const bounds = is_bounded ? &*model.compensation().bounds : nullptr;
-  for (int frame = 0; frame < frames && state.allFinite(); ++frame) {
+  for (int frame = 0; frame < frames; ++frame) {
     throw_if_interrupted();
-    const Pressures current = episode.pressure_kpa.row(begin + there_and_back(frame + 1, count));
-    model.step(previous, current, before, state, before, workspace);
+    model.step_batch(commands(frame), commands(frame + 1), before, state, before, workspace);
     before.swap(state);
-    previous = current;
     ++result.frames;
-    if (state.allFinite()) {
-      const Eigen::MatrixX3d plates = state.cast<double>();
-      result.max_distance_m =
-          std::max(result.max_distance_m, plates.leftCols<2>().rowwise().norm().maxCoeff());
-      result.max_heading_rad =
-          std::max(result.max_heading_rad, plates.col(2).cwiseAbs().maxCoeff());
-      held += bounds != nullptr && is_held(*bounds, plates) ? 1 : 0;
+    if (!state.allFinite()) {
+      return false;
     }
+    const Eigen::MatrixXd shape = state.cast<double>();
+    for (Eigen::Index at = 0; at < shape.rows(); at += pose_size(dimension)) {
+      const double distance_m = shape.col(0).segment(at, position_size(dimension)).norm();
+      result.max_distance_m = std::max(result.max_distance_m, distance_m);
+      if (dimension == Dimension::plane) {
+        result.max_heading_rad = std::max(result.max_heading_rad, std::abs(shape(at + 2, 0)));
+      }
+    }
+    held += is_bounded && is_held(*model.compensation().bounds,
+                                  gap_poses_of(shape, dimension).col(0), dimension)
+                ? 1
+                : 0;
   }
-  return state.allFinite();
+  return true;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "limber/arm/names.hpp"
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/error.hpp"
+#include "limber/data/episode_slice.hpp"
 #include "limber/network/backbone_layout.hpp"
 #include "limber/network/past_commands.hpp"
 #include "row_spread.hpp"
@@ -33,11 +34,7 @@ struct RawFrames {
 
 /// Marks the frames in which the arm was not tracked.
 void mark_untracked(const std::vector<Episode>& episodes, RawFrames& raw) {
-  std::int64_t untracked = 0;
-  for (const Episode& episode : episodes) {
-    untracked += episode.untracked_count();
-  }
-  if (untracked == 0) {
+  if (tracked_count(episodes) == frame_count(episodes)) {
     return;
   }
   for (const Episode& episode : episodes) {

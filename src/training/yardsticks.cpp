@@ -12,6 +12,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/statistics.hpp"
+#include "limber/data/episode_slice.hpp"
 #include "limber/data/space_fit.hpp"
 #include "rollout.hpp"
 #include "yardstick_fits.hpp"
@@ -136,14 +137,6 @@ class Measurement {
   std::function<void()> note_;
 };
 
-std::int64_t tracked_frames(const std::vector<Episode>& episodes) {
-  std::int64_t frames = 0;
-  for (const Episode& episode : episodes) {
-    frames += episode.frame_count() - episode.untracked_count();
-  }
-  return frames;
-}
-
 std::string fitted_to_words(const std::vector<Episode>& episodes,
                             const std::vector<Episode>& fit_to) {
   if (!fit_to.empty()) {
@@ -178,7 +171,7 @@ YardstickReport measure_yardsticks(const ArmDescription& arm, const ForwardModel
   }
   measurement.add("hold", "hold the pose", hold);
   measurement.add("constant_velocity", "constant velocity", keep_velocity);
-  if (tracked_frames(fit_to.empty() ? episodes : fit_to) < kMinFitFrames) {
+  if (tracked_count(fit_to.empty() ? episodes : fit_to) < kMinFitFrames) {
     report.fitted_to = fmt::format("nothing: fewer than {} frames were tracked", kMinFitFrames);
     return report;
   }

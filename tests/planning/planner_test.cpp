@@ -283,10 +283,6 @@ TEST(Planner, RefusesMissingAndSenselessLimitsAndSettings) {
               ThrowsMessage<InputError>(HasSubstr("time limit [s] of -1; expected a number > 0")));
   EXPECT_THAT([] { make_planner("fast"); },
               ThrowsMessage<InputError>(HasSubstr("'fast'; expected one of default, paper")));
-  PressureRrtStarSettings settings;
-  settings.goal_bias = 1.5;
-  EXPECT_THAT([&] { make_pressure_rrt_star(settings); },
-              ThrowsMessage<InputError>(HasSubstr("goal_bias = 1.5; expected 0 to 1")));
 }
 
 TEST(Planner, AGoalAtTheStartIsAPlanThatStandsStill) {

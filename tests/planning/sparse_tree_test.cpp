@@ -55,7 +55,7 @@ TEST(SparseTree, StepsNoFartherThanAskedAndNeverBeyondTheLimits) {
   Setting s;
   RandomStream random(2, 1);
   for (int k = 0; k < 200; ++k) {
-    const Pressures target = s.tree.random_configuration(random);
+    const Pressures target = s.tree.box().sample(random);
     EXPECT_LE((target.array().abs() - s.tree.scales_kpa().array()).maxCoeff(), 0.0F);
     const Pressures stepped = s.tree.stepped(0, target, 0.25);
     constexpr float kRounding = 1e-5F;
@@ -65,7 +65,7 @@ TEST(SparseTree, StepsNoFartherThanAskedAndNeverBeyondTheLimits) {
     const Eigen::Vector3f whole = target - s.start.pressures_kpa;
     EXPECT_LT(way.cross(whole).norm(), kRounding * whole.squaredNorm());
   }
-  EXPECT_EQ(s.tree.limited(Eigen::Vector3f(500.0F, -500.0F, 3.0F)),
+  EXPECT_EQ(s.tree.box().limited(Eigen::Vector3f(500.0F, -500.0F, 3.0F)),
             Pressures(Eigen::Vector3f(100.0F, -100.0F, 3.0F)));
 }
 

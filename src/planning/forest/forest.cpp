@@ -52,7 +52,7 @@ class Grower {
     std::vector<Path> batch;
     for (std::size_t k = 0; k < kBatch; ++k) {
       RandomStream random(settings_.seed, kGrowStream + proposals_++);
-      const Pressures target = tree_.random_configuration(random);
+      const Pressures target = tree_.box().sample(random);
       const int parent = tree_.parent_near(target, kRandomParent, random);
       const Pressures to =
           random.uniform() < kFarShare ? target : tree_.stepped(parent, target, kStep);

@@ -8,29 +8,15 @@ namespace limber {
 
 namespace {
 
-void require_valid(const PressureRrtStarSettings& s) {
-  require_between("step_size", s.step_size, 1e-3, 10.0);
-  require_between("near_factor", s.near_factor, 1.0, 100.0);
-  require_between("goal_bias", s.goal_bias, 0.0, 1.0);
-  require_between("goal_spread", s.goal_spread, 0.0, 10.0);
-  require_between("goal_configurations", s.goal_configurations, 1, 1e6);
-  require_between("match_pressure_kpa", s.match_pressure_kpa, 0.0, 1e6);
-  require_between("match_position_m", s.match_position_m, 0.0, 1.0);
-  require_between("match_orientation_rad", s.match_orientation_rad, 0.0, 10.0);
-  require_between("hold_position_m", s.hold_position_m, 0.0, 10.0);
-  require_between("hold_orientation_rad", s.hold_orientation_rad, 0.0, 10.0);
-}
-
 /// One run.
 class RrtStarRun {
  public:
-  RrtStarRun(const PlanningProblem& problem, const CollisionChecker& checker,
-             const PressureRrtStarSettings& settings, const char* planner, std::uint64_t seed,
-             PlannerBudget& budget)
+  RrtStarRun(const PlanningProblem& problem, const CollisionChecker& checker, const char* planner,
+             std::uint64_t seed, PlannerBudget& budget)
       : problem_(problem),
         budget_(budget),
         simulator_(problem.arm, problem.model, checker),
-        search_(problem, simulator_, settings, seed),
+        search_(problem, simulator_, PressureRrtStarSettings(), seed),
         ladder_(problem, simulator_, budget, planner, seed) {}
 
   PlanResult run() {
@@ -83,10 +69,7 @@ class RrtStarRun {
 
 class PressureRrtStar final : public Planner {
  public:
-  PressureRrtStar(std::string name, const PressureRrtStarSettings& settings)
-      : name_(std::move(name)), settings_(settings) {
-    require_valid(settings);
-  }
+  explicit PressureRrtStar(std::string name) : name_(std::move(name)) {}
 
   const char* name() const override { return name_.c_str(); }
 
@@ -98,19 +81,17 @@ class PressureRrtStar final : public Planner {
     if (is_refused(problem, checker, refused)) {
       return refused;
     }
-    return RrtStarRun(problem, checker, settings_, name(), seed, budget).run();
+    return RrtStarRun(problem, checker, name(), seed, budget).run();
   }
 
  private:
   std::string name_;
-  PressureRrtStarSettings settings_;
 };
 
 }  // namespace
 
-std::unique_ptr<Planner> make_pressure_rrt_star(const PressureRrtStarSettings& settings,
-                                                std::string name) {
-  return std::make_unique<PressureRrtStar>(std::move(name), settings);
+std::unique_ptr<Planner> make_pressure_rrt_star(std::string name) {
+  return std::make_unique<PressureRrtStar>(std::move(name));
 }
 
 }  // namespace limber

@@ -15,7 +15,6 @@ struct PressureRrtStarSettings {
   double match_pressure_kpa = 1.0;  ///< a rewired node's set points are the same, its pressures so
   double match_position_m = 0.005;  ///< and its backbone agrees at every plate
   double match_orientation_rad = 0.05;
-  bool rewire = true;
   double hold_position_m = 0.05;  ///< nodes whose tip is this near the goal are held and judged
   double hold_orientation_rad = 0.5;
 };
@@ -28,9 +27,6 @@ struct PressureRrtStarSettings {
 /// the same tree from nine times the queries.
 ///
 /// @param name  the planner's name in plans
-/// @throws InputError if a setting is out of range.
-std::unique_ptr<Planner> make_pressure_rrt_star(
-    const PressureRrtStarSettings& settings = PressureRrtStarSettings(),
-    std::string name = "paper");
+std::unique_ptr<Planner> make_pressure_rrt_star(std::string name = "paper");
 
 }  // namespace limber

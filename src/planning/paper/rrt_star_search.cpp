@@ -261,9 +261,7 @@ void RrtStarSearch::iterate(const PlannerBudget& budget) {
   const std::optional<int> node = connect(*kpa, nodes);
   if (node) {
     judge(*node);
-    if (settings_.rewire) {
-      rewire(*node, nodes, budget);
-    }
+    rewire(*node, nodes, budget);
   }
 }
 

@@ -58,7 +58,7 @@ Pressures BatchSearch::scattered(const Pressures& about_kpa, double spread,
   for (Eigen::Index i = 0; i < kpa.size(); ++i) {
     kpa[i] += static_cast<float>(random.normal() * spread) * tree_.scales_kpa()[i];
   }
-  return tree_.limited(kpa);
+  return tree_.box().limited(kpa);
 }
 
 BatchSearch::Proposal BatchSearch::shot_at_goal(RandomStream& random) {
@@ -83,7 +83,7 @@ BatchSearch::Proposal BatchSearch::shot_at_goal(RandomStream& random) {
 }
 
 BatchSearch::Proposal BatchSearch::exploration(RandomStream& random) {
-  const Pressures to = tree_.random_configuration(random);
+  const Pressures to = tree_.box().sample(random);
   const int parent = tree_.parent_near(to, settings_.random_parent, random);
   return {parent, tree_.stepped(parent, to, settings_.step_size)};
 }

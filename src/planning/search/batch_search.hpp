@@ -38,7 +38,9 @@ class BatchSearch {
   /// Someone else has found that a node is in the goal after the hold.
   Solution note_solution(int node, const Pose& held_tip);
 
-  Pressures limited(const Pressures& pressures_kpa) const { return tree_.limited(pressures_kpa); }
+  Pressures limited(const Pressures& pressures_kpa) const {
+    return tree_.box().limited(pressures_kpa);
+  }
 
   /// Nodes in the goal, in the order found.
   const std::vector<Solution>& solutions() const { return solutions_; }

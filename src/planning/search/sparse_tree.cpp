@@ -86,25 +86,13 @@ int SparseTree::parent_near(const Pressures& target_kpa, double random_share,
   return node;
 }
 
-Pressures SparseTree::random_configuration(RandomStream& random) const {
-  return box_.sample(random);
-}
-
 Pressures SparseTree::stepped(int node, const Pressures& target_kpa, double step) const {
   const auto from = tree_.setpoint_kpa(node);
   const float distance = scaled(target_kpa - from).norm();
   if (distance <= static_cast<float>(step)) {
     return target_kpa;
   }
-  return limited(from + (target_kpa - from) * (static_cast<float>(step) / distance));
-}
-
-Eigen::VectorXf SparseTree::scaled(const PressuresRef& pressures_kpa) const {
-  return pressures_kpa.cwiseQuotient(scale_kpa_);
-}
-
-Pressures SparseTree::limited(const Pressures& pressures_kpa) const {
-  return box_.limited(pressures_kpa);
+  return box_.limited(from + (target_kpa - from) * (static_cast<float>(step) / distance));
 }
 
 std::uint64_t SparseTree::cell_of(const MotionState& state, const Pose& settled_tip) const {

@@ -49,12 +49,13 @@ class SparseTree {
   /// the arm's limits.
   void keep_within(const PressureBox& box) { box_ = box; }
 
-  Pressures random_configuration(RandomStream& random) const;
+  const PressureBox& box() const { return box_; }
   /// `target_kpa`, or the point at distance `step` from the node toward it, if that is nearer.
   Pressures stepped(int node, const Pressures& target_kpa, double step) const;
-  Pressures limited(const Pressures& pressures_kpa) const;
   /// Fractions of the limits.
-  Eigen::VectorXf scaled(const PressuresRef& pressures_kpa) const;
+  Eigen::VectorXf scaled(const PressuresRef& pressures_kpa) const {
+    return pressures_kpa.cwiseQuotient(scale_kpa_);
+  }
   const Pressures& scales_kpa() const { return scale_kpa_; }
 
  private:

@@ -7,6 +7,7 @@
 
 #include "limber/common/interrupt.hpp"
 #include "limber/run/replanner.hpp"
+#include "plan_repair.hpp"
 
 namespace limber {
 
@@ -144,14 +145,7 @@ MotionAdvice MotionGuide::advise(const PlanProgress& at, const PoseGoal& aim,
       feedback ? led_forecast(plan, next, way, *feedback) : way.forecast_of(model_, rest_kpa);
   const Eigen::Vector3d ahead =
       feedback ? Eigen::Vector3d::Zero().eval() : miss_ahead(miss, rest_kpa, next_kpa);
-  // The tip will be that much beside where the model has it, so the model is asked for as much
-  // less.
-  PoseGoal goal = aim;
-  goal.x_m -= ahead.x();
-  goal.y_m -= ahead.y();
-  if (goal.theta_rad) {
-    *goal.theta_rad -= ahead.z();
-  }
+  const PoseGoal goal = asked_goal(aim, ahead);
   const double error_m = as_length_m(goal, pose_error(goal, rest.end));
   const bool struck_before = std::exchange(strikes_, !rest.is_safe());
   const double promised_m =
@@ -204,19 +198,14 @@ std::optional<MotionAdvice> MotionGuide::lead(const Plan& plan, std::size_t next
   return MotionAdvice{has_waited_ ? MotionAdvice::Kind::wait : MotionAdvice::Kind::go_on};
 }
 
-Pressures MotionGuide::led_setpoint(const Plan& plan, std::size_t next, const MotionState& from,
-                                    ShapeFeedback& feedback) const {
-  feedback.learn(plan.frames[next].backbone, from.backbone);
-  return feedback.setpoint(plan.frames[next + 1].setpoint_kpa, from.setpoint_kpa(),
-                           limits_after(plan, settings_.corrections.limits));
-}
-
 RestForecast MotionGuide::led_forecast(const Plan& plan, std::size_t next, const Ahead& way,
                                        ShapeFeedback feedback) const {
   return forecast(
       model_, way.checker, way.from, plan.frames.size() - next - 1,
       [&](std::size_t k, const MotionState& before) {
-        return led_setpoint(plan, next + k, before, feedback);
+        feedback.learn(plan.frames[next + k].backbone, before.backbone);
+        return feedback.setpoint(plan.frames[next + k + 1].setpoint_kpa, before.setpoint_kpa(),
+                                 limits_after(plan, settings_.corrections.limits));
       },
       way.needed_m);
 }

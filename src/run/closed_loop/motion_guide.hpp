@@ -62,7 +62,9 @@ class MotionGuide {
 
     RestForecast forecast_of(const MotionModel& model,
                              const std::vector<Pressures>& setpoints_kpa) const {
-      return forecast(model, checker, from, setpoints_kpa, needed_m);
+      return forecast(
+          model, checker, from, setpoints_kpa.size(),
+          [&](std::size_t k, const MotionState&) { return setpoints_kpa[k]; }, needed_m);
     }
   };
   /// Whether an arm that is led goes on or waits. None: it needs another way.
@@ -71,9 +73,6 @@ class MotionGuide {
   /// Whether so many frames of a plan are, from `next` on.
   /// @param off  that the arm is beside the plan in all of them
   bool is_free(const Plan& plan, std::size_t next, std::size_t frames, const Backbone& off) const;
-  /// Set points of the frame after `next`.
-  Pressures led_setpoint(const Plan& plan, std::size_t next, const MotionState& from,
-                         ShapeFeedback& feedback) const;
   /// What becomes of an arm that is led along the rest of a plan.
   RestForecast led_forecast(const Plan& plan, std::size_t next, const Ahead& way,
                             ShapeFeedback feedback) const;

@@ -30,6 +30,15 @@ Eigen::Vector3d missing_m(const PoseGoal& goal, const Pose& tip) {
   return {goal.x_m - tip.x_m, goal.y_m - tip.y_m, m_per_rad(goal) * turn};
 }
 
+PoseGoal asked_goal(PoseGoal goal, const Eigen::Vector3d& miss) {
+  goal.x_m -= miss.x();
+  goal.y_m -= miss.y();
+  if (goal.theta_rad) {
+    *goal.theta_rad -= miss.z();
+  }
+  return goal;
+}
+
 std::vector<Pressures> waypoints_after(const PlanProgress& at, double step_limit_kpa) {
   const Plan& plan = at.plan;
   std::vector<Pressures> rest{at.sent_kpa};

@@ -20,6 +20,9 @@ double as_length_m(const PoseGoal& goal, const PoseError& error);
 /// From a tip to the goal's centre: x, y and the heading as a length. [m]
 Eigen::Vector3d missing_m(const PoseGoal& goal, const Pose& tip);
 
+/// What a model is asked for to end in `goal`, if its tip misses by that much (x, y, heading).
+PoseGoal asked_goal(PoseGoal goal, const Eigen::Vector3d& miss);
+
 /// What is left of a plan for an arm in motion: the set points of its next frame, then the plan's
 /// waypoints after that frame, its end last.
 std::vector<Pressures> waypoints_after(const PlanProgress& at, double step_limit_kpa);

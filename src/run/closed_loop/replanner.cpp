@@ -134,17 +134,6 @@ void Replanner::learn_from(const Plan& ended, const Pose& measured) {
   missed_.learn(expected, measured);
 }
 
-PoseGoal Replanner::shifted_goal() const {
-  const Eigen::Vector3d missed = missed_.expected();
-  PoseGoal goal = environment_.goal;
-  goal.x_m -= missed.x();
-  goal.y_m -= missed.y();
-  if (goal.theta_rad) {
-    *goal.theta_rad -= missed.z();
-  }
-  return goal;
-}
-
 /// As the arm will go, and not as the model has it: without creep.
 bool Replanner::stays_in_goal(const Plan& plan) const {
   for (std::size_t k = 1; k < plan.frames.size(); ++k) {
@@ -199,7 +188,7 @@ std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const P
   }
   Environment from_here = environment_;
   from_here.start = ArmStart{held_kpa, *rest};
-  aim_ = shifted_goal();
+  aim_ = asked_goal(environment_.goal, missed_.expected());
   from_here.goal = aim_;
   const bool is_well_inside =
       !halted && error_m <= kHeldInside * environment_.goal.position_tolerance_m;

@@ -1,16 +1,8 @@
 #include "rest_forecast.hpp"
 
 #include <limits>
-#include <utility>
 
 namespace limber {
-
-RestForecast forecast(const MotionModel& model, const CollisionChecker& checker, MotionState state,
-                      const std::vector<Pressures>& setpoints_kpa, double needed_m) {
-  return forecast(
-      model, checker, std::move(state), setpoints_kpa.size(),
-      [&](std::size_t k, const MotionState&) { return setpoints_kpa[k]; }, needed_m);
-}
 
 RestForecast forecast(
     const MotionModel& model, const CollisionChecker& checker, MotionState state,

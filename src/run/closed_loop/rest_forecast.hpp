@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <vector>
 
 #include "limber/forward/motion_simulator.hpp"
 #include "limber/world/collision.hpp"
@@ -18,11 +17,8 @@ struct RestForecast {
 };
 
 /// Simulates set points frame by frame, with the clearance of every motion between frames.
-/// @param needed_m  what has to be kept from obstacles, beyond the checker's own margins
-RestForecast forecast(const MotionModel& model, const CollisionChecker& checker, MotionState state,
-                      const std::vector<Pressures>& setpoints_kpa, double needed_m);
-/// The same, where set points depend on where the arm is.
 /// @param setpoint_kpa  of frame k = 0 … frames − 1, the arm being in that state before it
+/// @param needed_m  what has to be kept from obstacles, beyond the checker's own margins
 RestForecast forecast(
     const MotionModel& model, const CollisionChecker& checker, MotionState state,
     std::size_t frames,

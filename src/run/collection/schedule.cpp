@@ -22,14 +22,6 @@ constexpr int kMaxCount = 10'000'000;
 constexpr double kLongestHold_s = 3600.0;
 constexpr std::uint64_t kScheduleStream = 0x7363'6865'6475'6c65;  // apart from a driver's streams
 
-std::int64_t power(std::int64_t base, int exponent) {
-  std::int64_t result = 1;
-  for (int i = 0; i < exponent; ++i) {
-    result *= base;
-  }
-  return result;
-}
-
 /// Vertices of an Eulerian circuit of the complete directed graph with self-loops (Hierholzer),
 /// from vertex 0 back to it: vertices² + 1 entries. Order sampled by `random`.
 std::vector<int> eulerian_circuit(int vertices, RandomStream& random) {
@@ -118,7 +110,7 @@ std::vector<EpisodeSchedule> transition_schedule(const ArmDescription& arm,
   const int n = arm.channel_count();
   const int count = transition_count(arm, settings);
   RandomStream random(seed, kScheduleStream);
-  const std::int64_t vertices = power(kCornerStates, n);
+  const std::int64_t vertices = std::llround(std::pow(kCornerStates, n));
   const std::vector<int> walk = n <= kMaxWalk ? eulerian_circuit(static_cast<int>(vertices), random)
                                               : random_walk(vertices, count, random);
   const int wanted = settings.episodes == 0 ? kTransitionEpisodes : settings.episodes;

@@ -60,6 +60,27 @@ std::string another_scale(const PlatePositions& shape, double arm_length_m) {
 
 }  // namespace
 
+Eigen::VectorXd checked_setpoints(const ArmDescription& arm,
+                                  const Eigen::Ref<const Pressures>& setpoint_kpa) {
+  if (setpoint_kpa.size() != arm.channel_count()) {
+    throw InputError(fmt::format("{} set points; arm '{}' has {} {}", setpoint_kpa.size(), arm.name,
+                                 arm.channel_count(), arm.is_spatial() ? "chambers" : "segments"));
+  }
+  Eigen::VectorXd result = setpoint_kpa.cast<double>();
+  for (int channel = 0; channel < arm.channel_count(); ++channel) {
+    const PressureLimits& limits = arm.limits_of_channel(channel);
+    if (!(result[channel] >= limits.lower_kpa - kRoundingKpa &&
+          result[channel] <= limits.upper_kpa + kRoundingKpa)) {  // no NaN is
+      throw InputError(fmt::format("set point of {} is {} {unit}; expected {} to {} {unit}",
+                                   channel_name(arm, channel), setpoint_kpa[channel],
+                                   limits.lower_kpa, limits.upper_kpa,
+                                   fmt::arg("unit", arm.command.unit)));
+    }
+    result[channel] = limits.clamped(result[channel]);
+  }
+  return result;
+}
+
 void throw_if_wrong(const std::string& wrong) {
   if (!wrong.empty()) {
     throw SystemFault(wrong);

@@ -36,4 +36,13 @@ inline std::int64_t frame_count(const std::vector<Episode>& episodes) {
   return frames;
 }
 
+/// Frames in which the arm was tracked.
+inline std::int64_t tracked_count(const std::vector<Episode>& episodes) {
+  std::int64_t frames = 0;
+  for (const Episode& episode : episodes) {
+    frames += episode.frame_count() - episode.untracked_count();
+  }
+  return frames;
+}
+
 }  // namespace limber

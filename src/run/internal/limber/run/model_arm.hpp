@@ -24,7 +24,6 @@ class ModelArm final : public ArmDriver {
   void vent() noexcept override {}
 
  private:
-  Pressures within_limits(const Eigen::Ref<const Pressures>& setpoint_kpa) const;
   void look();
 
   ArmDescription arm_;

@@ -72,7 +72,6 @@ class Replanner {
   std::uint64_t seed_of_next() const { return seed_ + static_cast<std::uint64_t>(replans_); }
   bool has_more_to_gain(double error_m, bool has_arrived) const;
   void learn_from(const Plan& ended, const Pose& measured);
-  PoseGoal shifted_goal() const;
   bool stays_in_goal(const Plan& plan) const;
   std::optional<Plan> search(const Plan& before, const Environment& from_here, double margin_m,
                              bool is_last_resort);

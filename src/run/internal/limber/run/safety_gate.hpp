@@ -76,6 +76,11 @@ class SafetyGate {
   int frames_unseen_ = 0;                 // … and how many frames ago
 };
 
+/// What an arm in process takes for set points: within its limits, where float32 rounds beyond one.
+/// @throws InputError for others, or where there is not one for each channel.
+Eigen::VectorXd checked_setpoints(const ArmDescription& arm,
+                                  const Eigen::Ref<const Pressures>& setpoint_kpa);
+
 /// @throws SystemFault with these words, as the gate returns them; not where there are none.
 void throw_if_wrong(const std::string& wrong);
 
