@@ -71,17 +71,18 @@ std::string find_family_file(const std::string& name_or_path) {
                        "(three_segment, three_segment_small, two_segment)");
 }
 
-FileKind kind_of(const std::string& content) {
-  if (content.rfind("\x89HDF\r\n", 0) == 0) {
-    return FileKind::recording;
-  }
+FileKind kind_of(const fs::path& file) {
   constexpr std::size_t kSafetensorsHeader = 8;  // its length, then JSON
   constexpr std::size_t kHeaderLooked = 65536;   // a forest's: four tensors, and its arm's keys
-  if (content.size() > kSafetensorsHeader && content[kSafetensorsHeader] == '{' &&
-      content[kSafetensorsHeader - 1] == '\0') {
-    const std::string_view header = std::string_view(content).substr(0, kHeaderLooked);
-    return header.find("limber/forest/") == header.npos ? FileKind::model : FileKind::forest;
+  const std::string head = read_head(file, kHeaderLooked);
+  if (head.starts_with("\x89HDF\r\n")) {
+    return FileKind::recording;
   }
+  if (head.size() > kSafetensorsHeader && head[kSafetensorsHeader] == '{' &&
+      head[kSafetensorsHeader - 1] == '\0') {
+    return head.find("limber/forest/") == head.npos ? FileKind::model : FileKind::forest;
+  }
+  const std::string content = read_file(file);
   // JSON is YAML too: arms, environments and valves may be written either way.
   // A byte order mark, which every reader of text skips, says nothing about the kind.
   const std::size_t begin = content.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;

@@ -55,10 +55,10 @@ Finding inspect_arm_in_space(const ArmDescription& arm) {
 Finding inspect_arm(const YamlReader& root) {
   const ArmDescription arm = read_arm(root);
   const NoLoadModel model(arm);
+  virtual_arm_parameters(arm);  // refuses what is wrong there
   if (arm.is_spatial()) {
     return inspect_arm_in_space(arm);
   }
-  virtual_arm_parameters(arm);  // refuses what is wrong there
   Finding finding;
   finding.json = {{"kind", "arm"},
                   {"name", arm.name},

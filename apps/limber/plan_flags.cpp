@@ -170,7 +170,7 @@ std::optional<Forest> ForestFlags::forest(const ArmDescription& arm, const Motio
                                    model.valves().parameters(), start);
   std::error_code error;
   if (std::filesystem::exists(path, error) && build_) {
-    if (kind_of(read_file(path)) != FileKind::forest) {
+    if (kind_of(path) != FileKind::forest) {
       throw InputError(path + ": no forest; only a forest can be replaced by a forest");
     }
     say(flags, "{}: growing it again, as asked for", path);

@@ -115,7 +115,7 @@ ArmDescription load_asked_arm(const std::string& name_or_path, const std::string
 enum class FileKind { recording, model, forest, plan, yaml };
 
 /// Decides by content, never by name.
-FileKind kind_of(const std::string& content);
+FileKind kind_of(const std::filesystem::path& file);
 
 /// Path of an environment file, found the same way ("01_pillar" in environments/).
 std::string find_environment_file(const std::string& name_or_path);

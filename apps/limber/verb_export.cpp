@@ -93,7 +93,7 @@ class ExportVerb final : public Verb {
   }
 
   void export_by_kind() {
-    switch (kind_of(read_file(file_))) {
+    switch (kind_of(file_)) {
       case FileKind::recording:
         require_only(csv_, motive_, "a recording", "--csv or --motive");
         require_no_arm("a recording");

@@ -275,8 +275,7 @@ Finding inspect_plan(const std::string& file, const std::optional<ArmDescription
 }
 
 Finding inspect_file(const std::string& file, const std::optional<ArmDescription>& arm) {
-  const std::string content = read_file(file);
-  switch (kind_of(content)) {
+  switch (kind_of(file)) {
     case FileKind::recording:
       return inspect_recording(file, arm);
     case FileKind::model:
@@ -286,7 +285,7 @@ Finding inspect_file(const std::string& file, const std::optional<ArmDescription
     case FileKind::plan:
       return inspect_plan(file, arm);
     default:
-      return inspect_yaml(file, content, arm);
+      return inspect_yaml(file, read_file(file), arm);
   }
 }
 

@@ -154,7 +154,8 @@ class VerifyVerb final : public Verb {
     }
     bool agreed = true;
     const bool setpoints = used != nullptr && used->learnt_from_setpoints;
-    for (const std::string& other : also_) {
+    // What is no plan says nothing of a network.
+    for (const std::string& other : is_plan ? also_ : std::vector<std::string>()) {
       const OtherJudgement judgement =
           judge_by(other, plan, arm, setpoints ? nullptr : &valves, environment);
       json["also"].push_back(to_json(judgement));

@@ -81,11 +81,15 @@ class VirtualArmVerb final : public Verb {
       throw InputError(
           "--disturbance obstacle: the arm does not know obstacles; limber execute has the flag");
     }
-    const bool needs_plan = has_kind(disturbances, DisturbanceKind::lost_tracking);
+    const bool needs_plan = has_kind(disturbances, DisturbanceKind::lost_tracking) ||
+                            has_kind(disturbances, DisturbanceKind::picked_up) ||
+                            has_kind(disturbances, DisturbanceKind::leak);
     if (needs_plan == plan_.empty()) {
-      throw InputError(needs_plan
-                           ? "--disturbance lost_tracking: in which plan's motion? (--plan FILE)"
-                           : "--plan: goes with --disturbance lost_tracking");
+      throw InputError(needs_plan ? fmt::format("--disturbance {}: in which plan's motion? "
+                                                "(--plan FILE)",
+                                                disturbance_)
+                                  : "--plan: goes with --disturbance lost_tracking, picked_up or "
+                                    "leak");
     }
     Plan plan;
     if (needs_plan) {

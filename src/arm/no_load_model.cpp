@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "limber/arm/names.hpp"
 #include "limber/arm/space_no_load.hpp"
 #include "limber/common/error.hpp"
 
@@ -25,6 +26,13 @@ NoLoadModel::NoLoadModel(const ArmDescription& arm)
       channel_count_(arm.channel_count()),
       point_count_(arm.point_count()) {
   if (arm.is_spatial()) {
+    for (int c = 0; kind_ == NoLoadKind::chambers && c < channel_count_; ++c) {
+      const std::string reason =
+          why_unusable(arm.chamber(c).strain_polynomial, arm.limits_of_channel(c).largest_kpa());
+      if (!reason.empty()) {
+        throw InputError(fmt::format("{}: strain_polynomial {}", channel_name(arm, c), reason));
+      }
+    }
     in_space_ = std::make_shared<const SpaceNoLoad>(arm);
     return;
   }

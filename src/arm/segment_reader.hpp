@@ -66,6 +66,20 @@ inline StrainPolynomial read_strain_polynomial(const YamlReader& node, double pr
   return polynomial;
 }
 
+/// A segment's or chamber's. @return zero where it is missing, or none that a model can use, and
+/// characterisation asks
+inline StrainPolynomial strain_polynomial_of(const YamlReader& part, double pressure_limit_kpa,
+                                             PolynomialsOf polynomials) {
+  try {
+    return read_strain_polynomial(part.at("strain_polynomial"), pressure_limit_kpa);
+  } catch (const InputError&) {
+    if (polynomials == PolynomialsOf::model) {
+      throw;
+    }
+    return {};
+  }
+}
+
 /// Reads segments of one arm: what a segment may say depends on the arm's command.
 class SegmentReader {
  public:
@@ -90,7 +104,7 @@ class SegmentReader {
           node.has("limit") ? read_limits(node.at("limit"), limit_meaning()) : *general_limit_;
     }
     if (kind_ == NoLoadKind::strain_polynomial) {
-      segment.strain_polynomial = read_polynomial(node, segment.pressure_limit_kpa.largest_kpa());
+      read_polynomial(node, segment);
     }
     if (kind_ == NoLoadKind::curvature) {
       read_curvature(node, segment);
@@ -115,14 +129,16 @@ class SegmentReader {
     }
   }
 
-  StrainPolynomial read_polynomial(const YamlReader& node, double pressure_limit_kpa) const {
-    try {
-      return read_strain_polynomial(node.at("strain_polynomial"), pressure_limit_kpa);
-    } catch (const InputError&) {
-      if (polynomials_ == PolynomialsOf::model) {
-        throw;
-      }
-      return {};
+  void read_polynomial(const YamlReader& node, Segment& segment) const {
+    const double limit = segment.pressure_limit_kpa.largest_kpa();
+    segment.strain_polynomial = strain_polynomial_of(node, limit, polynomials_);
+    const double turn_rad =
+        strain_at(segment.strain_polynomial, limit) * segment.length_m / segment.width_m;
+    if (turn_rad > segment.gaps * std::numbers::pi) {
+      node.at("width_m").refuse(fmt::format(
+          "{} m found, and so {} {} turn the segment by {:.1f} rad; expected less than half a turn "
+          "for each of its {} gaps",
+          segment.width_m, limit, unit_, turn_rad, segment.gaps));
     }
   }
 

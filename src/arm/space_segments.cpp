@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "limber/arm/pressure_limits.hpp"
+#include "limber/arm/space_no_load.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "segment_reader.hpp"
 
@@ -15,7 +16,6 @@ namespace limber {
 namespace {
 
 constexpr std::size_t kMaxChambers = 16;  // of a segment
-constexpr int kShapeRows = 3;             // bend about y, bend about z, extension
 
 Eigen::Vector3d read_gravity(const YamlReader& node) {
   const std::vector<double> numbers = node.numbers("a part of gravity's direction");
@@ -136,10 +136,8 @@ class SpaceSegmentReader {
       }
       return;
     }
-    const double limit = chamber.limit_kpa.largest_kpa();
-    chamber.strain_polynomial = polynomials_ == PolynomialsOf::model
-                                    ? read_strain_polynomial(node.at(key), limit)
-                                    : read_coefficients(node.at(key));
+    chamber.strain_polynomial =
+        strain_polynomial_of(node, chamber.limit_kpa.largest_kpa(), polynomials_);
   }
 
   NoLoadKind kind_;

@@ -179,7 +179,7 @@ std::string to_text(const IdentifiedValves& valves, const std::string& unit, Dim
   }
   const ValveErrors& errors = valves.findings.held_back;
   if (errors.frames > 0) {
-    text += fmt::format("; held back: {:.2f} {} mean, {:.2f} p95, {:.2f} max (set points {:.2f})",
+    text += fmt::format("; held back: {:.3g} {} mean, {:.3g} p95, {:.3g} max (set points {:.3g})",
                         errors.mean_kpa, unit, errors.p95_kpa, errors.max_kpa,
                         valves.findings.from_setpoints.mean_kpa);
   }

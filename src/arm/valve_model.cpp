@@ -152,17 +152,6 @@ void ValveModel::step(const Eigen::Ref<const Pressures>& setpoint_kpa,
   step_column(motions_, segment_count_, setpoint_count_, setpoint_kpa.data(), state.data());
 }
 
-void ValveModel::step_batch(const Eigen::Ref<const Eigen::MatrixXf>& setpoint_kpa,
-                            Eigen::Ref<Eigen::MatrixXf> states) const {
-  require_size("set points", setpoint_kpa.rows(), segment_count_);
-  require_size("states", states.rows(), state_size());
-  require_size("a batch of states", states.cols(), setpoint_kpa.cols());
-  for (Eigen::Index k = 0; k < states.cols(); ++k) {
-    step_column(motions_, segment_count_, setpoint_count_, setpoint_kpa.col(k).data(),
-                states.col(k).data());
-  }
-}
-
 Eigen::MatrixXd ValveModel::run(const Eigen::Ref<const Eigen::MatrixXd>& setpoint_kpa,
                                 const Eigen::Ref<const Eigen::VectorXd>& first_pressure_kpa) const {
   require_size("set points", setpoint_kpa.rows(), segment_count_);

@@ -80,10 +80,12 @@ std::vector<double> in_double(const Pressures& kpa) {
   return {kpa.begin(), kpa.end()};
 }
 
-constexpr double kSetpointKpa = 1e-4;  // several roundings of a float32 of 100 kPa
-constexpr double kCost = 1e-6;         // relative
-constexpr double kFrames = 1e-4;       // a motion so near a whole number of frames may take either
-constexpr double kGoalHoldS = 1.0;     // docs/planning.md, Goal
+constexpr double kSetpointShare = 1e-6;  // of the largest command: several roundings of a float32
+constexpr double kCost = 1e-6;           // relative
+constexpr double kFrames = 1e-4;    // a motion so near a whole number of frames may take either
+constexpr double kGoalHoldS = 1.0;  // docs/planning.md, Goal
+constexpr double kFarthestM =
+    1e4;  // no plate is there; coordinates of environments end long before
 
 double change_kpa(const Pressures& from, const Pressures& to, Eigen::Index i) {
   return double(to[i]) - double(from[i]);
@@ -104,6 +106,9 @@ class FrameChecks {
   }
 
  private:
+  double rounding_kpa(Eigen::Index segment) const {
+    return kSetpointShare * arm_.limits_of_channel(static_cast<int>(segment)).largest_kpa();
+  }
   void fail(const char* check, std::size_t frame, std::string message) {
     certificate_.failures.push_back({check, static_cast<int>(frame), std::move(message)});
   }
@@ -186,7 +191,7 @@ class FrameChecks {
             std::abs(change_kpa(plan_.frames[k - 1].setpoint_kpa, plan_.frames[k].setpoint_kpa, i));
         cost += step;
         largest = std::max(largest, step);
-        if (!(step <= step_limit + kSetpointKpa) && !reported) {
+        if (!(step <= step_limit + rounding_kpa(i)) && !reported) {
           reported = true;
           fail("rate", k,
                fmt::format("{} moves by {:.6g} {} in one frame; {:.6g} are allowed",
@@ -231,7 +236,7 @@ class FrameChecks {
       const double part = double(k) / double(count);
       for (Eigen::Index i = 0; i < setpoint.size(); ++i) {
         const double expected = double(from[i]) + part * change_kpa(from, to, i);
-        if (!(std::abs(double(setpoint[i]) - expected) <= kSetpointKpa)) {
+        if (!(std::abs(double(setpoint[i]) - expected) <= rounding_kpa(i))) {
           return false;
         }
       }
@@ -293,9 +298,9 @@ ExactArm::Shape shape_of(const Backbone& backbone) {
 
 bool is_drawable(const ExactArm::Shape& shape) {
   for (std::size_t i = 0; i < shape.size(); ++i) {
-    const bool finite = std::isfinite(shape[i].x_m) && std::isfinite(shape[i].y_m) &&
-                        std::isfinite(shape[i].theta_rad);
-    if (!finite || (i > 0 && std::abs(shape[i].theta_rad - shape[i - 1].theta_rad) > kMaxTurnRad)) {
+    const bool is_near = std::hypot(shape[i].x_m, shape[i].y_m) <= kFarthestM;  // no NaN is
+    if (!is_near || !std::isfinite(shape[i].theta_rad) ||
+        (i > 0 && std::abs(shape[i].theta_rad - shape[i - 1].theta_rad) > kMaxTurnRad)) {
       return false;
     }
   }

@@ -116,7 +116,10 @@ bool rename_to_new(const fs::path& from, const fs::path& to) {
     }
     if (errno != EEXIST) {
       std::error_code error;
-      if (!fs::exists(fs::symlink_status(to, error)) && ::rename(from.c_str(), to.c_str()) == 0) {
+      if (fs::exists(fs::symlink_status(to, error))) {
+        return false;
+      }
+      if (::rename(from.c_str(), to.c_str()) == 0) {
         return true;
       }
     }
@@ -302,6 +305,24 @@ std::string read_file(const fs::path& path) {
       content.resize(size + size / 2 + kBlock);
     }
   }
+}
+
+std::string read_head(const fs::path& path, std::size_t most) {
+  const Descriptor file = open_to_read(path);
+  std::string head(most, '\0');
+  std::size_t size = 0;
+  while (size < most) {
+    const ssize_t count = ::read(file.get(), head.data() + size, most - size);
+    if (count == 0) {
+      break;
+    }
+    if (count < 0 && errno != EINTR) {
+      throw_fault(path, "can't be read", errno);
+    }
+    size += static_cast<std::size_t>(std::max<ssize_t>(count, 0));
+  }
+  head.resize(size);
+  return head;
 }
 
 void read_blocks(const fs::path& path, const std::function<void(std::string_view)>& take) {

@@ -1,8 +1,6 @@
 #include "limber/common/csv_reader.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -147,15 +145,6 @@ std::string_view trimmed(std::string_view text) {
 
 bool is_blank(const std::vector<CsvCell>& row) {
   return std::all_of(row.begin(), row.end(), [](const CsvCell& cell) { return cell.empty(); });
-}
-
-bool parse_number(std::string_view text, double& value) {
-  if (text.starts_with('+') && !text.starts_with("+-")) {
-    text.remove_prefix(1);
-  }
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  return error == std::errc() && stop == end && std::isfinite(value);
 }
 
 }  // namespace limber

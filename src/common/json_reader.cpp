@@ -5,6 +5,7 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "limber/common/atomic_file.hpp"
@@ -107,6 +108,15 @@ JsonReader JsonReader::at(const char* key) const {
 
 bool JsonReader::has(const char* key) const {
   return value_.is_object() && value_.contains(key);
+}
+
+void JsonReader::refuse_unknown_keys(const std::vector<std::string>& allowed) const {
+  for (auto entry = value_.begin(); value_.is_object() && entry != value_.end(); ++entry) {
+    if (std::ranges::find(allowed, entry.key()) == allowed.end()) {
+      at(entry.key().c_str())
+          .refuse(fmt::format("unknown key; allowed here: {}", fmt::join(allowed, ", ")));
+    }
+  }
 }
 
 std::vector<JsonReader> JsonReader::elements(const std::string& expected) const {

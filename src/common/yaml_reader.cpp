@@ -1,8 +1,7 @@
 #include "limber/common/yaml_reader.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
+#include <limits>
 #include <set>
 
 #include <fmt/format.h>
@@ -10,6 +9,7 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/number_text.hpp"
 #include "limber/common/utf8.hpp"
 
 namespace limber {
@@ -18,18 +18,6 @@ namespace {
 
 int line_of(const YAML::Node& node, int fallback) {
   return node.Mark().is_null() ? fallback : node.Mark().line + 1;
-}
-
-/// The whole of `text` as a finite number, or NaN.
-double parse_number(const std::string& text) {
-  const char* first = text.data();
-  const char* last = first + text.size();
-  if (first != last && *first == '+') {
-    ++first;
-  }
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(first, last, value);
-  return error == std::errc() && end == last ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// yaml-cpp makes a byte that is not UTF-8 of the escapes \_ and \N.
@@ -91,7 +79,12 @@ YamlReader YamlReader::from_text(const std::string& text, const std::string& nam
                                  1 + std::count(text.begin(), text.begin() + long(at), '\n')));
   }
   try {
-    YAML::Node root = YAML::Load(text);
+    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+    if (documents.size() > 1) {
+      throw InputError(fmt::format("{}:{}: another document begins ('---'); expected one", name,
+                                   line_of(documents[1], 1)));
+    }
+    const YAML::Node root = documents.empty() ? YAML::Node() : documents.front();
     if (!root.IsMap()) {
       throw InputError(fmt::format("{}:1: expected a mapping (key: value …), found {}", name,
                                    root.IsNull() ? "an empty file" : "something else"));
@@ -212,9 +205,8 @@ bool YamlReader::boolean() const {
 }
 
 double YamlReader::number(const std::string& unit, double low, double high) const {
-  const double value =
-      node_.IsScalar() ? parse_number(node_.Scalar()) : std::numeric_limits<double>::quiet_NaN();
-  if (!std::isfinite(value)) {
+  double value = 0.0;
+  if (!node_.IsScalar() || !parse_number(node_.Scalar(), value)) {
     refuse(fmt::format("{} found; expected {}, a plain finite number", found(), unit));
   }
   if (value < low || value > high) {

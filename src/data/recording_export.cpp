@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr double kPlateHeight_m = 0.05;   // above the floor of the motion capture
 constexpr double kMarkerToSide_m = 0.02;  // from the plate's middle
+constexpr double kMostRows = 1e8;         // of a log: weeks at any rate
 
 /// Names of what is exported: what was measured, if anything was, and the set points.
 std::vector<std::string> command_names(const Recording& recording) {
@@ -158,6 +159,12 @@ class MotionLog {
     std::string text = head();
     const double rate_hz = settings_.rate_hz > 0.0 ? settings_.rate_hz : recording_.rate_hz;
     const double length_s = episode_.time_s.tail<1>()[0] - episode_.time_s[0];
+    if (!(length_s * rate_hz <= kMostRows)) {
+      throw InputError(fmt::format(
+          "an episode lasts {:.4g} s by its times, {:.4g} rows at {:.4g} Hz; expected at most {}. "
+          "Is there a gap in it?",
+          length_s, length_s * rate_hz, rate_hz, kMostRows));
+    }
     const auto rows = static_cast<Eigen::Index>(length_s * rate_hz + 1e-6) + 1;
     for (Eigen::Index k = 0; k < rows; ++k) {
       throw_if_interrupted();

@@ -77,6 +77,9 @@ class EpisodeInspector {
       const double pressure_kpa = episode_.pressure_kpa(t, column);
       const double setpoint_kpa = episode_.setpoint_kpa(t, column);
       const double limit_kpa = limits_kpa_[s].largest_kpa();
+      if (limit_kpa <= 0.0) {
+        continue;  // no arm is given, and nothing was commanded there
+      }
       if (limits_kpa_[s].size_kpa(setpoint_kpa) > kSetpointOvershoot * limit_kpa) {
         suspicions_.add(
             "a set point beyond its limit", index_, t,

@@ -336,7 +336,8 @@ Recording read_wanted(const std::filesystem::path& path, const Wanted& wanted) {
   try {
     recording = read(MappedFile(path), wanted);
   } catch (const InputError&) {
-    (void)read_file(path);  // tells a failing disk from a damaged file; HDF5 does not
+    // Tells a failing disk from a damaged file; HDF5 does not.
+    read_blocks(path, [](std::string_view) {});
     throw;
   }
   if (!wanted.outline || recording.episodes.empty()) {

@@ -19,6 +19,7 @@ namespace limber {
 namespace {
 
 constexpr double kOvershootSlack = 1.05;  // a measured pressure overshoots its limit a little
+constexpr float kNoUnit = 1e-2F;          // more than rounding makes of a rotation
 
 CompensationModel checked(CompensationModel compensation, const ArmDescription& arm) {
   validate(compensation, "compensation model");
@@ -81,6 +82,15 @@ void require_backbone(const char* name, const Rows& backbone, int points) {
           "{}[{}] = ({}); expected finite {}", name, p, fmt::join(backbone.row(p), ", "),
           Rows::ColsAtCompileTime == kPoseSize ? "metres and radians"
                                                : "metres and a unit quaternion"));
+    }
+    if constexpr (Rows::ColsAtCompileTime == kSpacePoseSize) {
+      const float norm = backbone.row(p).template tail<4>().norm();
+      if (std::abs(norm - 1.0F) > kNoUnit) {
+        throw InputError(
+            fmt::format("{}[{}] has a quaternion of norm {:.4g}; expected 1, as "
+                        "rotations have it",
+                        name, p, norm));
+      }
     }
   }
 }

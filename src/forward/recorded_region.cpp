@@ -33,7 +33,7 @@ void add_pressures(const LearntRegion& learnt, const Plan& plan, Eigen::Index i,
     range.cover(frame.pressure_kpa[i]);
   }
   const auto add = [&](const char* direction, float value) {
-    found.push_back(fmt::format("{} {} {:.1f} {}; recorded {:.1f} … {:.1f}", segment_name(i),
+    found.push_back(fmt::format("{} {} {:.4g} {}; recorded {:.4g} … {:.4g}", segment_name(i),
                                 direction, value, unit, learnt.low_kpa[i], learnt.high_kpa[i]));
   };
   if (range.low < learnt.low_kpa[i] - slack_kpa(learnt, i)) {
@@ -52,7 +52,7 @@ void add_rates(const LearntRegion& learnt, const Plan& plan, Eigen::Index i,
                float(plan.frame_rate_hz));
   }
   const auto add = [&](const char* direction, float value, float recorded) {
-    found.push_back(fmt::format("{} {} by {:.1f} {} per second; recorded up to {:.1f}",
+    found.push_back(fmt::format("{} {} by {:.4g} {} per second; recorded up to {:.4g}",
                                 segment_name(i), direction, value, unit, recorded));
   };
   if (-rate.low > kRateSlack * learnt.steepest_fall_kpa_per_s[i]) {

@@ -1,8 +1,8 @@
 #pragma once
 
 // RowKernels for the instruction set that the including file is compiled for (see
-// common/vector_float.hpp). Every multiply-add is spelt out, so a query's result is the same to the
-// bit in whichever lane it is computed.
+// kernels/vector_float.hpp). Every multiply-add is spelt out, so a query's result is the same to
+// the bit in whichever lane it is computed.
 
 #include <cstddef>
 

@@ -92,7 +92,7 @@ CompensationModel model_of_arm(CompensationModel model, const FamilyMember& memb
 
 CompensationModel model_of_followed_arm(CompensationModel model, const Eigen::VectorXf& e) {
   const Eigen::Index size = model.member_of_family ? model.member_of_family->e.size() : 0;
-  if (e.size() != size) {
+  if (size == 0 || e.size() != size) {
     throw InputError(fmt::format(
         "{} numbers that say which arm of its family this is; the model has {}", e.size(), size));
   }

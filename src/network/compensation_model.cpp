@@ -133,33 +133,14 @@ const char* to_string(BackboneLayout layout) {
 }
 
 CompensationModel CompensationModel::member(int index) const {
-  CompensationModel one;
-  one.layout = layout;
-  one.form = form;
-  one.reads_velocity = reads_velocity;
-  one.past_commands = past_commands;
-  one.layers = index == 0 ? layers : more_members[static_cast<std::size_t>(index) - 1];
-  one.input = input;
-  one.output = output;
-  one.arm_name = arm_name;
-  one.arm_hash = arm_hash;
-  one.arm_description = arm_description;
-  one.dimension = dimension;
-  one.segment_count = segment_count;
-  one.chamber_count = chamber_count;
-  one.point_count = point_count;
-  one.preset = preset;
-  one.learnt_from_setpoints = learnt_from_setpoints;
-  one.valves = valves;
-  one.valve_findings = valve_findings;
-  if (index == 0) {
-    one.prediction_error = prediction_error;
-    one.tube = tube;
+  CompensationModel one = *this;
+  one.more_members.clear();
+  one.training.clear();
+  if (index > 0) {
+    one.layers = more_members[static_cast<std::size_t>(index) - 1];
+    one.prediction_error.reset();
+    one.tube.reset();
   }
-  one.family = family;
-  one.member_of_family = member_of_family;
-  one.learnt = learnt;
-  one.bounds = bounds;
   return one;
 }
 

@@ -68,6 +68,10 @@ void validate(const GapBounds& bounds, Dimension dimension, int point_count,
       throw InputError(fmt::format("{}: tensor bounds.length.min[{}] is {}; expected metres, > 0",
                                    where, i, bounds.min_length_m[i]));
     }
+    if (dimension == Dimension::space && !(bounds.max_bend_rad[i] > 0.0F)) {
+      throw InputError(fmt::format("{}: tensor bounds.bend.max[{}] is {}; expected radians, > 0",
+                                   where, i, bounds.max_bend_rad[i]));
+    }
   }
 }
 

@@ -126,6 +126,22 @@ bool learnt_from_setpoints_at(const Safetensors& content, const std::string& whe
   return text == commands_are(true);
 }
 
+void require_described_arm(const CompensationModel& model, const std::string& where) {
+  if (model.arm_description.empty()) {
+    return;
+  }
+  const std::string metadata = where + ": metadata arm_description";
+  const ArmDescription arm = read_arm_keys(model.arm_description, metadata);
+  if (arm.dimension != model.dimension || arm.segment_count() != model.segment_count ||
+      arm.channel_count() != model.channel_count() || arm.point_count() != model.point_count) {
+    throw InputError(fmt::format(
+        "{}: an arm of {} segments, {} commands and {} plates; the model is of one of {}, {} and "
+        "{}: one of them is damaged",
+        metadata, arm.segment_count(), arm.channel_count(), arm.point_count(), model.segment_count,
+        model.channel_count(), model.point_count));
+  }
+}
+
 // Older models, from before valves were identified, and models of recordings without set points
 // have none.
 void read_valves_into(CompensationModel& model, const Safetensors& content,
@@ -134,7 +150,10 @@ void read_valves_into(CompensationModel& model, const Safetensors& content,
   if (found == content.metadata.end()) {
     return;
   }
-  model.set_valves(read_valves(YamlReader::from_text(found->second, where + ": metadata valves")));
+  const std::string metadata = where + ": metadata valves";
+  const IdentifiedValves valves = read_valves(YamlReader::from_text(found->second, metadata));
+  require_no_valves_before(model, valves.parameters, metadata);
+  model.set_valves(valves);
 }
 
 // Older models, from before it was measured, and models of recordings too short for it have none.
@@ -292,7 +311,6 @@ CompensationModel read_model(const std::filesystem::path& path) {
   const auto description = content.metadata.find("arm_description");
   if (description != content.metadata.end()) {
     model.arm_description = description->second;
-    (void)read_arm_keys(model.arm_description, where + ": metadata arm_description");
   }
   model.layout = layout_at(content, where);
   model.form = output_form_at(content, where);
@@ -330,6 +348,7 @@ CompensationModel read_model(const std::filesystem::path& path) {
   }
   tensors.require_all_taken();
   validate(model, where);
+  require_described_arm(model, where);
   return model;
 }
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "limber/common/error.hpp"
+#include "limber/common/number_text.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
 
@@ -43,10 +43,8 @@ const KindFacts& facts_of(DisturbanceKind kind) {
 }
 
 double read_amount(const KindFacts& facts, const std::string& text) {
-  double amount = 0.0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, amount);
-  if (error != std::errc{} || stop != end || !(amount > 0.0 && amount <= facts.max)) {
+  const double amount = number_in(text).value_or(0.0);
+  if (!(amount > 0.0 && amount <= facts.max)) {
     throw InputError(fmt::format("disturbance {}={}: expected a number above 0, at most {} ({})",
                                  facts.name, text, facts.max, facts.unit));
   }

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "limber/common/error.hpp"
 #include "limber/common/printable.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
@@ -13,7 +14,7 @@ namespace limber {
 
 namespace {
 
-// Streams of strength_seed: 0 … 2n − 1 are the sides' strengths (virtual_arm.cpp).
+// Streams of strength_seed: 0 … 2n − 1 are the sides' strengths (virtual_arm_parameters.cpp).
 constexpr std::uint64_t kPlateOffsetStream = 1'000'000;
 constexpr std::uint64_t kGapLengthStream = 2'000'000;
 
@@ -110,6 +111,11 @@ Eigen::Vector3d gravity_m_per_s2(const VirtualArmParameters& p) {
 
 std::string chain_mjcf(const ArmDescription& arm, const VirtualArmParameters& p,
                        double time_step_s) {
+  constexpr int kMostGaps = 95;  // MuJoCo reads XML 100 elements deep at most
+  if (arm.point_count() - 1 > kMostGaps) {
+    throw InputError(fmt::format("virtual arm: arm '{}' has {} gaps; expected at most {}", arm.name,
+                                 arm.point_count() - 1, kMostGaps));
+  }
   const std::vector<std::string> links = body_texts(arm, p);
   const Eigen::Vector3d gravity =
       arm.is_spatial() ? Eigen::Vector3d(p.gravity_m_per_s2 * arm.gravity) : gravity_m_per_s2(p);

@@ -59,7 +59,7 @@ constexpr std::array kFields = {
     Field{"actuators_per_side", &Parameters::actuators_per_side, kAboveZero},
     Field{"actuator_gain", &Parameters::actuator_gain, 0.0},
     Field{"actuator_strain_offset", &Parameters::actuator_strain_offset, 0.0},
-    Field{"strength_spread", &Parameters::strength_spread, 0.0},
+    Field{"strength_spread", &Parameters::strength_spread, 0.0, 1.0},
     Field{"hysteresis_fraction", &Parameters::hysteresis_fraction, 0.0},
     Field{"hysteresis_floor_n", &Parameters::hysteresis_floor_n, 0.0},
     Field{"hysteresis_stiffness_n_per_m", &Parameters::hysteresis_stiffness_n_per_m, kAboveZero},

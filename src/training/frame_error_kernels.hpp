@@ -1,8 +1,8 @@
 #pragma once
 
 // Frame errors (FrameError in limber/training/frame_error.hpp has the equations) for the
-// instruction set that the including file is compiled for (see common/vector_float.hpp), one lane a
-// window.
+// instruction set that the including file is compiled for (see kernels/vector_float.hpp), one lane
+// a window.
 
 #include "kernels/vector_sincos.hpp"
 #include "limber/arm/pose_size.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
 // OptimiserKernels for the instruction set that the including file is compiled for (see
-// common/vector_float.hpp).
+// kernels/vector_float.hpp).
 
 #include "frame_error_kernels.hpp"
 

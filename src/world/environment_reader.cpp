@@ -22,6 +22,8 @@ constexpr double kOrientationToleranceRad = 0.3;  // where the file gives theta 
 constexpr double kMeasuredBeyond = 0.05;  // of a segment's limits, their range: valves overshoot
 constexpr std::size_t kMaxObstacles = 10000;
 constexpr std::size_t kMaxPolygonPoints = 1000;
+constexpr std::size_t kMaxCorners =
+    100000;  // of all polygons; each corner is looked at with others
 
 double coordinate(const YamlReader& node) {
   return node.number("a coordinate in metres", -kFarthestM, kFarthestM);
@@ -108,18 +110,18 @@ void require_simple(const YamlReader& node, const std::vector<Eigen::Vector2d>& 
 }
 
 Polygon read_polygon(const YamlReader& node) {
+  const std::vector<YamlReader> points = node.elements();
+  if (points.size() < 3 || points.size() > kMaxPolygonPoints) {
+    node.refuse(fmt::format("{} points found; expected 3 to {} points [x, y]", points.size(),
+                            kMaxPolygonPoints));
+  }
   Polygon result;
-  for (const YamlReader& point : node.elements()) {
+  for (const YamlReader& point : points) {
     const std::vector<YamlReader> xy = point.elements();
     if (xy.size() != 2) {
       point.refuse(fmt::format("{} numbers found; expected a point [x, y] in metres", xy.size()));
     }
     result.points_m.emplace_back(coordinate(xy[0]), coordinate(xy[1]));
-  }
-  const std::size_t count = result.points_m.size();
-  if (count < 3 || count > kMaxPolygonPoints) {
-    node.refuse(
-        fmt::format("{} points found; expected 3 to {} points [x, y]", count, kMaxPolygonPoints));
   }
   require_simple(node, result.points_m);
   return result;
@@ -294,6 +296,26 @@ void tidy_memory([[maybe_unused]] const Environment& environment) {
 #endif
 }
 
+void read_obstacles(const YamlReader& node, std::vector<Obstacle>& obstacles) {
+  const std::vector<YamlReader> found = node.elements();
+  if (found.size() > kMaxObstacles) {
+    node.refuse(
+        fmt::format("{} obstacles found; expected at most {}", found.size(), kMaxObstacles));
+  }
+  std::size_t corners = 0;
+  for (const YamlReader& one : found) {
+    obstacles.push_back(read_obstacle(one));
+    const auto* polygon = std::get_if<Polygon>(&obstacles.back());
+    corners += polygon != nullptr ? polygon->points_m.size() : 0;
+    if (corners > kMaxCorners) {
+      one.refuse(
+          fmt::format("more than {} corners up to here; expected at most that many in all "
+                      "polygons together",
+                      kMaxCorners));
+    }
+  }
+}
+
 }  // namespace
 
 Environment read_environment(const YamlReader& root) {
@@ -301,14 +323,7 @@ Environment read_environment(const YamlReader& root) {
   root.refuse_unknown_keys({"schema", "name", "obstacles", "start", "goal"});
   Environment environment;
   environment.name = root.at("name").text();
-  const YamlReader obstacles = root.at("obstacles");
-  for (const YamlReader& node : obstacles.elements()) {
-    environment.obstacles.push_back(read_obstacle(node));
-  }
-  if (environment.obstacles.size() > kMaxObstacles) {
-    obstacles.refuse(fmt::format("{} obstacles found; expected at most {}",
-                                 environment.obstacles.size(), kMaxObstacles));
-  }
+  read_obstacles(root.at("obstacles"), environment.obstacles);
   environment.start = read_start(root);
   environment.goal = read_goal(root.at("goal"));
   return environment;

@@ -15,7 +15,7 @@ namespace limber {
 
 namespace {
 
-constexpr double kRoundingKpa = 1e-3;  // float32 of a hundred kPa, with room
+constexpr double kRoundingShare = 1e-5;  // of the largest command: float32, with room
 
 /// The plan's own limits have to be narrower than the arm's.
 void require_limits_of(const Plan& plan, const ArmDescription& arm, const std::string& file) {
@@ -87,7 +87,7 @@ void require_plan_of(const Plan& plan, const ArmDescription& arm, const std::str
       }
       const double step =
           k == 0 ? 0.0 : std::abs(pressure - double(plan.frames[k - 1].setpoint_kpa[i]));
-      if (step > step_limit + kRoundingKpa) {
+      if (step > step_limit + kRoundingShare * arm.limits_of_channel(i).largest_kpa()) {
         throw InputError(fmt::format(
             "{}: frames[{}].{setpoint}[{}]: a step of {:.6g} {unit} in one frame; expected at "
             "most {} {unit} ({} {unit}/s at {} Hz)",

@@ -132,6 +132,7 @@ std::vector<PlanFrame> read_frames(const JsonReader& field, const Command& comma
   }
   std::vector<PlanFrame> frames;
   for (const JsonReader& item : items) {
+    item.refuse_unknown_keys({setpoint, followed, "backbone"});
     const auto commands = [&](const std::string& key) {
       return read_vector(item.at(key.c_str()), static_cast<Eigen::Index>(segments),
                          numbers_of(command));
@@ -189,6 +190,8 @@ std::optional<PlanTube> read_tube(const JsonReader& root, Eigen::Index plates) {
     return std::nullopt;
   }
   const JsonReader field = root.at("tube");
+  field.refuse_unknown_keys({"level", "plate_radius_m", "start_share", "full_after_m",
+                             "end_radius_m", "end_heading_rad", "goal_inside"});
   PlanTube tube;
   tube.level = field.at("level").number(0.0, 1.0);
   tube.plate_radius_m =
@@ -220,6 +223,7 @@ std::optional<CertifiedFigures> read_certificate(const JsonReader& root) {
     return std::nullopt;
   }
   const JsonReader field = root.at("certificate");
+  field.refuse_unknown_keys({"clearance_m", "largest_deviation_m", "seal"});
   CertifiedFigures figures;
   figures.clearance_m = read_clearance(field.at("clearance_m"));
   figures.max_deviation_m = number_at(field, "largest_deviation_m", 0.0);
@@ -227,7 +231,33 @@ std::optional<CertifiedFigures> read_certificate(const JsonReader& root) {
   return figures;
 }
 
+void refuse_unknown_keys(const JsonReader& root) {
+  const Command command = read_command(root);
+  root.refuse_unknown_keys({"schema",
+                            "program_version",
+                            "arm",
+                            "command",
+                            "model",
+                            "valves",
+                            "environment",
+                            "planner",
+                            "seed",
+                            "margin_m",
+                            "tube",
+                            "frame_rate_hz",
+                            quantity_key(command, "limits"),
+                            quantity_key(command, "cost"),
+                            "clearance_m",
+                            "goal_distance_m",
+                            "goal_orientation_rad",
+                            "hold_frame_count",
+                            quantity_key(command, "waypoints"),
+                            "frames",
+                            "certificate"});
+}
+
 Plan read_fields(const JsonReader& root) {
+  refuse_unknown_keys(root);
   Plan plan;
   plan.program_version = root.at("program_version").text();
   plan.arm_name = root.at("arm").at("name").text();

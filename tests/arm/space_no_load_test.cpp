@@ -152,6 +152,18 @@ TEST(SpaceNoLoad, APlanarArmInSpaceIsThePlanarArm) {
   }
 }
 
+TEST(SpaceNoLoad, ChambersWithoutAUsablePolynomialAreOnlyForCharacterisation) {
+  for (const char* polynomial : {"[]", "[0.002, 0, -1e-6, 0]"}) {
+    const std::string yaml = replaced(kSpaceArm, "[0.002, 1e-5, 0, 0]", polynomial);
+    EXPECT_THROW(space_arm(yaml), InputError);
+    const ArmDescription arm =
+        read_arm(YamlReader::from_text(yaml, "arm"), PolynomialsOf::characterisation);
+    EXPECT_EQ(arm.chamber(0).strain_polynomial, StrainPolynomial{});
+    EXPECT_THAT([&] { NoLoadModel model(arm); },
+                ThrowsMessage<InputError>(HasSubstr("chamber 0 of segment 0")));
+  }
+}
+
 TEST(SpaceNoLoad, ShapesComeBackFromPoses) {
   const ArmDescription arm = space_arm();
   Eigen::VectorXd shapes(kShapeRows * arm.segment_count());

@@ -243,41 +243,15 @@ TEST(ValveModel, ValvesWithoutLagAreIdeal) {
   EXPECT_LT((pressure - setpoints).cwiseAbs().maxCoeff(), kExactKpa);
 }
 
-TEST(ValveModel, ABatchIsItsColumnsToTheBit) {
-  RandomStream random(10, 0);
-  ValveParameters parameters;
-  for (int i = 0; i < 3; ++i) {
-    parameters.segments.push_back(random_valves(random));
-  }
-  const ValveModel model(arm_of(3), parameters);
-  constexpr int kColumns = 37;
-  Eigen::MatrixXf states(model.state_size(), kColumns);
-  for (int k = 0; k < kColumns; ++k) {
-    states.col(k) = model.settled_state(Eigen::Vector3f::Random() * 90.0F);
-  }
-  for (int frame = 0; frame < 50; ++frame) {
-    const Eigen::MatrixXf setpoints = random_setpoints(3, kColumns, random).cast<float>();
-    Eigen::MatrixXf one_by_one = states;
-    for (int k = 0; k < kColumns; ++k) {
-      model.step(setpoints.col(k), one_by_one.col(k));
-    }
-    model.step_batch(setpoints, states);
-    ASSERT_EQ(states, one_by_one);
-  }
-}
-
 TEST(ValveModel, StepsWithoutAllocating) {
   if (!kCountsAllocations) {
     GTEST_SKIP() << "the heap belongs to the sanitizer";
   }
   SegmentValves valves{{0.1, 100.0}, {0.2, 100.0}, 0.13, 0.2};
   const ValveModel model(arm_of(3), same(3, valves));
-  Eigen::MatrixXf states = model.settled_state(Eigen::Vector3f::Zero()).replicate(1, 16);
-  const Eigen::MatrixXf setpoints = Eigen::MatrixXf::Constant(3, 16, 40.0F);
-  Eigen::VectorXf state = states.col(0);
-  const Pressures setpoint = setpoints.col(0);
+  Eigen::VectorXf state = model.settled_state(Eigen::Vector3f::Zero());
+  const Pressures setpoint = Pressures::Constant(3, 40.0F);
   const long before = allocations;
-  model.step_batch(setpoints, states);
   model.step(setpoint, state);
   EXPECT_EQ(allocations, before);
 }

@@ -108,6 +108,52 @@ TEST(Certificate, ANoLoadPlanIsCertifiedToo) {
   EXPECT_TRUE(certify(*result.plan, s.arm, nullptr, {}, environment).certified());
 }
 
+// Roundings are shares of commands: float32 of 100 000 Pa are 8 mPa apart.
+TEST(Certificate, HoldsInAnyUnit) {
+  for (const auto& [unit, per_kpa] : {std::pair{"Pa", 1000.0}, std::pair{"MPa", 1e-3}}) {
+    ArmDescription arm = three_segment_arm();
+    arm.command = {"pressure", unit};
+    arm.pressure_rate_limit_kpa_per_s *= per_kpa;
+    for (Segment& segment : arm.segments) {
+      PressureLimits& limits = segment.pressure_limit_kpa;
+      limits = {per_kpa * limits.lower_kpa, per_kpa * limits.upper_kpa};
+      double power = 1.0;
+      for (double& coefficient : segment.strain_polynomial) {
+        coefficient /= power *= per_kpa;
+      }
+    }
+    const ForwardModel model(arm);
+    Environment environment = solved().environment;
+    environment.goal.theta_rad.reset();
+    PlannerLimits limits;
+    limits.iterations = 1500;
+    const PlanResult result = make_planner("default")->plan({arm, model, environment}, limits, 3);
+    ASSERT_EQ(result.status, PlanStatus::solved) << unit << ": " << result.reason;
+    EXPECT_TRUE(certify(*result.plan, arm, nullptr, {}, environment).certified());
+    // Every second frame left out: twice as fast as the arm may be asked to move.
+    Plan fast = *result.plan;
+    for (std::size_t k = fast.frames.size() / 2; k-- > 0;) {
+      fast.frames.erase(fast.frames.begin() + long(2 * k + 1));
+    }
+    EXPECT_THAT(failed_checks(certify(fast, arm, nullptr, {}, environment)), Contains("rate"));
+  }
+}
+
+TEST(Certificate, IsNoneBesideObstaclesOfNoNumbers) {
+  const Solved& s = solved();
+  ASSERT_FALSE(s.plan.frames.empty());
+  for (const Obstacle& obstacle :
+       {Obstacle(Circle{std::nan(""), 0.0, 0.1}), Obstacle(Circle{0.3, 0.0, -0.1}),
+        Obstacle(Rectangle{0.3, 0.0, 0.1, 0.0, 0.0}), Obstacle(Polygon{})}) {
+    Environment environment = s.environment;
+    environment.obstacles = {obstacle};
+    const Certifier certifier(s.arm, &s.model.compensation(), {}, environment);
+    Plan plan = s.plan;
+    plan.environment_hash = certifier.environment_hash();
+    EXPECT_FALSE(certifier.certify(plan).certified());
+  }
+}
+
 // Each way of changing a plan by hand, and the check that must notice it.
 class CertificateOf : public testing::TestWithParam<bool> {};
 

@@ -24,8 +24,8 @@ TEST(YamlReader, NamesFileLineFieldFoundAndAllowed) {
 }
 
 TEST(YamlReader, RefusesNumbersThatAreNotFiniteOrNotPlain) {
-  for (const char* bad :
-       {".nan", ".inf", "-.inf", "nan", "inf", "1e999", "3 cm", "3cm", "0x10", "''", "[1]", "~"}) {
+  for (const char* bad : {".nan", ".inf", "-.inf", "nan", "inf", "1e999", "3 cm", "3cm", "0x10",
+                          "''", "[1]", "~", "+-3"}) {
     const auto reader = read(std::string("a: ") + bad + "\n");
     EXPECT_THAT([&] { reader.at("a").number("a length in metres"); },
                 ThrowsMessage<InputError>(
@@ -73,6 +73,13 @@ TEST(YamlReader, WalksSharedAnchorsOnce) {
 TEST(YamlReader, RefusesAListOrANumberWhereAMappingIsExpected) {
   EXPECT_THAT([] { read("a: 3").at("a").keys(); },
               ThrowsMessage<InputError>("f.yaml:1: a: '3' found; expected a mapping"));
+}
+
+TEST(YamlReader, RefusesAnotherDocumentBehindTheFirst) {
+  EXPECT_THAT([] { read("a: 1\n---\na: 2\n"); },
+              ThrowsMessage<InputError>(HasSubstr("f.yaml:3: another document begins")));
+  EXPECT_THROW(read("a: 1\n...\n- garbage: [\n"), InputError);
+  EXPECT_NO_THROW(read("---\na: 1\n...\n"));
 }
 
 TEST(YamlReader, GivesLineAndColumnOfBrokenYaml) {

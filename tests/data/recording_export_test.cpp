@@ -185,6 +185,12 @@ TEST_F(RecordingExport, IsTheSameForTheSameSeed) {
   EXPECT_NE(text(), first);
 }
 
+TEST_F(RecordingExport, RefusesAClockThatGoesOnForEver) {
+  recording_.episodes[0].time_s.tail(100).array() += 1.7e9;
+  EXPECT_THAT([&] { export_motive(recording_, folder_.path(), {}); },
+              ThrowsMessage<InputError>(HasSubstr("Is there a gap in it?")));
+}
+
 TEST_F(RecordingExport, NamesSettingsOutOfRange) {
   LogExportSettings settings;
   settings.rate_hz = 5.0;

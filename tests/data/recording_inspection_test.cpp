@@ -171,6 +171,14 @@ TEST(RecordingInspection, FindsPressuresBeyondTheLimit) {
               HasSubstr("segment 0: 101.0 kPa, limit 100.0"));
 }
 
+TEST(RecordingInspection, NoiseBesideNoCommandIsNotBeyondALimit) {
+  Recording recording = corner_recording({0, 0, 0});
+  recording.episodes[0].pressure_kpa(3, 0) = 0.1F;
+  for (const Suspicion& suspicion : inspect_it(recording).suspicions) {
+    EXPECT_THAT(suspicion.what, ::testing::Not(HasSubstr("beyond"))) << suspicion.first;
+  }
+}
+
 TEST(RecordingInspection, FindsATrackerThatHangs) {
   const Suspicion hung = only_suspicion([](Episode& e) {
     for (Eigen::Index t = 2; t < e.backbone.rows(); ++t) {

@@ -59,6 +59,10 @@ INSTANTIATE_TEST_SUITE_P(
         metadata_damage("no_segment", "segment_count", "0", "segment_count 0 and point_count 16"),
         metadata_damage("other_size", "point_count", "17",
                         "tensor layers.0.weight has 102 columns; expected 108"),
+        Damage{
+            "description_of_another_arm",
+            [](Safetensors& s) { s.metadata["arm_description"] = arm_keys_to_yaml(sample_arm(2)); },
+            "metadata arm_description: an arm of 2 segments"},
         metadata_damage("valves_of_another_arm", "valves",
                         R"({"schema":"limber/valves/1","has_sides":true,"segments":[
                             {"inflate_time_constant_s":0.1,"vent_time_constant_s":0.1,

@@ -13,6 +13,7 @@
 #include "network/sample_region.hpp"
 #include "support/narrow_bounds.hpp"
 #include "support/sample_arm.hpp"
+#include "support/space_arm.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace limber {
@@ -184,6 +185,18 @@ TEST(ModelFile, KeepsBoundsAndRefusesBrokenOnes) {
   EXPECT_THAT(
       refusal([](GapBounds& b) { b.min_turn_rad[1] = std::numeric_limits<float>::quiet_NaN(); }),
       HasSubstr("bounds.turn.min[1] is nan"));
+}
+
+TEST(ModelFile, RefusesABendThatIsNone) {
+  const CompensationModel sample =
+      untrained_model(testing_support::space_arm(), BackboneLayout::gap_poses, {4}, 1);
+  CompensationModel model = sample;
+  const Eigen::VectorXf ones = Eigen::VectorXf::Ones(model.point_count - 1);
+  model.bounds = GapBounds{0.5F * ones, ones, -ones, ones, ones};
+  EXPECT_NO_THROW(validate(model, "m"));
+  model.bounds->max_bend_rad[1] = -0.01F;
+  EXPECT_THAT([&] { validate(model, "m"); },
+              ThrowsMessage<InputError>(HasSubstr("tensor bounds.bend.max[1] is -0.01")));
 }
 
 TEST(ModelFile, PlanningAsksForBoundsAndNamesTheCommandThatAddsThem) {

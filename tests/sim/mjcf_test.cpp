@@ -4,8 +4,10 @@
 #include <cmath>
 #include <vector>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
+#include "limber/common/error.hpp"
+#include "limber/sim/virtual_arm.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
 #include "support/described_xml.hpp"
 #include "support/sample_arm.hpp"
@@ -24,6 +26,16 @@ TEST(Mjcf, IsXmlWhateverTheArmIsCalled) {
     EXPECT_EQ(described.code, 0) << described.output;
     EXPECT_NE(described.output.find("mujoco 1"), std::string::npos);
   }
+}
+
+TEST(Mjcf, HasNoMoreGapsThanMujocoReads) {
+  ArmDescription arm = sample_arm(2);
+  arm.segments[0].gaps = 90;
+  arm.segments[1].gaps = 5;
+  EXPECT_NO_THROW(VirtualArm(arm, {}));
+  arm.segments[1].gaps = 6;
+  EXPECT_THAT([&] { VirtualArm(arm, {}); },
+              ::testing::ThrowsMessage<InputError>(::testing::HasSubstr("has 96 gaps")));
 }
 
 TEST(Mjcf, GapsDifferInLengthByAtMostTheirSpread) {

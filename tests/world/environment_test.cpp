@@ -1,5 +1,9 @@
 #include "limber/world/environment.hpp"
 
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "limber/common/error.hpp"
@@ -141,6 +145,20 @@ TEST(Environment, RefusesPolygonsThatAreNotSimple) {
   expect_refused(polygon("[[0, 0], [1, 0], [0.5]]"), place + "[2]", "1 numbers found");
   EXPECT_NO_THROW(read(polygon("[[0, 0], [1, 0], [1, 1], [0.5, 0.2], [0, 1]]")));
   EXPECT_NO_THROW(read(polygon("[[0, 0], [0.5, 0], [1, 0], [1, 1]]"))) << "a corner of 180°";
+}
+
+TEST(Environment, RefusesMoreCornersThanItLooksAtInSeconds) {
+  // One polygon of 1000 corners, named 101 times over.
+  std::string corners;
+  for (int i = 0; i < 1000; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / 1000.0;
+    corners += fmt::format("[{:.6f}, {:.6f}], ", 5.0 + std::cos(angle), std::sin(angle));
+  }
+  std::string obstacles = "obstacles:\n  - polygon: &p [" + corners + "]\n";
+  for (int i = 0; i < 100; ++i) {
+    obstacles += "  - polygon: *p\n";
+  }
+  expect_refused(with("obstacles:\n", obstacles), "obstacles[100]", "more than 100000 corners");
 }
 
 TEST(Environment, RefusesBrokenStructure) {

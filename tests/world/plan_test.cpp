@@ -150,6 +150,12 @@ TEST(PlanFile, NamesFileAndFieldOfBrokenKeys) {
       {"text as number",
        [](Json& j) { j["cost_kpa"] = "12"; },
        {"cost_kpa", "'12' found", "finite number"}},
+      {"limits of another name",
+       [](Json& j) {
+         j["limit"] = {{-1, 1}};
+       },
+       {"limit: unknown key", "limits_kpa"}},
+      {"a frame with more", [](Json& j) { j["frames"][1]["twist"] = 0; }, {"frames[1].twist"}},
       {"rate", [](Json& j) { j["frame_rate_hz"] = 0; }, {"frame_rate_hz", "from 1 to 1000"}},
   });
 }

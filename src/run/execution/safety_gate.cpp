@@ -14,10 +14,14 @@ namespace limber {
 
 namespace {
 
-constexpr double kRoundingKpa = 1e-3;  // of float32 set points, beside a limit
-constexpr double kStuckWindowS = 1.0;  // a reading that stands still for so long …
-constexpr double kStuckDelayS = 0.5;   // … though the set point had moved so long before
-constexpr double kStuckShare = 0.02;   // of the set point's change: less is none
+constexpr double kRoundingShare = 1e-5;  // of the largest command: float32 set points at a limit
+constexpr double kStuckWindowS = 1.0;    // a reading that stands still for so long …
+constexpr double kStuckDelayS = 0.5;     // … though the set point had moved so long before
+constexpr double kStuckShare = 0.02;     // of the set point's change: less is none
+
+double rounding_kpa(const ArmDescription& arm, int channel) {
+  return kRoundingShare * arm.limits_of_channel(channel).largest_kpa();
+}
 
 /// Of the side that `kpa` is on; without a sign where both have the same.
 double limit_of(const PressureLimits& limits, double kpa) {
@@ -69,8 +73,9 @@ Eigen::VectorXd checked_setpoints(const ArmDescription& arm,
   Eigen::VectorXd result = setpoint_kpa.cast<double>();
   for (int channel = 0; channel < arm.channel_count(); ++channel) {
     const PressureLimits& limits = arm.limits_of_channel(channel);
-    if (!(result[channel] >= limits.lower_kpa - kRoundingKpa &&
-          result[channel] <= limits.upper_kpa + kRoundingKpa)) {  // no NaN is
+    const double rounding = rounding_kpa(arm, channel);
+    if (!(result[channel] >= limits.lower_kpa - rounding &&
+          result[channel] <= limits.upper_kpa + rounding)) {  // no NaN is
       throw InputError(fmt::format("set point of {} is {} {unit}; expected {} to {} {unit}",
                                    channel_name(arm, channel), setpoint_kpa[channel],
                                    limits.lower_kpa, limits.upper_kpa,
@@ -109,14 +114,15 @@ std::string SafetyGate::check_command(const Eigen::Ref<const Pressures>& setpoin
   for (int s = 0; s < arm_.channel_count(); ++s) {
     const double value = setpoint_kpa[s];
     const PressureLimits& limits = limits_kpa(s);
-    if (!(value >= limits.lower_kpa - kRoundingKpa && value <= limits.upper_kpa + kRoundingKpa)) {
+    const double rounding = rounding_kpa(arm_, s);
+    if (!(value >= limits.lower_kpa - rounding && value <= limits.upper_kpa + rounding)) {
       return fmt::format(
           "set point of {} is {:.2f} {unit}; its limit is {:.2f} {unit}. It was not "
           "sent",
           channel_name(arm_, s), value, limit_of(limits, value), fmt::arg("unit", unit));
     }
     const double change_kpa = value - static_cast<double>(setpoint_kpa_[s]);
-    if (check_rate_ && !(std::abs(change_kpa) <= step_kpa + kRoundingKpa)) {
+    if (check_rate_ && !(std::abs(change_kpa) <= step_kpa + rounding)) {
       return fmt::format(
           "set point of {} goes from {:.2f} to {:.2f} {unit} in a frame; the arm's rate limit "
           "allows {:.2f} {unit}. It was not sent",

@@ -157,9 +157,6 @@ class ValveModel {
   /// One frame at `setpoint_kpa` (n): `state` (state_size()) is overwritten with what follows it.
   void step(const Eigen::Ref<const Pressures>& setpoint_kpa,
             Eigen::Ref<Eigen::VectorXf> state) const;
-  /// k states side by side: n×k, state_size()×k; column by column to the bit as `step`.
-  void step_batch(const Eigen::Ref<const Eigen::MatrixXf>& setpoint_kpa,
-                  Eigen::Ref<Eigen::MatrixXf> states) const;
 
   /// Pressures along set points n×T from a settled start at (setpoints 0): n×T in double precision,
   /// column k after frame k; column 0 is the given start.

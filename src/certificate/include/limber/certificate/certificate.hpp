@@ -55,7 +55,7 @@ struct Certificate {
 
   static constexpr double kDeviationM = 1e-4;  ///< allowed at every plate of every frame
   static constexpr double kHeadingDeviationRad = 1e-3;
-  static constexpr double kPressureDeviationKpa = 1e-3;  ///< of every pressure of every frame
+  static constexpr double kPressureDeviationShare = 1e-5;  ///< of the limit: of every pressure
   static constexpr double kSettledShare = 0.01;   ///< of the limit: what the hold has to settle to
   static constexpr double kMinClearanceM = 1e-4;  ///< even where no margin was asked for
   static constexpr double kClearanceToleranceM = 2e-5;
@@ -89,7 +89,7 @@ class Certifier {
   /// @throws Interrupted if a signal comes while it looks for collisions.
   Certificate certify(const Plan& plan, const std::function<bool()>& give_up = {}) const;
 
-  /// Hash of the environment, which plans have to state. Expensive if obstacles have many corners.
+  /// Hash of the environment, which plans have to state.
   const std::string& environment_hash() const;
 
  private:

@@ -24,6 +24,9 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view c
 /// disk fails.
 std::string read_file(const std::filesystem::path& path);
 
+/// Its first bytes, at most `most`. @throws as read_file.
+std::string read_head(const std::filesystem::path& path, std::size_t most);
+
 /// The whole file, a block of up to 1 MB after the other. @throws as read_file.
 void read_blocks(const std::filesystem::path& path,
                  const std::function<void(std::string_view)>& take);

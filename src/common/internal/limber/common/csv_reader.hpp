@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "limber/common/number_text.hpp"
+
 namespace limber {
 
 /// One cell of a CSV row.
@@ -67,8 +69,5 @@ std::string_view trimmed(std::string_view text);
 
 /// Whether a row holds nothing.
 bool is_blank(const std::vector<CsvCell>& row);
-
-/// The whole of `text` as a number ("1e-3", "+2.5", ".5"); false if it is none or not finite.
-bool parse_number(std::string_view text, double& value);
 
 }  // namespace limber

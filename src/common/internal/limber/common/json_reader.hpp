@@ -40,6 +40,8 @@ class JsonReader {
   /// The value at `key`. @throws InputError if it is missing or this is no object.
   JsonReader at(const char* key) const;
   bool has(const char* key) const;
+  /// @throws InputError at the first key that is none of these; not where this is no object.
+  void refuse_unknown_keys(const std::vector<std::string>& allowed) const;
   /// @param expected  words the message: "a list of frames"
   std::vector<JsonReader> elements(const std::string& expected) const;
 

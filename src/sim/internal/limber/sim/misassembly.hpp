@@ -51,7 +51,6 @@ class MisassembledWire {
   std::vector<PressureLimits> to_wire(std::vector<PressureLimits> limits_kpa) const;
   /// What a tracker that sees in 3D says in place of a state's backbone, with noise of its own.
   std::optional<BodyPoses> bodies(const ArmState& on_wire);
-  /// When the shape of a state was seen, on the tracker's clock.
 
  private:
   std::optional<Misassembly> misassembly_;
