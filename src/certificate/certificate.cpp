@@ -20,10 +20,6 @@ namespace {
 constexpr double kRoundingM = 1e-5;  // of one step of the forward model in float32, with room
 constexpr double kReportedClearanceM = 1.2e-3;  // a planner's own figure may be a little cautious
 
-std::vector<double> numbers(const Pressures& kpa) {
-  return {kpa.begin(), kpa.end()};
-}
-
 }  // namespace
 
 /// What every plan for one problem is checked against.

@@ -76,10 +76,6 @@ std::string why_not_promised(const PlanTube& tube, const CompensationModel* netw
              : "";
 }
 
-std::vector<double> in_double(const Pressures& kpa) {
-  return {kpa.begin(), kpa.end()};
-}
-
 constexpr double kSetpointShare = 1e-6;  // of the largest command: several roundings of a float32
 constexpr double kCost = 1e-6;           // relative
 constexpr double kFrames = 1e-4;    // a motion so near a whole number of frames may take either
@@ -287,6 +283,10 @@ class FrameChecks {
 
 }  // namespace
 
+std::vector<double> numbers(const Pressures& kpa) {
+  return {kpa.begin(), kpa.end()};
+}
+
 ExactArm::Shape shape_of(const Backbone& backbone) {
   ExactArm::Shape shape;
   shape.reserve(static_cast<std::size_t>(backbone.rows()));
@@ -350,12 +350,12 @@ ExactStart exact_start(const Environment& environment, const ArmDescription& arm
     return result;
   }
   const ArmStart& start = *environment.start;
-  result.pressure_kpa = in_double(start.pressures_kpa);
+  result.pressure_kpa = numbers(start.pressures_kpa);
   result.setpoint_kpa = result.pressure_kpa;
   result.shape = shape_of(start.backbone);
   result.before = start.before.rows() > 0 ? shape_of(start.before) : result.shape;
   for (std::size_t back = 0; back < start.setpoints_kpa.size(); ++back) {
-    std::vector<double> setpoint_kpa = in_double(start.setpoints_kpa[back]);
+    std::vector<double> setpoint_kpa = numbers(start.setpoints_kpa[back]);
     if (back == 0) {
       result.setpoint_kpa = std::move(setpoint_kpa);
     } else {

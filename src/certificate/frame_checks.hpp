@@ -10,6 +10,7 @@
 namespace limber {
 
 ExactArm::Shape shape_of(const Backbone& backbone);
+std::vector<double> numbers(const Pressures& kpa);
 
 /// Whether collision is defined: finite poses, and no gap that turns by more than half a turn.
 bool is_drawable(const ExactArm::Shape& shape);

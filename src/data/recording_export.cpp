@@ -76,10 +76,6 @@ constexpr const char* kMappingHead =
     "schema: limber/import/1\n"
     "time: {column: time_s, unit: s}\n";
 
-bool is_tracked(const Episode& episode, Eigen::Index t) {
-  return episode.tracked.empty() || episode.tracked[static_cast<std::size_t>(t)] != 0;
-}
-
 /// The plates' columns in a table, and what a mapping says of them. Rotations that were made from
 /// places are left out: an import makes them again.
 class PlateColumns {
@@ -108,7 +104,8 @@ class PlateColumns {
     for (Eigen::Index p = 0; p < points_; ++p) {
       for (std::size_t i = 0; i < keys_.size(); ++i) {
         const float value = episode.backbone(t, pose_size(episode.dimension) * p + Eigen::Index(i));
-        text += is_tracked(episode, t) ? fmt::format(",{:.9g}", value) : std::string(",");
+        text += episode.was_tracked(static_cast<int>(t)) ? fmt::format(",{:.9g}", value)
+                                                         : std::string(",");
       }
     }
     return text;
@@ -239,8 +236,9 @@ class MotionLog {
     const double step = episode_.time_s[after] - episode_.time_s[before];
     const double part = step > 0.0 ? (time_s - episode_.time_s[before]) / step : 0.0;
     constexpr double kOnFrame = 1e-9;
-    const bool tracked = (part > 1.0 - kOnFrame || is_tracked(episode_, before)) &&
-                         (part < kOnFrame || is_tracked(episode_, after));
+    const bool tracked =
+        (part > 1.0 - kOnFrame || episode_.was_tracked(static_cast<int>(before))) &&
+        (part < kOnFrame || episode_.was_tracked(static_cast<int>(after)));
     const Eigen::RowVectorXd poses = (1.0 - part) * episode_.backbone.row(before).cast<double>() +
                                      part * episode_.backbone.row(after).cast<double>();
     std::string text;

@@ -51,11 +51,7 @@ void validate_normalisation(const std::string& where, const std::string& name,
                             const Normalisation& normalisation, Eigen::Index size) {
   for (const auto& [part, values] :
        {std::pair{"offset", &normalisation.offset}, std::pair{"scale", &normalisation.scale}}) {
-    if (values->size() != size) {
-      refuse(where, fmt::format("tensor {}.{} has {} numbers; expected {}", name, part,
-                                values->size(), size));
-    }
-    require_finite(where, name + "." + part, *values);
+    require_vector(where, name + "." + part, *values, size);
   }
   for (Eigen::Index i = 0; i < size; ++i) {
     if (normalisation.scale[i] == 0.0F) {
@@ -115,6 +111,19 @@ void validate_members(const std::string& where, const CompensationModel& model, 
 }
 
 }  // namespace
+
+void require_vector(const std::string& where, const std::string& name,
+                    const Eigen::VectorXf& values, Eigen::Index size) {
+  if (values.size() != size) {
+    refuse(where, fmt::format("tensor {} has {} numbers; expected {}", name, values.size(), size));
+  }
+  for (Eigen::Index i = 0; i < size; ++i) {
+    if (!std::isfinite(values[i])) {
+      refuse(where,
+             fmt::format("tensor {}[{}] is {}; expected a finite number", name, i, values[i]));
+    }
+  }
+}
 
 void require_finite(const std::string& where, const std::string& name,
                     const Eigen::Ref<const Eigen::MatrixXf>& values) {

@@ -6,25 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/common/error.hpp"
+#include "refusal.hpp"
 
 namespace limber {
 
 namespace {
-
-void require_size(const Eigen::VectorXf& values, const char* name, int gaps,
-                  const std::string& where) {
-  if (values.size() != gaps) {
-    throw InputError(
-        fmt::format("{}: tensor bounds.{} has {} numbers; expected {}, one for each gap", where,
-                    name, values.size(), gaps));
-  }
-  for (int i = 0; i < gaps; ++i) {
-    if (!std::isfinite(values[i])) {
-      throw InputError(fmt::format("{}: tensor bounds.{}[{}] is {}; expected a finite number",
-                                   where, name, i, values[i]));
-    }
-  }
-}
 
 void require_range(const Eigen::VectorXf& low, const Eigen::VectorXf& high, const char* name,
                    const std::string& where) {
@@ -56,11 +42,12 @@ std::string data_flags(const CompensationModel& model) {
 void validate(const GapBounds& bounds, Dimension dimension, int point_count,
               const std::string& where) {
   const int gaps = point_count - 1;
-  require_size(bounds.min_length_m, "length.min", gaps, where);
-  require_size(bounds.max_length_m, "length.max", gaps, where);
-  require_size(bounds.min_turn_rad, "turn.min", gaps, where);
-  require_size(bounds.max_turn_rad, "turn.max", gaps, where);
-  require_size(bounds.max_bend_rad, "bend.max", dimension == Dimension::space ? gaps : 0, where);
+  require_vector(where, "bounds.length.min", bounds.min_length_m, gaps);
+  require_vector(where, "bounds.length.max", bounds.max_length_m, gaps);
+  require_vector(where, "bounds.turn.min", bounds.min_turn_rad, gaps);
+  require_vector(where, "bounds.turn.max", bounds.max_turn_rad, gaps);
+  require_vector(where, "bounds.bend.max", bounds.max_bend_rad,
+                 dimension == Dimension::space ? gaps : 0);
   require_range(bounds.min_length_m, bounds.max_length_m, "length", where);
   require_range(bounds.min_turn_rad, bounds.max_turn_rad, "turn", where);
   for (int i = 0; i < gaps; ++i) {

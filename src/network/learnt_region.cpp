@@ -38,20 +38,6 @@ inline MiddleAndHalf pressure_border(const LearntRegion& region) {
   return border;
 }
 
-void require_vector(const std::string& where, const char* name, const Eigen::VectorXf& values,
-                    Eigen::Index size) {
-  if (values.size() != size) {
-    refuse(where,
-           fmt::format("tensor learnt.{} has {} numbers; expected {}", name, values.size(), size));
-  }
-  for (Eigen::Index i = 0; i < size; ++i) {
-    if (!std::isfinite(values[i])) {
-      refuse(where, fmt::format("tensor learnt.{}[{}] is {}; expected a finite number", name, i,
-                                values[i]));
-    }
-  }
-}
-
 /// Its pressures, then each plate's pose about the plate before it.
 Eigen::VectorXd joint_vector(const Eigen::Ref<const Pressures>& pressures_kpa,
                              const Eigen::Ref<const Backbone>& backbone) {
@@ -127,12 +113,12 @@ void validate(const LearntRegion& region, int segment_count, int point_count,
               const std::string& where) {
   const Eigen::Index n = segment_count;
   const Eigen::Index joint = n + kPoseSize * (point_count - 1);
-  require_vector(where, "pressures.low", region.low_kpa, n);
-  require_vector(where, "pressures.high", region.high_kpa, n);
-  require_vector(where, "rates.fall", region.steepest_fall_kpa_per_s, n);
-  require_vector(where, "rates.rise", region.steepest_rise_kpa_per_s, n);
-  require_vector(where, "joint.offset", region.joint_offset, joint);
-  require_vector(where, "joint.scale", region.joint_scale, joint);
+  require_vector(where, "learnt.pressures.low", region.low_kpa, n);
+  require_vector(where, "learnt.pressures.high", region.high_kpa, n);
+  require_vector(where, "learnt.rates.fall", region.steepest_fall_kpa_per_s, n);
+  require_vector(where, "learnt.rates.rise", region.steepest_rise_kpa_per_s, n);
+  require_vector(where, "learnt.joint.offset", region.joint_offset, joint);
+  require_vector(where, "learnt.joint.scale", region.joint_scale, joint);
   if (region.axes.cols() != joint || region.axes.rows() > joint) {
     refuse(where, fmt::format("tensor learnt.axes.directions is {} × "
                               "{}; expected up to {} rows of {} numbers",
@@ -142,10 +128,10 @@ void validate(const LearntRegion& region, int segment_count, int point_count,
     refuse(where, "tensor learnt.axes.directions holds a number that is not finite");
   }
   if (region.joint_change.size() > 0) {
-    require_vector(where, "joint.change", region.joint_change, joint);
+    require_vector(where, "learnt.joint.change", region.joint_change, joint);
   }
-  require_vector(where, "axes.low", region.axis_low, region.axes.rows());
-  require_vector(where, "axes.high", region.axis_high, region.axes.rows());
+  require_vector(where, "learnt.axes.low", region.axis_low, region.axes.rows());
+  require_vector(where, "learnt.axes.high", region.axis_high, region.axes.rows());
   for (Eigen::Index i = 0; i < n; ++i) {
     if (region.low_kpa[i] > region.high_kpa[i]) {
       refuse(where, fmt::format("tensor learnt.pressures.low[{}] is {}, above its high of {}", i,

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -32,6 +33,7 @@ constexpr int kMostPastFrames = 1000;
 constexpr const char* kTubeKey = "tube";
 constexpr const char* kDimensionKey = "dimension";
 constexpr const char* kChamberCountKey = "chamber_count";
+constexpr const char* kAxes = "axes.directions";
 constexpr const char* kLearntPrefix = "learnt.";
 constexpr const char* kBoundsPrefix = "bounds.";
 
@@ -175,67 +177,55 @@ void read_tube_into(CompensationModel& model, const Safetensors& content,
   }
 }
 
-void add_learnt_region(Safetensors& content, const LearntRegion& region) {
-  const auto add = [&](const char* name, const Eigen::VectorXf& vector) {
-    content.tensors[std::string(kLearntPrefix) + name] = vector_tensor(vector);
-  };
-  add("pressures.low", region.low_kpa);
-  add("pressures.high", region.high_kpa);
-  add("rates.fall", region.steepest_fall_kpa_per_s);
-  add("rates.rise", region.steepest_rise_kpa_per_s);
-  add("joint.offset", region.joint_offset);
-  add("joint.scale", region.joint_scale);
-  if (region.joint_change.size() > 0) {
-    add("joint.change", region.joint_change);
-  }
-  add("axes.low", region.axis_low);
-  add("axes.high", region.axis_high);
-  content.tensors[std::string(kLearntPrefix) + "axes.directions"] = matrix_tensor(region.axes);
+struct LearntVector {
+  const char* name;
+  Eigen::VectorXf LearntRegion::*vector;
+};
+constexpr std::array kLearntVectors = {
+    LearntVector{"pressures.low", &LearntRegion::low_kpa},
+    LearntVector{"pressures.high", &LearntRegion::high_kpa},
+    LearntVector{"rates.fall", &LearntRegion::steepest_fall_kpa_per_s},
+    LearntVector{"rates.rise", &LearntRegion::steepest_rise_kpa_per_s},
+    LearntVector{"joint.offset", &LearntRegion::joint_offset},
+    LearntVector{"joint.scale", &LearntRegion::joint_scale},
+    LearntVector{"joint.change", &LearntRegion::joint_change},
+    LearntVector{"axes.low", &LearntRegion::axis_low},
+    LearntVector{"axes.high", &LearntRegion::axis_high}};
+
+struct BoundsVector {
+  const char* name;
+  Eigen::VectorXf GapBounds::*vector;
+};
+constexpr std::array kBoundsVectors = {BoundsVector{"length.min", &GapBounds::min_length_m},
+                                       BoundsVector{"length.max", &GapBounds::max_length_m},
+                                       BoundsVector{"turn.min", &GapBounds::min_turn_rad},
+                                       BoundsVector{"turn.max", &GapBounds::max_turn_rad},
+                                       BoundsVector{"bend.max", &GapBounds::max_bend_rad}};
+
+/// Tensors that some models don't have are left out where they are empty.
+bool may_be_missing(const std::string& name) {
+  return name == "joint.change" || name == "bend.max";
 }
 
-LearntRegion read_learnt_region(TensorReader& tensors) {
-  const auto vector = [&](const char* name) {
-    return tensors.vector(std::string(kLearntPrefix) + name);
-  };
-  LearntRegion region;
-  region.low_kpa = vector("pressures.low");
-  region.high_kpa = vector("pressures.high");
-  region.steepest_fall_kpa_per_s = vector("rates.fall");
-  region.steepest_rise_kpa_per_s = vector("rates.rise");
-  region.joint_offset = vector("joint.offset");
-  region.joint_scale = vector("joint.scale");
-  if (tensors.has(std::string(kLearntPrefix) + "joint.change")) {
-    region.joint_change = vector("joint.change");
-  }
-  region.axis_low = vector("axes.low");
-  region.axis_high = vector("axes.high");
-  region.axes = tensors.matrix(std::string(kLearntPrefix) + "axes.directions");
-  return region;
-}
-
-void add_bounds(Safetensors& content, const GapBounds& bounds) {
-  const auto add = [&](const char* name, const Eigen::VectorXf& vector) {
-    content.tensors[std::string(kBoundsPrefix) + name] = vector_tensor(vector);
-  };
-  add("length.min", bounds.min_length_m);
-  add("length.max", bounds.max_length_m);
-  add("turn.min", bounds.min_turn_rad);
-  add("turn.max", bounds.max_turn_rad);
-  if (bounds.max_bend_rad.size() > 0) {
-    add("bend.max", bounds.max_bend_rad);
+template <class Part, class Vectors>
+void add_vectors(Safetensors& content, const std::string& prefix, const Part& part,
+                 const Vectors& vectors) {
+  for (const auto& [name, vector] : vectors) {
+    if ((part.*vector).size() > 0 || !may_be_missing(name)) {
+      content.tensors[prefix + name] = vector_tensor(part.*vector);
+    }
   }
 }
 
-GapBounds read_bounds(TensorReader& tensors) {
-  const auto vector = [&](const char* name) {
-    return tensors.vector(std::string(kBoundsPrefix) + name);
-  };
-  GapBounds bounds = {vector("length.min"), vector("length.max"), vector("turn.min"),
-                      vector("turn.max")};
-  if (tensors.has(std::string(kBoundsPrefix) + "bend.max")) {
-    bounds.max_bend_rad = vector("bend.max");
+template <class Part, class Vectors>
+Part read_vectors(TensorReader& tensors, const std::string& prefix, const Vectors& vectors) {
+  Part part;
+  for (const auto& [name, vector] : vectors) {
+    if (tensors.has(prefix + name) || !may_be_missing(name)) {
+      part.*vector = tensors.vector(prefix + name);
+    }
   }
-  return bounds;
+  return part;
 }
 
 }  // namespace
@@ -287,10 +277,11 @@ void write_model(const std::filesystem::path& path, const CompensationModel& mod
     content.metadata[kTubeKey] = tube_to_metadata(*model.tube);
   }
   if (model.learnt) {
-    add_learnt_region(content, *model.learnt);
+    add_vectors(content, kLearntPrefix, *model.learnt, kLearntVectors);
+    content.tensors[std::string(kLearntPrefix) + kAxes] = matrix_tensor(model.learnt->axes);
   }
   if (model.bounds) {
-    add_bounds(content, *model.bounds);
+    add_vectors(content, kBoundsPrefix, *model.bounds, kBoundsVectors);
   }
   if (model.family) {
     add_family(content, model);
@@ -338,10 +329,11 @@ CompensationModel read_model(const std::filesystem::path& path) {
   model.output = {tensors.vector("normalisation.output.offset"),
                   tensors.vector("normalisation.output.scale")};
   if (tensors.has_any(kLearntPrefix)) {
-    model.learnt = read_learnt_region(tensors);
+    model.learnt = read_vectors<LearntRegion>(tensors, kLearntPrefix, kLearntVectors);
+    model.learnt->axes = tensors.matrix(std::string(kLearntPrefix) + kAxes);
   }
   if (tensors.has_any(kBoundsPrefix)) {
-    model.bounds = read_bounds(tensors);
+    model.bounds = read_vectors<GapBounds>(tensors, kBoundsPrefix, kBoundsVectors);
   }
   if (tensors.has_any(kFamilyTensors)) {
     read_family_into(model, content, tensors, where);

@@ -13,6 +13,10 @@ namespace limber {
   throw InputError(where + ": " + what);
 }
 
+/// So many finite numbers. @param name  of the tensor
+void require_vector(const std::string& where, const std::string& name,
+                    const Eigen::VectorXf& values, Eigen::Index size);
+
 /// @param name  of the tensor
 void require_finite(const std::string& where, const std::string& name,
                     const Eigen::Ref<const Eigen::MatrixXf>& values);

@@ -181,7 +181,7 @@ TEST(ModelFile, KeepsBoundsAndRefusesBrokenOnes) {
   EXPECT_THAT(refusal([](GapBounds& b) { b.max_turn_rad[2] = -1.0F; }),
               HasSubstr("bounds.turn.min[2] is -0.25; expected at most turn.max, -1"));
   EXPECT_THAT(refusal([](GapBounds& b) { b.max_length_m.conservativeResize(3); }),
-              HasSubstr("bounds.length.max has 3 numbers; expected 15, one for each gap"));
+              HasSubstr("bounds.length.max has 3 numbers; expected 15"));
   EXPECT_THAT(
       refusal([](GapBounds& b) { b.min_turn_rad[1] = std::numeric_limits<float>::quiet_NaN(); }),
       HasSubstr("bounds.turn.min[1] is nan"));
