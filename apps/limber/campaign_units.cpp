@@ -241,6 +241,22 @@ bool run_unit(const Campaign& campaign, const CampaignUnit& unit, CampaignFolder
   return true;
 }
 
+bool can_join_experiments(const Campaign& campaign) {
+  const bool differs = std::ranges::any_of(
+      campaign.factors, [](const CampaignFactor& factor) { return factor.name != kEnvironments; });
+  if (campaign.random_count > 0 || campaign.repeat > 1 || differs) {
+    return false;
+  }
+  for (std::size_t i = 0; i < unit_count(campaign); ++i) {
+    const Flags flags = campaign_unit(campaign, i).flags;
+    const FlagValues* places = values_in(flags, kEnvironments);
+    if (places == nullptr || places->size() != 1 || fs::is_directory(places->front())) {
+      return false;
+    }
+  }
+  return true;
+}
+
 int join_experiments(const Campaign& campaign, CampaignFolder& folder) {
   std::vector<std::string> command = {campaign.verb};
   const CampaignUnit first = campaign_unit(campaign, 0);

@@ -26,7 +26,11 @@ void require_known_flags(const Campaign& campaign, const CampaignUnit& unit);
 /// output and error go to its folder meanwhile. @return whether it was not a failure
 bool run_unit(const Campaign& campaign, const CampaignUnit& unit, CampaignFolder& folder, int jobs);
 
+/// Whether units that ran `experiment` differ in their environment alone, one file each.
+bool can_join_experiments(const Campaign& campaign);
+
 /// The table that one process would have made, of units that ran `experiment`.
+/// @pre can_join_experiments
 /// @return the exit code of that verb
 int join_experiments(const Campaign& campaign, CampaignFolder& folder);
 

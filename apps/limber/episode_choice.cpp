@@ -35,6 +35,12 @@ void RecordingKinds::add(const std::string& file, bool setpoints_only) {
   }
 }
 
+Recording read_recording_of(const ArmDescription& arm, const std::string& file) {
+  Recording recording = read_recording(file);
+  require_recording_of(recording, arm, file);
+  return recording;
+}
+
 Recording RecordingKinds::read(const std::string& file, const ArmDescription& arm,
                                bool leave_out_measured, std::span<const int> episodes) {
   Recording recording =

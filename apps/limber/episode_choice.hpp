@@ -15,6 +15,9 @@
 
 namespace limber {
 
+/// @throws InputError as read_recording and require_recording_of
+Recording read_recording_of(const ArmDescription& arm, const std::string& file);
+
 /// Recordings that are learnt from together: all of them measured pressures (or the arm's other
 /// command), or all hold set points only.
 class RecordingKinds {

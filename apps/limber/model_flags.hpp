@@ -18,7 +18,8 @@ class ModelFlags {
 
   bool names_model() const { return !model_.empty(); }
   bool asks_no_load() const { return no_load_; }
-  bool names_valves() const { return !valves_.empty(); }
+  /// Whether --valves or --no-valves is given.
+  bool says_valves() const { return !valves_.empty() || no_valves_; }
   const std::string& model_file() const { return model_; }
 
   /// @throws InputError if neither --model nor --no-load is given, or if a file does not fit.

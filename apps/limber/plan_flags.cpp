@@ -182,6 +182,10 @@ std::optional<Forest> ForestFlags::forest(const ArmDescription& arm, const Motio
       } catch (const InputError& refusal) {
         throw InputError(fmt::format("{}: {}", path, refusal.what()));
       }
+      if (nodes_flag_->count() > 0 && stored.size() != nodes_) {
+        say(flags, "{}: has {} motions, and is used as it is; --build-forest grows {}", path,
+            stored.size(), nodes_);
+      }
       return stored;
     }
     say(flags, "{}: grown for another arm, model, valves or start; growing it again", path);

@@ -59,8 +59,7 @@ std::vector<Episode> episodes_of(const BoundModelRequest& request, const ArmDesc
   std::vector<Episode> episodes;
   for (const std::vector<std::string>* paths : {&request.data, &request.old_data}) {
     for (const std::string& path : *paths) {
-      Recording recording = read_recording(path);
-      require_recording_of(recording, arm, path);
+      Recording recording = read_recording_of(arm, path);
       std::move(recording.episodes.begin(), recording.episodes.end(), std::back_inserter(episodes));
       add_source(sources, path, file_hash(path));
     }

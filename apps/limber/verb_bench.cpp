@@ -1,5 +1,6 @@
 #include <optional>
 
+#include "episode_choice.hpp"
 #include "limber/arm/arm_description.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/lab/speed_benchmark.hpp"
@@ -30,12 +31,15 @@ class BenchVerb final : public Verb {
     auto* queries = app.add_option("--queries", queries_, "Queries per measurement")
                         ->check(CLI::Range(std::int64_t{1'000}, std::int64_t{1'000'000'000}))
                         ->capture_default_str();
-    app.add_flag("--quick", quick_, fmt::format("{} queries per measurement", kQuickQueries))
-        ->excludes(queries);
+    auto* quick =
+        app.add_flag("--quick", quick_, fmt::format("{} queries per measurement", kQuickQueries))
+            ->excludes(queries);
     auto* plot = app.add_option("--plot", plot_, "Bar chart to write, SVG");
     auto* training = app.add_option("--training", training_,
                                     "Recording: instead, time the epochs of training on it")
                          ->excludes(model)
+                         ->excludes(queries)
+                         ->excludes(quick)
                          ->excludes(plot);
     app.add_option("--preset", preset_, "Training preset to time: paper or best; both by default")
         ->check(CLI::IsMember({"paper", "best"}))
@@ -79,9 +83,7 @@ class BenchVerb final : public Verb {
  private:
   int run_training(const ArmDescription& arm, const CommonFlags& flags) const {
     refuse_to_overwrite_given({tables_}, flags);
-    Recording recording = read_recording(training_);
-    require_recording_of(recording, arm, training_);
-    const TrainingData data{std::move(recording.episodes), {}, {}};
+    const TrainingData data{read_recording_of(arm, training_).episodes, {}, {}};
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
     std::string text;
     for (const char* name : {"paper", "best"}) {

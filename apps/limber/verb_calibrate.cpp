@@ -138,6 +138,12 @@ class CalibrateVerb final : public Verb {
                       "and disturbances are for one arm's",
                       model_file_));
     }
+    if (model_.says_valves()) {
+      throw InputError(fmt::format(
+          "{}: a family is calibrated on arms that each have valves of their own; leave "
+          "--valves and --no-valves out",
+          model_file_));
+    }
     const auto learnt = model.training.find("physics");
     settings_.runs.unseen.emplace();
     settings_.runs.unseen->variation = parse_physics_variation(

@@ -56,8 +56,10 @@ class CampaignVerb final : public Verb {
     auto* status = app.add_flag("--status", status_,
                                 "Run nothing: how many units are done, running, failed, and the "
                                 "time that is left")
-                       ->excludes(collect);
+                       ->excludes(collect)
+                       ->excludes(shard);
     app.add_flag("--dry-run", dry_run_, "Run nothing: list the units and what they cost")
+        ->excludes(shard)
         ->excludes(collect)
         ->excludes(status);
   }
@@ -104,36 +106,51 @@ class CampaignVerb final : public Verb {
     const bool shares = shard_.empty() && is_rank();
     const int jobs = shares && flags.jobs == 0 ? 1 : flags.jobs;  // of a rank: one core
     std::vector<std::size_t> failures;
+    std::optional<Progress> progress;  // ranks do not know of each other's units
     RankWork work;
     work.list = [&] {
       folder.prepare(flags.force);
       std::vector<std::size_t> units = missing_units(campaign, folder);
       std::erase_if(units, [&](std::size_t unit) { return unit % step != first; });
       say(flags, "{} units to do", units.size());
+      if (!shares && !units.empty()) {
+        progress.emplace("campaign", "units", units.size(), flags.progress());
+      }
       return units;
     };
     work.run = [&](std::size_t index) {
-      const CampaignUnit unit = campaign_unit(campaign, index);
-      try {
-        if (run_unit(campaign, unit, folder, jobs)) {
-          return;
-        }
-        print_error(fmt::format("unit {} failed: {}", index,
-                                (folder.unit_folder(index) / "log.txt").string()));
-      } catch (const std::exception& error) {
-        print_error(fmt::format("unit {} failed: {}", index, error.what()));
+      if (const std::string why = failure_of(campaign, index, folder, jobs); !why.empty()) {
+        print_error(fmt::format("unit {} failed: {}", index, why));
+        failures.push_back(index);
       }
-      failures.push_back(index);
+      if (progress && !interrupt_requested()) {
+        progress->advance();
+      }
     };
     work.should_stop = [] { return interrupt_requested(); };
     const RankFigures figures = shares ? run_over_ranks(work) : run_alone(work);
-    throw_if_interrupted();
+    progress.reset();
+    if (interrupt_requested()) {
+      throw Interrupted("stopped on request; the same command makes the units that are missing");
+    }
     if (figures.rank > 0) {
       return kExitDone;
     }
     const CampaignStatus status = look(campaign, folder);
     report(folder, status, figures, flags);
     return (shares ? status.failed : failures.size()) == 0 ? kExitDone : kExitNoSolution;
+  }
+
+  /// Runs the unit. @return why it failed; empty where it did not
+  static std::string failure_of(const Campaign& campaign, std::size_t index, CampaignFolder& folder,
+                                int jobs) {
+    try {
+      return run_unit(campaign, campaign_unit(campaign, index), folder, jobs)
+                 ? ""
+                 : (folder.unit_folder(index) / "log.txt").string();
+    } catch (const std::exception& error) {
+      return error.what();
+    }
   }
 
   static void report(const CampaignFolder& folder, const CampaignStatus& status,
@@ -259,7 +276,10 @@ class CampaignVerb final : public Verb {
       }
     }
     int code = missing == 0 ? kExitDone : kExitNoSolution;
-    if (campaign.verb == "experiment" && missing == 0) {
+    if (campaign.verb == "experiment" && !can_join_experiments(campaign)) {
+      say(flags,
+          "no experiment/: units differ in more than one environment each (docs/cluster.md)");
+    } else if (campaign.verb == "experiment" && missing == 0) {
       code = join_experiments(campaign, folder);
       if (code != kExitDone) {
         return code;  // it has said why

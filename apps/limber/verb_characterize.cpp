@@ -123,6 +123,11 @@ class CharacterizeVerb final : public Verb {
       throw InputError(
           "--driver: does a bench test; --csv, --valves, --recording and --commands need none");
     }
+    if (driver_.limit_scale() != 1.0 && !driver_.is_program() && !driver_.is_dry_run()) {
+      throw InputError(
+          "--limit-scale: nothing but a driver's bench test keeps to it; it goes with --driver "
+          "exec:COMMAND");
+    }
     if (!command_logs_.empty()) {
       return run_commands(flags);
     }

@@ -93,6 +93,9 @@ class CollectVerb final : public Verb {
     take_common(flags, settings);
     settings.resume = resume_;
     if (schedule_name_ == kPlans) {
+      if (!resume_ && !driver_.is_dry_run()) {
+        refuse_to_overwrite(out_, flags.force);  // planning takes long
+      }
       add_plans(arm, settings, flags);
     }
     if (driver_.is_dry_run()) {
@@ -132,7 +135,7 @@ class CollectVerb final : public Verb {
     }
     const ScheduleSettings asked = schedule_;
     schedule_ = identifying_schedule(dimension);
-    schedule_.count = asked.count > 0 ? asked.count : schedule_.count;
+    schedule_.count = asked.count != 0 ? asked.count : schedule_.count;
     schedule_.episodes = asked.episodes;
   }
 
@@ -142,8 +145,8 @@ class CollectVerb final : public Verb {
     require_model_of(network, arm, model_file_);
     const ForwardModel forward(arm, network);
     const MotionModel model(forward, ValveModel(arm, network.identified_valves().parameters));
-    plans_.count = schedule_.count > 0 ? schedule_.count : plans_.count;
-    plans_.episodes = std::max(1, schedule_.episodes);
+    plans_.count = schedule_.count != 0 ? schedule_.count : plans_.count;
+    plans_.episodes = schedule_.episodes != 0 ? schedule_.episodes : plans_.episodes;
     plans_.limit_scale = schedule_.limit_scale;
     take_common(flags, plans_);
     settings.episodes = plan_schedule(arm, model, plans_);

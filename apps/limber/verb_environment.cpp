@@ -34,24 +34,27 @@ class EnvironmentVerb final : public Verb {
         ->expected(0, 2)
         ->option_text("[check FILE]");
     app.add_flag("--random", random_, "Sample environments about motions of the arm");
-    app.add_option("--witness", witness_,
-                   "What moves to find the goals: the virtual arm or, where there is none like the "
-                   "arm, its model")
-        ->check(CLI::IsMember({"arm", "model"}))
-        ->capture_default_str();
-    app.add_option("--count", count_, "How many to sample")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 100000));
-    app.add_option("--out", out_, "Folder for random environments");
+    auto* witness =
+        app.add_option(
+               "--witness", witness_,
+               "What moves to find the goals: the virtual arm or, where there is none like the "
+               "arm, its model")
+            ->check(CLI::IsMember({"arm", "model"}))
+            ->capture_default_str();
+    auto* count = app.add_option("--count", count_, "How many to sample")
+                      ->capture_default_str()
+                      ->check(CLI::Range(1, 100000));
+    random_only_ = {witness, count,
+                    app.add_option("--out", out_, "Folder for random environments")};
     add_arm_flag(app, arm_);
     app.add_option("--model", model_,
                    "Network that says what is in reach, and is the witness of --witness model; by "
                    "default the no-load model");
     valves_.add_valves_to(app);
-    app.add_option("--margin-m", margin_m_, "Clearance that the check asks for")
-        ->check(CLI::Range(0.0, kMaxMarginM))
-        ->capture_default_str();
-    app.add_option("--svg", svg_, "Draw the checked environment here");
+    auto* margin = app.add_option("--margin-m", margin_m_, "Clearance that the check asks for")
+                       ->check(CLI::Range(0.0, kMaxMarginM))
+                       ->capture_default_str();
+    check_only_ = {margin, app.add_option("--svg", svg_, "Draw the checked environment here")};
   }
 
   int run(const CommonFlags& flags) override {
@@ -60,6 +63,13 @@ class EnvironmentVerb final : public Verb {
       throw InputError(
           "expected either 'limber environment check FILE' or "
           "'limber environment --random --count N --out DIR'");
+    }
+    for (const CLI::Option* option : check ? random_only_ : check_only_) {
+      if (option->count() > 0) {
+        throw InputError(fmt::format("{}: {} has no use for it; it goes with {}",
+                                     option->get_name(), check ? "check" : "--random",
+                                     check ? "--random" : "check"));
+      }
     }
     const ArmDescription arm = load_asked_arm(arm_, "limber environment");
     if (!check && witness_ == "arm") {
@@ -121,10 +131,10 @@ class EnvironmentVerb final : public Verb {
                       "--witness model --model MODEL its network moves in its place",
                       arm.name));
     }
-    if (!model_.empty() || valves_.names_valves()) {
+    if (!model_.empty() || valves_.says_valves()) {
       throw InputError(
-          "--model and --valves: the witness is the virtual arm, and asks no model; with --witness "
-          "model it is that model");
+          "--model, --valves and --no-valves: the witness is the virtual arm, and asks no model; "
+          "with --witness model it is that model");
     }
   }
 
@@ -171,6 +181,8 @@ class EnvironmentVerb final : public Verb {
   ModelFlags valves_;
   double margin_m_ = 0.0;
   std::string svg_;
+  std::vector<const CLI::Option*> random_only_;
+  std::vector<const CLI::Option*> check_only_;
 };
 
 }  // namespace

@@ -56,7 +56,7 @@ class EvaluateVerb final : public Verb {
       network.emplace(arm, read_model_of_one_arm(model_));
     }
     const std::string data_hash = file_hash(data_);  // names why it can't be read
-    const Recording recording = asked_with(read_usable(arm, data_), network, data_);
+    const Recording recording = asked_with(read_recording_of(arm, data_), network, data_);
     tell_if_trained_on(flags, network, data_hash);
     const ForwardModel* compared = network ? &*network : nullptr;
     const Evaluation evaluation = compare(no_load, compared, recording, flags.jobs);
@@ -163,12 +163,6 @@ class EvaluateVerb final : public Verb {
     return std::filesystem::path(plots_) / "error_over_horizon.svg";
   }
 
-  static Recording read_usable(const ArmDescription& arm, const std::string& path) {
-    Recording recording = read_recording(path);
-    require_recording_of(recording, arm, path);
-    return recording;
-  }
-
   Recording asked_with(Recording recording, const std::optional<ForwardModel>& network,
                        const std::string& path) const {
     return network ? as_learnt_from(network->compensation(), model_, std::move(recording), path)
@@ -181,7 +175,7 @@ class EvaluateVerb final : public Verb {
                                        bool setpoints_only) const {
     std::vector<Episode> episodes;
     for (const std::string& path : fit_) {
-      Recording recording = asked_with(read_usable(arm, path), network, path);
+      Recording recording = asked_with(read_recording_of(arm, path), network, path);
       if (setpoints_only && !recording.setpoints_only()) {
         recording.episodes = with_setpoints_only(std::move(recording.episodes));
       } else if (recording.setpoints_only() != setpoints_only) {

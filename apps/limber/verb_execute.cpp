@@ -6,7 +6,6 @@
 #include "limber/common/error.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/report/execution_report.hpp"
-#include "limber/report/plan_picture.hpp"
 #include "limber/report/track_report.hpp"
 #include "limber/run/closed_loop.hpp"
 #include "limber/run/model_arm.hpp"
@@ -84,6 +83,12 @@ class ExecuteVerb final : public Verb {
         throw InputError(std::string(flag) + " is required, unless --track follows a path");
       }
     }
+    if (replan_.is_asked_for() && !model_.names_model()) {
+      throw InputError("--replan: needs a network to plan with; give --model MODEL.safetensors");
+    }
+    if (replan_.is_asked_for() && driver_.is_dry_run()) {
+      throw InputError("--dry-run: what --replan commands depends on what is measured");
+    }
     const Environment environment = load_environment(find_environment_file(environment_), arm);
     const Plan plan = read_plan(plan_);
     require_plan_of(plan, arm, plan_);
@@ -158,6 +163,12 @@ class ExecuteVerb final : public Verb {
     }
     if (!adapted_out_.empty()) {
       require_something_adapts();
+    }
+    const bool names_model = model_.names_model() || model_.asks_no_load() || model_.says_valves();
+    if (names_model && !replan_.is_asked_for() && !track_.is_asked()) {
+      throw InputError(
+          "--model, --no-load, --valves and --no-valves: in open loop nothing is predicted; they "
+          "go with --replan or --track");
     }
   }
 
@@ -269,14 +280,14 @@ class ExecuteVerb final : public Verb {
   /// Writes what was asked for and says what came of it. @param driver  null on the virtual arm.
   int finish(const ArmDescription& arm, const Environment& environment, const Plan& plan,
              const ExecutionResult& result, const ProcessDriver* driver, const CommonFlags& flags) {
-    write_run(arm, plan, result, driver);
+    write_run(arm, plan, result, driver, flags);
     further_plans_.write(model_.model_file());
     write_adapted(result);
     if (!svg_.empty()) {
       write_file_atomically(svg_, execution_picture(arm, environment, plan, result));
     }
     if (!pressures_svg_.empty()) {
-      write_file_atomically(pressures_svg_, pressure_picture(arm, plan, measured_in(result)));
+      write_file_atomically(pressures_svg_, execution_pressures_picture(arm, plan, result));
     }
     if (!times_svg_.empty()) {
       write_file_atomically(times_svg_, execution_times_picture(arm, environment, plan, result));
@@ -290,6 +301,8 @@ class ExecuteVerb final : public Verb {
     }
     if (!disturbance_.empty()) {
       json["disturbance"] = disturbance_;
+    }
+    if (depends_on_seed()) {
       json["seed"] = flags.seed;
     }
     if (driver != nullptr) {
@@ -307,13 +320,8 @@ class ExecuteVerb final : public Verb {
     return driver_.is_model() ? "model:" + driver_.model_file() : arm;
   }
 
-  static std::vector<Pressures> measured_in(const ExecutionResult& result) {
-    std::vector<Pressures> rows;
-    for (int t = 0; t < result.episode.frame_count(); ++t) {
-      rows.emplace_back(result.episode.pressure_kpa.row(t).transpose());
-    }
-    return rows;
-  }
+  /// Whether the run has chance of its own, beside that of the plan.
+  bool depends_on_seed() const { return replan_.is_asked_for() || !disturbance_.empty(); }
 
   /// Of an arm that nobody saw there is no recording, and whoever waits for one is told.
   bool is_to_record(const ExecutionResult& result) const {
@@ -328,13 +336,17 @@ class ExecuteVerb final : public Verb {
   }
 
   void write_run(const ArmDescription& arm, const Plan& plan, const ExecutionResult& result,
-                 const ProcessDriver* driver) const {
+                 const ProcessDriver* driver, const CommonFlags& flags) const {
     if (!is_to_record(result)) {
       return;
     }
     const std::optional<std::uint64_t> motion_queries =
         replan_.is_asked_for() ? std::optional(replan_.settings().motion_queries) : std::nullopt;
-    write_recording(out_, recording_of(arm, source_of(driver), plan, result, motion_queries));
+    Recording recording = recording_of(arm, source_of(driver), plan, result, motion_queries);
+    if (depends_on_seed()) {
+      recording.seed = flags.seed;
+    }
+    write_recording(out_, recording);
   }
 
   /// For the next day.

@@ -7,6 +7,7 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/data_folder.hpp"
+#include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/lab/planning_experiment.hpp"
 #include "limber/lab/trial_run.hpp"
@@ -175,6 +176,11 @@ class ExperimentVerb final : public Verb {
     (void)room_.room(network, flags);
     if (forest_.is_asked_for()) {
       require_usable(settings_);
+      if (std::ranges::none_of(settings_.planners, is_default_planner)) {
+        throw InputError(
+            "--forest and --build-forest: the default planner alone uses a forest; add --planner "
+            "default, or leave them out");
+      }
       settings_.forest = forest(model, flags);
     }
     const nlohmann::ordered_json table = run_experiment(settings_);

@@ -78,7 +78,8 @@ class FamilyVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
-    refuse_to_overwrite(out_, flags.force || resume_);
+    const bool goes_on = resume_ && fs::exists(folder());
+    refuse_to_overwrite(out_, flags.force || goes_on);
     if (!resume_ && !flags.force && fs::exists(folder())) {
       throw InputError(fmt::format(
           "{}: of a run that was stopped; --resume goes on with it, --force starts over",
@@ -226,6 +227,7 @@ class FamilyVerb final : public Verb {
     json["file"] = out_;
     json["arms"] = arms;
     json["arms_held_back"] = data.validation.size();
+    json["seed"] = flags.seed;
     json["hours"] = hours_;
     json["family_size"] = size_;
     json["epochs"] = epochs_;

@@ -207,7 +207,7 @@ class ImproveVerb final : public Verb {
     CommonFlags own = flags;
     own.take_result = [&](const Json& result) { found[verb.name()] = result; };
     CLI::App command;
-    add_seed(command, own);
+    command.add_option("--seed", own.seed);
     verb.add_flags(command);
     append(words, {"--arm", arm_});
     if (resume_ && has_begun) {
@@ -225,10 +225,6 @@ class ImproveVerb final : public Verb {
       write_file_atomically(done, found[verb.name()].dump(1) + "\n");
     }
     return code;
-  }
-
-  static void add_seed(CLI::App& command, CommonFlags& flags) {
-    command.add_option("--seed", flags.seed);
   }
 
   std::string arm_ = "three_segment";

@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
 #include "driver_flags.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
@@ -28,6 +32,11 @@ int exit_code(PlanStatus status) {
   }
 }
 
+/// What growing a forest alone asks for.
+constexpr std::string_view kFlagsOfForests[] = {"--arm",          "--model",       "--no-load",
+                                                "--valves",       "--no-valves",   "--forest",
+                                                "--build-forest", "--forest-nodes"};
+
 /// Progress over the time limit if there is one, else over the iterations or queries.
 class PlanProgress {
  public:
@@ -47,7 +56,12 @@ class PlanProgress {
     progress_.update(done, fmt::format("{} nodes, {}, {:.0f} queries/s", now.nodes, cost, rate));
   }
 
-  void finish() { progress_.finish(); }
+  void finish(const PlanResult& result) {
+    const PlannerStatistics& all = result.statistics;
+    update({all.time_s, all.iterations, all.nodes, all.queries,
+            result.plan ? std::optional(result.plan->cost_kpa) : std::nullopt});
+    progress_.finish();
+  }
 
  private:
   static std::string unit(const PlannerLimits& limits) {
@@ -72,6 +86,7 @@ class PlanVerb final : public Verb {
              "--out plan.json --svg plan.svg") {}
 
   void add_flags(CLI::App& app) override {
+    const std::size_t of_all_verbs = app.get_options().size();
     add_arm_flag(app, arm_);
     model_.add_to(app, " to plan with");
     app.add_option("--environment", environment_,
@@ -113,6 +128,15 @@ class PlanVerb final : public Verb {
     app.add_option("--pressures-svg", pressures_svg_,
                    "Draw the plan's set points and predicted pressures over time here");
     app.add_option("--animation", animation_, "Write a page (HTML) here in which the arm moves");
+    for (const char* name : {"--calibration", "--simulated"}) {
+      app.get_option(name)->needs("--start-from-driver");
+    }
+    const std::vector<CLI::Option*> options = app.get_options();
+    std::copy_if(options.begin() + std::ptrdiff_t(of_all_verbs), options.end(),
+                 std::back_inserter(of_plans_), [](const CLI::Option* option) {
+                   return std::ranges::find(kFlagsOfForests, option->get_name()) ==
+                          std::end(kFlagsOfForests);
+                 });
   }
 
   int run(const CommonFlags& flags) override {
@@ -173,10 +197,6 @@ class PlanVerb final : public Verb {
                                const CommonFlags& flags) const {
     Environment environment = load_environment(find_environment_file(environment_), arm);
     if (start_driver_.empty()) {
-      if (wire_.is_calibrated()) {
-        throw InputError(
-            "--calibration: is of the driver of --start-from-driver, which is missing");
-      }
       return environment;
     }
     if (out_.empty()) {
@@ -197,10 +217,11 @@ class PlanVerb final : public Verb {
     if (!forest_.builds()) {
       throw InputError("--environment is required: a file, or the name of one of limber's own");
     }
-    for (const std::string& path : {out_, csv_, svg_, pressures_svg_, animation_}) {
-      if (!path.empty()) {
-        throw InputError(fmt::format(
-            "{}: a forest alone is grown without --environment, and no plan is made", path));
+    for (const CLI::Option* option : of_plans_) {
+      if (option->count() > 0) {
+        throw InputError(
+            fmt::format("{}: a forest alone is grown without --environment, and no plan is made",
+                        option->get_name()));
       }
     }
     const std::optional<Forest> forest =
@@ -234,7 +255,7 @@ class PlanVerb final : public Verb {
       return !interrupt_requested();
     };
     PlanResult result = limber::plan(arm, model, environment, limits, flags.seed, settings);
-    progress.finish();
+    progress.finish(result);
     return result;
   }
 
@@ -243,6 +264,15 @@ class PlanVerb final : public Verb {
     const Forest none;
     (void)make_planner(settings.planner, settings.jobs, &none);
     (void)error_room(model.forward(), settings.room);
+    if (settings.rate_limit_kpa_per_s) {
+      throw InputError(
+          "--rate-limit: forests are grown with the arm's own rate; leave out this or the forest");
+    }
+    if (settings.stay_recorded && !(model.has_network() && model.compensation().learnt)) {
+      throw InputError(
+          "--stay-recorded: needs a network that stores what its recordings held; limber train "
+          "stores it");
+    }
   }
 
   void write(const PlanResult& result, const ArmDescription& arm,
@@ -282,6 +312,7 @@ class PlanVerb final : public Verb {
   std::string svg_;
   std::string pressures_svg_;
   std::string animation_;
+  std::vector<const CLI::Option*> of_plans_;
 };
 
 }  // namespace

@@ -33,6 +33,9 @@ class StudioVerb final : public Verb {
                    "exec:COMMAND, the driver of --arm (docs/driver.md): pages can arm it and run "
                    "plans on it");
     wire_.add_to(app);
+    for (const char* name : {"--calibration", "--simulated"}) {
+      app.get_option(name)->needs("--driver");
+    }
     app.add_option("--port", settings_.port, "Port to listen at; 0: any that is free")
         ->check(CLI::Range(0, kMaxPort))
         ->capture_default_str();

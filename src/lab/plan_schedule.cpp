@@ -9,6 +9,7 @@
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/lab/planning_experiment.hpp"
 #include "limber/lab/witnessed_environment.hpp"
 #include "limber/run/plan_trial.hpp"
 #include "limber/run/safety_settings.hpp"
@@ -43,9 +44,13 @@ class EpisodePlanner {
  public:
   EpisodePlanner(const ArmDescription& arm, const MotionModel& model,
                  const PlanScheduleSettings& settings, std::uint64_t episode)
-      : arm_(arm), model_(model), settings_(settings), number_(episode * kNumbersOfAnEpisode) {
+      : arm_(arm),
+        within_(with_scaled_limits(arm, settings.limit_scale)),
+        model_(model),
+        settings_(settings),
+        number_(episode * kNumbersOfAnEpisode) {
     trial_.limits.queries = settings.queries;
-    trial_.within = limits_of(with_scaled_limits(arm, settings.limit_scale));
+    trial_.within = limits_of(within_);
   }
 
   EpisodeSchedule schedule(Progress& progress) {
@@ -62,13 +67,13 @@ class EpisodePlanner {
 
  private:
   Plan next_plan(const std::optional<ArmStart>& start) {
-    std::string why = "no environment";
+    std::optional<PlanStatus> last;
     for (int k = 0; k < kMaxInVain; ++k) {
       throw_if_interrupted();
       RandomEnvironmentSettings sampling;
       sampling.start = start;
       std::optional<RandomEnvironment> sampled =
-          random_environment(arm_, model_, settings_.seed, number_++, sampling);
+          random_environment(within_, model_, settings_.seed, number_++, sampling);
       if (!sampled) {
         continue;
       }
@@ -77,16 +82,23 @@ class EpisodePlanner {
       if (trial.solved()) {
         return std::move(*trial.planning.plan);
       }
-      why = to_string(trial.planning.status);
+      last = trial.planning.status;
+    }
+    if (!last) {
+      throw InputError(
+          fmt::format("--schedule plans: within {} of its limits the arm's tip comes nowhere that "
+                      "asks for a plan; expected a larger --limit-scale, or --schedule random",
+                      settings_.limit_scale));
     }
     throw InputError(fmt::format(
         "--schedule plans: {} environments in a row have no plan (the last: {}). The "
         "model's error leaves no room beside obstacles; --max-queries asks for a longer "
         "search, --schedule random for no model",
-        kMaxInVain, why));
+        kMaxInVain, to_string(*last)));
   }
 
   const ArmDescription& arm_;
+  const ArmDescription within_;  ///< with the limits that plans keep to
   const MotionModel& model_;
   const PlanScheduleSettings& settings_;
   std::uint64_t number_;  // of the next environment

@@ -4,8 +4,11 @@
 #include <cctype>
 #include <filesystem>
 #include <iterator>
+#include <map>
 #include <optional>
+#include <ranges>
 #include <set>
+#include <tuple>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -18,6 +21,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/json_reader.hpp"
+#include "limber/common/utf8.hpp"
 #include "limber/common/version.hpp"
 #include "limber/lab/output_folder.hpp"
 #include "limber/lab/trial_run.hpp"
@@ -198,6 +202,17 @@ class Experiment {
     }
   }
 
+  /// Of each plan, the tasks that execute it.
+  static std::vector<std::vector<Task>> by_plan(const std::vector<Task>& tasks) {
+    using PlanKey = std::tuple<const EnvironmentCase*, std::string, std::string, std::uint64_t>;
+    std::map<PlanKey, std::vector<Task>> plans;
+    for (const Task& task : tasks) {
+      plans[{task.environment, task.key.model, task.key.planner, task.key.seed}].push_back(task);
+    }
+    const auto lists = std::views::values(plans);
+    return {lists.begin(), lists.end()};
+  }
+
   void run_tasks() {
     const std::vector<Task> open = open_tasks();
     int finished = 0;
@@ -222,11 +237,18 @@ class Experiment {
     trial.adapts = settings_.adapts;
     Progress progress("experiment", "trials", open.size(), settings_.progress);
     JobArena arena(settings_.jobs);
-    arena.for_each(open.size(), [&](std::size_t i) {
-      if (!interrupt_requested()) {
-        run_task(open[i], trial);
-        progress.advance();
+    const std::vector<std::vector<Task>> plans = by_plan(open);
+    arena.for_each(plans.size(), [&](std::size_t i) {
+      if (interrupt_requested()) {
+        return;
       }
+      const PlanTrial planned = plan_for(plans[i].front(), trial);
+      arena.for_each(plans[i].size(), [&](std::size_t k) {
+        if (!interrupt_requested()) {
+          run_task(plans[i][k], trial, planned);
+          progress.advance();
+        }
+      });
     });
     progress.finish();
   }
@@ -238,16 +260,19 @@ class Experiment {
     return trial;
   }
 
-  void run_task(const Task& task, PlanTrialSettings settings) {
+  PlanTrial plan_for(const Task& task, PlanTrialSettings settings) const {
     settings.planner = task.key.planner;
-    settings.controller = task.key.controller;
-    settings.disturbance = task.key.disturbance;
     if (settings_.forest && task.model->has_network() && is_default_planner(settings.planner)) {
       settings.forest = &*settings_.forest;
     }
+    return plan_trial(settings_.arm, *task.model, *task.environment, settings, task.key.seed);
+  }
+
+  /// @param trial  with its plan
+  void run_task(const Task& task, PlanTrialSettings settings, PlanTrial trial) {
+    settings.controller = task.key.controller;
+    settings.disturbance = task.key.disturbance;
     const Environment& environment = task.environment->environment;
-    PlanTrial trial =
-        plan_trial(settings_.arm, *task.model, *task.environment, settings, task.key.seed);
     run_trial(settings_.arm, *task.model, environment, settings, trial);
     if (!interrupt_requested()) {
       write_trial(*output_, task.key, trial, environment);
@@ -299,6 +324,9 @@ std::vector<EnvironmentCase> environments_in(const fs::path& folder, const ArmDe
   std::sort(files.begin(), files.end());
   std::vector<EnvironmentCase> cases;
   for (const fs::path& file : files) {
+    if (!is_utf8(file.string())) {
+      throw InputError(file.string() + ": the name is not UTF-8; rename the file");
+    }
     cases.push_back({file.stem().string(), load_environment(file, arm)});
   }
   return cases;

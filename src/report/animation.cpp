@@ -64,6 +64,12 @@ std::string filled(std::string_view page, const std::map<std::string_view, std::
 
 }  // namespace
 
+std::string cost_text(const Plan& plan) {
+  return plan.command.is_pressure_kpa()
+             ? fmt::format("{:.1f} psi", plan.cost_kpa / kKpaPerPsi)
+             : fmt::format("{:.2f} {}", plan.cost_kpa, plan.command.unit);
+}
+
 std::string packed_frames(const Json& frames, const std::vector<double>& units) {
   static constexpr const char* kDigits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -117,8 +123,8 @@ std::string animation_page(const ArmDescription& arm, const Environment& environ
 std::string plan_animation(const ArmDescription& arm, const Environment& environment,
                            const Plan& plan) {
   const std::string title =
-      fmt::format("{}: {} model, {:.1f} psi", environment.name,
-                  plan.model == "network" ? "network" : "no-load", plan.cost_kpa / kKpaPerPsi);
+      fmt::format("{}: {} model, {}", environment.name,
+                  plan.model == "network" ? "network" : "no-load", cost_text(plan));
   SvgDrawing still(picture_box(arm, environment), kPictureWidthPx, title);
   still.axes();
   draw_environment(still, environment);

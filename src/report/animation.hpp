@@ -7,10 +7,14 @@
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/world/environment.hpp"
+#include "limber/world/plan.hpp"
 
 namespace limber {
 
 inline constexpr double kPictureWidthPx = 640.0;  // of what is drawn to scale
+
+/// "34.1 psi"; in the unit of the arm's command, where that is no pressure.
+std::string cost_text(const Plan& plan);
 
 /// web/src/packing.ts: each number's change since the frame before, in whole units, in base 64.
 /// @param frames  a list of numbers each  @param units  of the columns, over and over

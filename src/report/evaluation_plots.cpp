@@ -214,19 +214,15 @@ EvaluationPlots plot_evaluation(const ArmDescription& arm, const ForwardModel& n
   Chart orientation("Orientation error of the tip, open loop");
   position.y_axis("position error [cm]").without_legend();
   orientation.y_axis("orientation error [rad]").without_legend();
-  position.distribution("no load", no_load_errors.position_cm,
-                        {.color = palette_color(kNoLoadColor)});
+  const auto add = [&](const char* name, const TipErrorSeries& errors, int color) {
+    position.distribution(name, errors.position_cm, {.color = palette_color(color)});
+    if (!episodes.front().lifted) {
+      orientation.distribution(name, errors.orientation_rad, {.color = palette_color(color)});
+    }
+  };
+  add("no load", no_load_errors, kNoLoadColor);
   if (network != nullptr) {
-    position.distribution("network", network_errors.position_cm,
-                          {.color = palette_color(kNetworkColor)});
-  }
-  if (!episodes.front().lifted) {
-    orientation.distribution("no load", no_load_errors.orientation_rad,
-                             {.color = palette_color(kNoLoadColor)});
-  }
-  if (network != nullptr && !episodes.front().lifted) {
-    orientation.distribution("network", network_errors.orientation_rad,
-                             {.color = palette_color(kNetworkColor)});
+    add("network", network_errors, kNetworkColor);
   }
   const Episode& shown = longest(episodes);
   const Predictions predictions = predict_both(no_load, network, shown, jobs);

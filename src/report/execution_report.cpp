@@ -45,11 +45,6 @@ Json to_json(const std::optional<Contact>& contact, const Environment& environme
 constexpr int kShapes = 6;  // drawn along the motion
 constexpr const char* kCollisionColor = "#b2182b";
 
-WorldPoint tip_of(const Backbone& backbone) {
-  const Pose tip = tip_pose(backbone);
-  return {tip.x_m, tip.y_m};
-}
-
 std::string title_of(const Environment& environment, const ExecutionResult& result) {
   std::string title = environment.name + ": " + to_string(result.status);
   if (result.final_backbone) {
@@ -63,7 +58,8 @@ void draw_tip_path(SvgDrawing& drawing, const ArmDescription& arm, const Episode
   const int frames = episode.frame_count();
   std::vector<WorldPoint> tips;
   for (int t = 0; t < frames; ++t) {
-    tips.push_back(tip_of(backbone_at(episode.backbone, t)));
+    const Eigen::Vector2d tip = tip_position_m(backbone_at(episode.backbone, t));
+    tips.push_back({tip.x(), tip.y()});
   }
   for (int k = 0; k < std::min(kShapes, frames); ++k) {
     const auto frame = static_cast<Eigen::Index>(std::lround(k * (frames - 1.0) / kShapes));
@@ -161,13 +157,8 @@ Json to_json(const ExecutionResult& result, const Environment& before) {
                                    {"largest", kCmPerM * result.prediction->max_m},
                                    {"final", kCmPerM * result.prediction->final_m}};
   }
-  json["final_backbone"] = nullptr;
-  if (result.final_backbone) {
-    json["final_backbone"] = Json::array();
-    for (const auto& pose : result.final_backbone->rowwise()) {
-      json["final_backbone"].push_back({pose[0], pose[1], pose[2]});
-    }
-  }
+  json["final_backbone"] =
+      result.final_backbone ? exact_backbone(*result.final_backbone) : Json(nullptr);
   return json;
 }
 

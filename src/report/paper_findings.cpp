@@ -138,30 +138,27 @@ PaperFinding collision_finding(const std::vector<PlanningRow>& rows) {
   return finding;
 }
 
-PaperFinding cost_finding(const std::vector<PlanningRow>& rows) {
-  PaperFinding finding{"cost more", "26.8–57.4 psi against 19.4–43.7, in 8 of 8", "",
-                       kNotComparable};
-  const SideBySide sum =
-      side_by_side(rows, [](const PlanningRow& row) { return row.cost_psi.mean; });
+/// @param finding  without what is found here: that the network's value is the higher one
+PaperFinding higher_finding(const SideBySide& sum, PaperFinding finding, const char* unit,
+                            int digits) {
   if (sum.environments > 0) {
-    finding.here =
-        fmt::format("{}, in {} of {}", ranges(sum, "psi", 1), sum.network_higher, sum.environments);
+    finding.here = fmt::format("{}, in {} of {}", ranges(sum, unit, digits), sum.network_higher,
+                               sum.environments);
     finding.verdict = 2 * sum.network_higher > sum.environments ? kReproduced : kNot;
   }
   return finding;
 }
 
+PaperFinding cost_finding(const std::vector<PlanningRow>& rows) {
+  return higher_finding(
+      side_by_side(rows, [](const PlanningRow& row) { return row.cost_psi.mean; }),
+      {"cost more", "26.8–57.4 psi against 19.4–43.7, in 8 of 8", "", kNotComparable}, "psi", 1);
+}
+
 PaperFinding time_finding(const std::vector<PlanningRow>& rows) {
-  PaperFinding finding{"take longer to plan", "115–250 s against 51–216, in 6 of 8", "",
-                       kNotComparable};
-  const SideBySide sum =
-      side_by_side(rows, [](const PlanningRow& row) { return row.first_solution_s.mean; });
-  if (sum.environments > 0) {
-    finding.here =
-        fmt::format("{}, in {} of {}", ranges(sum, "s", 4), sum.network_higher, sum.environments);
-    finding.verdict = 2 * sum.network_higher > sum.environments ? kReproduced : kNot;
-  }
-  return finding;
+  return higher_finding(
+      side_by_side(rows, [](const PlanningRow& row) { return row.first_solution_s.mean; }),
+      {"take longer to plan", "115–250 s against 51–216, in 6 of 8", "", kNotComparable}, "s", 4);
 }
 
 PaperFinding success_finding(const std::vector<PlanningRow>& rows) {

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
+#include "animation.hpp"
 #include "limber/arm/names.hpp"
-#include "limber/common/units.hpp"
 #include "limber/plot/chart.hpp"
 #include "limber/plot/svg_drawing.hpp"
 #include "limber/world/obstacle_shape.hpp"
@@ -62,8 +61,7 @@ std::vector<WorldPoint> center_line(const Backbone& backbone) {
 void draw_tip_path(SvgDrawing& drawing, const Plan& plan, const ShapeStyle& style) {
   std::vector<WorldPoint> tips;
   for (const PlanFrame& frame : plan.frames) {
-    const Pose tip = tip_pose(frame.backbone);
-    tips.push_back({tip.x_m, tip.y_m});
+    tips.push_back(world(tip_position_m(frame.backbone)));
   }
   drawing.polyline(tips, style);
 }
@@ -153,8 +151,7 @@ void draw_plan(SvgDrawing& drawing, const ArmDescription& arm, const Plan& plan)
   draw_tip_path(drawing, plan, {.stroke = "#222222", .width_px = 1.5});
 }
 
-std::string pressure_picture(const ArmDescription& arm, const Plan& plan,
-                             const std::vector<Pressures>& measured_kpa) {
+std::string pressure_picture(const ArmDescription& arm, const Plan& plan) {
   std::vector<double> time_s;
   for (int k = 0; k < plan.frame_count(); ++k) {
     time_s.push_back(k * arm.frame_period_s());
@@ -162,26 +159,15 @@ std::string pressure_picture(const ArmDescription& arm, const Plan& plan,
   Chart chart(fmt::format("Set points and {}s", followed_name(arm.command)));
   chart.x_axis("time [s]").y_axis(fmt::format("{} [{}]", arm.command.name, arm.command.unit));
   for (Eigen::Index i = 0; i < arm.segment_count(); ++i) {
-    const auto along = [&](auto&& rows, auto&& number) {
-      std::vector<double> values;
-      for (std::size_t k = 0; k < std::min(rows.size(), time_s.size()); ++k) {
-        values.push_back(double(number(rows[k])));
-      }
-      return values;
-    };
-    const SeriesStyle style{.color = palette_color(static_cast<int>(i) + 3)};
-    chart.line(fmt::format("{}: set point", segment_name(i)), time_s,
-               along(plan.frames, [i](const PlanFrame& f) { return f.setpoint_kpa[i]; }),
-               {.color = style.color, .width_px = 1.0, .dashed = true});
-    chart.line(fmt::format("{}: predicted", segment_name(i)), time_s,
-               along(plan.frames, [i](const PlanFrame& f) { return f.pressure_kpa[i]; }), style);
-    if (!measured_kpa.empty()) {
-      std::vector<double> measured =
-          along(measured_kpa, [i](const Pressures& row) { return row[i]; });
-      measured.resize(time_s.size(), std::numeric_limits<double>::quiet_NaN());
-      chart.points(fmt::format("{}: measured", segment_name(i)), time_s, std::move(measured),
-                   {.color = style.color, .radius_px = 2.0});
+    std::vector<double> setpoints, predicted;
+    for (const PlanFrame& frame : plan.frames) {
+      setpoints.push_back(double(frame.setpoint_kpa[i]));
+      predicted.push_back(double(frame.pressure_kpa[i]));
     }
+    const SeriesStyle style{.color = palette_color(static_cast<int>(i) + 3)};
+    chart.line(fmt::format("{}: set point", segment_name(i)), time_s, std::move(setpoints),
+               {.color = style.color, .width_px = 1.0, .dashed = true});
+    chart.line(fmt::format("{}: predicted", segment_name(i)), time_s, std::move(predicted), style);
   }
   return chart.svg();
 }
@@ -201,9 +187,9 @@ std::string plan_picture(const ArmDescription& arm, const Environment& environme
                          const PlanResult& result) {
   std::string title = environment.name;
   if (result.plan) {
-    title += fmt::format(", {} model: {:.1f} psi, {:.1f} s",
+    title += fmt::format(", {} model: {}, {:.1f} s",
                          result.plan->model == "network" ? "network" : "no-load",
-                         result.plan->cost_kpa / kKpaPerPsi, result.plan->duration_s());
+                         cost_text(*result.plan), result.plan->duration_s());
   } else {
     title += fmt::format(": {}", to_string(result.status));
   }

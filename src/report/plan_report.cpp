@@ -1,5 +1,7 @@
 #include "limber/report/plan_report.hpp"
 
+#include <cmath>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -41,6 +43,13 @@ std::string tube_note(const std::optional<PlanTube>& tube) {
                     100.0 * tube->level, tube->plate_radius_m.back() * kCmPerM,
                     tube->goal_inside ? "holds" : "is too small for")
               : "";
+}
+
+/// Of a plan; without obstacles it is infinite.
+std::string clearance_text(double clearance_m, int digits) {
+  return std::isfinite(clearance_m)
+             ? fmt::format("clearance {:.{}f} cm", clearance_m * kCmPerM, digits)
+             : "no obstacles";
 }
 
 }  // namespace
@@ -168,23 +177,22 @@ std::string to_text(const PlanResult& result, const Command& command) {
     return fmt::format("no plan: {}: {}", to_string(result.status), result.reason);
   }
   const Plan& plan = *result.plan;
-  const std::string certified =
-      plan.certified
-          ? fmt::format(
-                "\ncertified: plates within {:.2g} mm of an independent "
-                "simulation, clearance {:.3f} cm",
-                plan.certified->max_deviation_m * 1e3, plan.certified->clearance_m * kCmPerM)
-          : "";
+  std::string certified;
+  if (plan.certified) {
+    certified = fmt::format("\ncertified: plates within {:.2g} mm of an independent simulation, {}",
+                            plan.certified->max_deviation_m * 1e3,
+                            clearance_text(plan.certified->clearance_m, 3));
+  }
   const std::string psi =
       command.is_pressure_kpa() ? fmt::format(" ({:.1f} psi)", plan.cost_kpa / kKpaPerPsi) : "";
   return fmt::format(
-             "plan: {} frames, {:.1f} s, cost {:.1f} {}{}; ends {:.2f} cm from the goal, clearance "
-             "{:.2f} cm, both as the {} model predicts\n"
+             "plan: {} frames, {:.1f} s, cost {:.1f} {}{}; ends {:.2f} cm from the goal, {}, "
+             "as the {} model predicts\n"
              "first certified plan after {:.4f} s, {:.4f} s of them for its certificate ({:.1f} "
              "{}); {} nodes, {} rewires of {} tried, {} model queries in {:.2f} s ({:.0f} per "
              "second); {}",
              plan.frame_count(), plan.duration_s(), plan.cost_kpa, command.unit, psi,
-             plan.goal_distance_m * kCmPerM, plan.clearance_m * kCmPerM, plan.model,
+             plan.goal_distance_m * kCmPerM, clearance_text(plan.clearance_m, 2), plan.model,
              result.first_solution->time_s, result.first_solution->certificate_s,
              result.first_solution->cost_kpa, command.unit, result.statistics.nodes,
              result.statistics.rewires_accepted, result.statistics.rewires_tried,

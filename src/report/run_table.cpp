@@ -196,6 +196,9 @@ std::string planner_arena_log(const std::string& environment, const std::vector<
     if (found == planners.end()) {
       planners.push_back(name);
       runs.emplace_back();
+    } else if (trial.controller != runs[index].front()->controller ||
+               trial.disturbance != runs[index].front()->disturbance) {
+      continue;  // the same plans, executed in another way
     }
     runs[index].push_back(&trial);
     total_s += trial.planning.statistics.time_s;

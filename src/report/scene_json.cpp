@@ -12,14 +12,6 @@ Json exact_pressures(const Pressures& kpa) {
   return std::vector<float>(kpa.begin(), kpa.end());
 }
 
-Json exact_backbone(const Backbone& backbone) {
-  Json rows = Json::array();
-  for (Eigen::Index i = 0; i < backbone.rows(); ++i) {
-    rows.push_back({backbone(i, 0), backbone(i, 1), backbone(i, 2)});
-  }
-  return rows;
-}
-
 Json start_to_json(const ArmStart& start) {
   Json json = {{"pressures_kpa", exact_pressures(start.pressures_kpa)},
                {"backbone", exact_backbone(start.backbone)}};
@@ -33,6 +25,14 @@ Json start_to_json(const ArmStart& start) {
 }
 
 }  // namespace
+
+Json exact_backbone(const Backbone& backbone) {
+  Json rows = Json::array();
+  for (Eigen::Index i = 0; i < backbone.rows(); ++i) {
+    rows.push_back({backbone(i, 0), backbone(i, 1), backbone(i, 2)});
+  }
+  return rows;
+}
 
 double rounded_to(double value, double parts) {
   return std::round(value * parts) / parts;

@@ -1,6 +1,7 @@
 #include "limber/report/shapes_page.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -53,16 +54,22 @@ std::string final_shapes_picture(const ArmDescription& arm, const EnvironmentCas
                                  const std::vector<PlanTrial>& trials) {
   SvgDrawing drawing(picture_box(arm, item.environment), 560.0, item.environment.name);
   drawing.axes();
+  std::set<std::string> shown;
   for (const PlanTrial& trial : trials) {
     if (trial.environment == item.id && trial.execution && trial.execution->final_backbone) {
       draw_arm(drawing, arm, *trial.execution->final_backbone, body_style(trial.model));
       drawing.polyline(center_line(*trial.execution->final_backbone),
                        {.stroke = model_color(trial.model), .dashed = trial.execution->collided});
+      shown.insert(trial.model);
     }
   }
   draw_environment(drawing, item.environment);
-  drawing.legend("no-load plans", body_style("no_load"));
-  drawing.legend("network plans", body_style("network"));
+  if (shown.contains("no_load")) {
+    drawing.legend("no-load plans", body_style("no_load"));
+  }
+  if (shown.contains("network")) {
+    drawing.legend("network plans", body_style("network"));
+  }
   return drawing.svg();
 }
 

@@ -175,6 +175,11 @@ Eigen::Vector2d tip_cm(const Episode& episode, int frame) {
 
 }  // namespace
 
+std::string execution_pressures_picture(const ArmDescription& arm, const Plan& plan,
+                                        const ExecutionResult& result) {
+  return pressures_chart(RunTimes(arm, plan, result.episode)).svg();
+}
+
 std::string execution_times_picture(const ArmDescription& arm, const Environment& environment,
                                     const Plan& plan, const ExecutionResult& result) {
   const RunTimes run(arm, plan, result.episode);
@@ -182,6 +187,8 @@ std::string execution_times_picture(const ArmDescription& arm, const Environment
   grid.add(pressures_chart(run));
   if (run.episode.frame_count() > 0) {
     grid.add(tip_chart(run));
+  }
+  if (run.episode.frame_count() > 0 && !with_appeared(environment, result).obstacles.empty()) {
     grid.add(clearance_chart(run, ClearanceOverTime(arm, environment, result)));
   }
   return grid.svg();

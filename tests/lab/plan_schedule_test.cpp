@@ -86,6 +86,18 @@ TEST_F(PlanSchedule, RecordsEachPlanAsOneMotionThroughItsWaypoints) {
   EXPECT_EQ(frames + 1, run.frame_count());
 }
 
+// Goals that only full pressures reach would leave every search in vain.
+TEST_F(PlanSchedule, GoalsLieWithinTheLimitsThatPlansKeep) {
+  settings_.episodes = 1;
+  settings_.count = 1;
+  settings_.limit_scale = 0.4;
+  const EpisodeSchedule episode = schedule().front();
+  ASSERT_EQ(episode.motions.size(), 1U);
+  const Pressures& end = episode.motions.front().setpoint_kpa;
+  EXPECT_LE(end.cwiseAbs().maxCoeff(),
+            0.4001 * arm_.segments.front().pressure_limit_kpa.largest_kpa());
+}
+
 TEST_F(PlanSchedule, RefusesWhatItCannotMake) {
   settings_.count = 0;
   EXPECT_THAT([&] { schedule(); }, ThrowsMessage<InputError>(HasSubstr("--count 0: expected 1")));

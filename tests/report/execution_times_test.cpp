@@ -1,5 +1,7 @@
 #include "limber/report/track_report.hpp"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 
 #include "limber/run/appearing_obstacle.hpp"
@@ -28,6 +30,33 @@ TEST(ExecutionTimes, ShowPressuresTipAndClearancePredictedAndAsTheyWere) {
                            "contact", "</svg>"}) {
     EXPECT_THAT(svg, HasSubstr(text));
   }
+}
+
+TEST(ExecutionTimes, WithoutObstaclesThereIsNoClearance) {
+  const ArmDescription arm = small_arm();
+  const Environment environment;
+  const Plan plan = bending_plan(arm, environment);
+  FakeArm driver(arm, kLag_s);
+  const ExecutionResult result = execute(arm, environment, plan, driver);
+  const std::string svg = execution_times_picture(arm, environment, plan, result);
+  EXPECT_THAT(svg, HasSubstr("y: the arm"));
+  EXPECT_THAT(svg, Not(HasSubstr("clearance")));
+}
+
+// Of a run that goes on after its plan, too.
+TEST(ExecutionTimes, PressuresAreThoseOfTheRun) {
+  const ArmDescription arm = small_arm();
+  const Environment environment;
+  Plan plan = bending_plan(arm, environment);
+  FakeArm driver(arm, kLag_s);
+  const ExecutionResult result = execute(arm, environment, plan, driver);
+  const std::string whole = execution_pressures_picture(arm, plan, result);
+  EXPECT_THAT(whole, HasSubstr("segment 0: set point"));
+  EXPECT_THAT(whole, HasSubstr("segment 1: measured"));
+  plan.frames.resize(2);
+  const auto drawn = [](const std::string& svg) { return std::ranges::count(svg, ','); };
+  const std::string cut = execution_pressures_picture(arm, plan, result);
+  EXPECT_GT(drawn(cut), drawn(whole) / 2) << "set points and what was measured are still there";
 }
 
 TEST(ExecutionTimes, ARunThatNobodySawHasNoTip) {

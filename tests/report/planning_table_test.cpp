@@ -147,6 +147,8 @@ TEST(PlannerArena, WritesARunALineUnderEachPlanner) {
   trials[1].planning.plan.reset();
   trials[1].planning.first_solution.reset();
   trials[0].planning.events = {{0.1, 0, 9, 50, 200.0}, {2.0, 0, 90, 500, 100.0}};
+  trials.push_back(trials[0]);  // the same plan, executed in another way
+  trials.back().controller = "replan";
   PlannerLimits limits;
   limits.time_s = 2.5;
   const std::string log = planner_arena_log("01", trials, limits, 7);

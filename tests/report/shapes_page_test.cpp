@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include "planning/random_shapes.hpp"
 #include "support/space_arm.hpp"
 
 namespace limber {
@@ -57,6 +58,18 @@ TEST(ShapesPage, PlacesArePackedAndAPredictionThatIsNoNumberShowsTheShapeBefore)
   EXPECT_THAT(page, HasSubstr("\"places\":\"AAAoGAAwMAA4SAAgZAAofAAAAAC" + std::string(14, 'A') +
                               still + "\",\"unknown\":[0,2]"));
   EXPECT_THAT(page, HasSubstr("The first 0 s of 0 s"));
+}
+
+TEST(FinalShapes, TheLegendNamesTheModelsThatAreShown) {
+  const ArmDescription arm = three_segment_arm();
+  PlanTrial trial;
+  trial.environment = "a";
+  trial.model = "network";
+  trial.execution.emplace();
+  trial.execution->final_backbone = start_state(Environment(), arm).backbone;
+  const std::string svg = final_shapes_picture(arm, {"a", Environment()}, {trial});
+  EXPECT_THAT(svg, HasSubstr("network plans"));
+  EXPECT_THAT(svg, Not(HasSubstr("no-load plans")));
 }
 
 }  // namespace

@@ -207,6 +207,12 @@ class Campaigns(InFolder):
         tables = [without_times(json.loads((self.folder / name / "table.json").read_text(encoding="utf-8")))
                   for name in ("alone", "e/experiment")]
         self.assertEqual(*tables)
+        self.write("ways.yaml", "schema: limber/campaign/1\nverb: experiment\n"
+                   f"flags: {{model: m.safetensors, trials: 1, max-queries: 200, environments: {places[0]}}}\n"
+                   "grid: {planner: [default, paper]}\n")
+        self.run_limber("campaign", "ways.yaml")
+        self.assertIn("no experiment/", self.run_limber("campaign", "ways.yaml", "--collect").stderr)
+        self.assertTrue((self.folder / "ways/table.csv").exists())
         self.write("cal.yaml", "schema: limber/campaign/1\nverb: calibrate\n"
                    "flags: {model: m.safetensors, check: 2, max-queries: 200}\nrepeat: 2\n")
         self.run_limber("campaign", "cal.yaml", "--dry-run")

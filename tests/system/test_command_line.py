@@ -63,6 +63,27 @@ class CommandLine(InFolder):
             )
             self.assertEqual(result["seed"], meant)
 
+    def test_flags_that_would_be_passed_over_are_refused(self):
+        planned = ("--no-load", "--environment", "01_pillar")
+        run = ("execute", "--plan", "p.json", "--environment", "01_pillar", "--replan")
+        for arguments, said in (
+            (("plan", "--no-load", "--build-forest", "--forest", "f", "--planner", "paper"), "--planner: a forest alone"),
+            (("plan", *planned, "--simulated"), "--start-from-driver"),
+            (("plan", *planned, "--forest", "f", "--rate-limit", 50), "--rate-limit: forests are grown"),
+            (("plan", *planned, "--forest", "f", "--stay-recorded"), "--stay-recorded: needs a network"),
+            (("studio", "--calibration", "c.yaml"), "--driver"),
+            (("characterize", "--limit-scale", 0.3), "--limit-scale: nothing but a driver's"),
+            (("environment", "check", "01_pillar", "--count", 3), "--count: check has no use for it"),
+            (("environment", "--random", "--out", "e", "--svg", "e.svg"), "--svg: --random has no use for it"),
+            (run, "--replan: needs a network"),
+            ((*run, "--model", "m.safetensors", "--dry-run"), "--dry-run: what --replan commands"),
+            (("campaign", "c.yaml", "--status", "--shard", "0/2"), "--shard"),
+            (("bench", "--training", "r.h5", "--quick"), "--quick"),
+        ):
+            with self.subTest(arguments=arguments):
+                self.assertIn(said, self.run_limber(*arguments, code=2).stderr)
+        self.assertEqual(list(self.folder.iterdir()), [])
+
     def test_planner_settings_that_are_no_numbers_are_refused(self):
         for verb in ("plan", "experiment"):
             for value in ("ompl:SST,pruning_radius=nan", "default,goal_steering_share=inf"):

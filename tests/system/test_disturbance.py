@@ -33,6 +33,8 @@ class Disturbance(InFolder):
             self.assertEqual(found["disturbance"], kind)
             self.assertNotEqual(found["final_backbone"], calm["final_backbone"], kind)
             self.assertEqual(found, self.execute("--disturbance", kind, "--seed", 4))
+        self.execute("--disturbance", "friction", "--seed", 4, "--out", "run.h5")
+        self.assertEqual(self.run_json("inspect", "run.h5")["seed"], 4)
         # Noise and lost tracking are the sensor's: the arm itself moves as it did.
         for kind in ("noise", "lost_tracking", "noise,lost_tracking"):
             found = self.execute("--disturbance", kind)

@@ -62,6 +62,7 @@ class Execute(InFolder):
         self.assertGreater(found["replans"] + found["switches"], 0)
         self.assertLess(found["distance_to_goal_cm"], 0.5 * open_loop["distance_to_goal_cm"])
         self.assertEqual((found["goal_reached"], found["collided"], found["message"]), (True, False, ""))
+        self.assertEqual(found["seed"], self.run_json("inspect", "run.h5")["seed"])
         # What a time of this machine was worth in queries repeats the run.
         queries = ("--motion-queries", found["motion_queries"])
         self.assertGreater(found["motion_queries"], 0)
@@ -82,6 +83,9 @@ class Execute(InFolder):
             message = self.run_limber("execute", *ARM, "--plan", "p.json", "--environment", "e.yaml",
                                       "--replan", *model, code=2).stderr
             self.assertIn(word, message)
+        message = self.run_limber("execute", *ARM, "--plan", "p.json", "--environment", "e.yaml", "--no-load",
+                                  code=2).stderr
+        self.assertIn("in open loop nothing is predicted", message)
 
     def test_without_queries_in_motion_it_plans_at_rest_alone(self):
         open_loop = self.execute_with_a_network()

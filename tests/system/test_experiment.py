@@ -2,6 +2,7 @@
 
 import json
 import math
+import os
 import statistics
 import unittest
 
@@ -183,6 +184,27 @@ class Experiment(InFolder):
         (self.folder / "one" / "experiment.json").write_text("[1]", encoding="utf-8")
         self.assertIn("one/experiment.json: [1] found; expected a JSON object", refused())
         self.assertEqual((self.folder / "one" / "table.json").read_bytes(), table)
+
+    def test_all_ways_execute_the_same_plans(self):
+        self.experiment("out", "--controller", "open", "--controller", "jacobian", "--disturbance", "none",
+                        "--disturbance", "friction")
+        plans = {}
+        for path in (self.folder / "out" / "trials").iterdir():
+            trial = json.loads(path.read_text(encoding="utf-8"))
+            key = (trial["environment"], trial["model"], trial["seed"])
+            plans.setdefault(key, []).append((trial["cost_kpa"], trial["time_s"]))
+        self.assertEqual({len(same) for same in plans.values()}, {4})
+        self.assertEqual({len(set(same)) for same in plans.values()}, {1})
+        log = (self.folder / "out" / "planner_arena" / "a.log").read_text(encoding="utf-8")
+        self.assertIn("\n2 runs per planner\n", log)
+
+    def test_an_environment_whose_name_is_not_utf8_is_named(self):
+        folder = os.fsencode(self.folder / "environments")
+        with open(os.path.join(folder, b"\xff.yaml"), "w", encoding="utf-8") as file:
+            file.write(json.dumps(PILLAR))
+        error = self.run_limber("experiment", *ARM, "--model", "m.safetensors", "--environments", "environments",
+                                "--max-iterations", 10, "--out", "bad", code=2).stderr
+        self.assertIn("the name is not UTF-8; rename the file", error)
 
     def test_bad_input_is_named_before_any_work(self):
         for arguments, message in (

@@ -187,6 +187,8 @@ class Family(WithFiles):
         self.assertEqual((self.folder / "stopped.safetensors").read_bytes(),
                          self.made["family.safetensors"])
         self.assertFalse((self.folder / "stopped.safetensors.parts").exists())
+        error = self.run_limber("family", *ARM, *SMALL, "--out", "stopped.safetensors", "--resume", code=2).stderr
+        self.assertIn("stopped.safetensors: exists already", error)
 
 
 if __name__ == "__main__":

@@ -94,11 +94,14 @@ class Plan(InFolder):
         forest = ("--forest", "f", "--forest-nodes", 2000)
 
         def said(*arguments):
-            return self.run_limber("plan", *ARM, *BUDGET, *forest, *arguments).stderr
+            budget = BUDGET if "--environment" in arguments else ()
+            return self.run_limber("plan", *ARM, *budget, *forest, *arguments).stderr
 
         self.assertIn("f: 2000 motions", said("--environment", rest))
         grown = (self.folder / "f").read_bytes()
         self.assertNotIn("motions", said("--environment", rest))
+        self.assertIn("f: has 2000 motions, and is used as it is; --build-forest grows 3000",
+                      said("--environment", rest, "--forest-nodes", 3000))
         self.assertEqual((self.folder / "f").read_bytes(), grown)
         self.assertIn("growing it again, as asked for", said("--build-forest"))
         self.assertEqual((self.folder / "f").read_bytes(), grown, "same seed, same forest")

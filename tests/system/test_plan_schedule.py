@@ -36,6 +36,14 @@ class PlanSchedule(InFolder):
         self.assertIn("--schedule plans has its own holds",
                       self.error("--schedule", "plans", "--model", "m.safetensors", "--hold-s", 1, "--out", "x.h5"))
 
+    def test_what_cannot_be_is_refused_before_any_planning(self):
+        self.write("x.h5", "mine")
+        plans = ("--schedule", "plans", "--model", "m.safetensors", "--out")
+        self.assertIn("x.h5: exists already", self.error(*plans, "x.h5"))
+        self.assertIn("--count -3: expected 1", self.error(*plans, "y.h5", "--count", -3))
+        self.assertIn("--episodes -2: expected 1", self.error(*plans, "y.h5", "--episodes", -2))
+        self.assertIn("--count -5", self.error("--schedule", "identify", "--count", -5, "--out", "y.h5"))
+
     def improve(self, *arguments):
         return self.run_json("improve", *ARM, "--model", "m.safetensors", "--data", "t.h5", "--plans", 4,
                              "--epochs", 2, "--max-queries", 3000, "--out", "rounds", *arguments)

@@ -7,6 +7,7 @@
 
 #include "limber/common/error.hpp"
 #include "limber/common/number_text.hpp"
+#include "limber/common/utf8.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "limber/lab/campaign.hpp"
 
@@ -79,6 +80,10 @@ std::vector<FlagValues> files_of(const YamlReader& value) {
   const fs::path folder = pattern.has_parent_path() ? pattern.parent_path() : fs::path(".");
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     if (entry.is_regular_file() && entry.path().extension() == name.substr(1)) {
+      if (!is_utf8(entry.path().string())) {
+        value.refuse(fmt::format("{}: the name is not UTF-8; rename the file",
+                                 with_other_bytes_escaped(entry.path().string())));
+      }
       files.push_back({entry.path().string()});
     }
   }
@@ -168,6 +173,23 @@ CpuLevel cpu_of(const YamlReader& value) {
   value.refuse(fmt::format("'{}' found; expected baseline, avx2 or avx512", value.text()));
 }
 
+bool asks_closed_loop(const std::string& name, const FlagValues& values) {
+  const char* asking = name == "replan" ? "true" : name == "controller" ? "replan" : nullptr;
+  return asking != nullptr && std::ranges::find(values, asking) != values.end();
+}
+
+/// Whether one unit or another executes plans in closed loop.
+bool asks_closed_loop(const Campaign& campaign) {
+  return std::ranges::any_of(
+             campaign.flags,
+             [](const auto& flag) { return asks_closed_loop(flag.first, flag.second); }) ||
+         std::ranges::any_of(campaign.factors, [](const CampaignFactor& factor) {
+           return std::ranges::any_of(factor.choices, [&](const FlagValues& values) {
+             return asks_closed_loop(factor.name, values);
+           });
+         });
+}
+
 /// Units whose length nothing but a clock or the data would decide are refused.
 void require_budget(const YamlReader& root, const Campaign& campaign) {
   const CampaignUnit first = campaign_unit(campaign, 0);
@@ -176,6 +198,11 @@ void require_budget(const YamlReader& root, const Campaign& campaign) {
   };
   if (campaign.verb == "experiment" && !has("max-iterations") && !has("max-queries")) {
     root.refuse("no budget: expected the flag max-iterations or max-queries");
+  }
+  if (campaign.verb == "experiment" && asks_closed_loop(campaign) && !has("motion-queries")) {
+    root.refuse(
+        "closed loop without the flag motion-queries: expected a number, as a clock would choose "
+        "it, on each machine another");
   }
   if (campaign.verb == "train" && !has("epochs")) {
     root.refuse("no budget: expected the flag epochs");

@@ -14,6 +14,7 @@
 #include "limber/common/cpu_level.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/json_reader.hpp"
+#include "limber/common/utf8.hpp"
 #include "limber/common/version.hpp"
 
 namespace limber {
@@ -41,6 +42,18 @@ std::string fingerprint_of(const fs::path& path) {
   file.seekg(-std::min<std::streamoff>(kEnd, static_cast<std::streamoff>(size)), std::ios::end);
   file.read(ends.data() + kEnd, kEnd);
   return content_hash(fmt::format("{} {}", size, ends));
+}
+
+/// Of names and contents, of those files alone that an experiment reads (environments_in).
+std::string fingerprint_of_environments(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.is_regular_file() && entry.path().extension() == ".yaml") {
+      files[with_other_bytes_escaped(entry.path().filename().string())] =
+          fingerprint_of(entry.path());
+    }
+  }
+  return content_hash(Json(files).dump());
 }
 
 Json description(const Campaign& campaign) {
@@ -161,7 +174,7 @@ std::string CampaignFolder::identity(const CampaignUnit& unit) {
   Json inputs = Json::object();
   for (const auto& [name, values] : unit.flags) {
     for (const std::string& value : values) {
-      if (const std::string& found = fingerprint(value); !found.empty()) {
+      if (const std::string& found = fingerprint(name, value); !found.empty()) {
         inputs[value] = found;
       }
     }
@@ -174,11 +187,15 @@ std::string CampaignFolder::identity(const CampaignUnit& unit) {
   return content_hash(json.dump()).substr(0, kIdentityDigits);
 }
 
-const std::string& CampaignFolder::fingerprint(const std::string& path) {
-  const auto [found, is_new] = fingerprints_.try_emplace(path);
+const std::string& CampaignFolder::fingerprint(const std::string& flag, const std::string& path) {
+  const auto [found, is_new] = fingerprints_.try_emplace({flag, path});
   std::error_code error;
   if (is_new && fs::is_regular_file(path, error)) {
     found->second = fingerprint_of(path);
+  }
+  // Values of other flags may be called like a folder by chance, such as the campaign's own.
+  if (is_new && flag == "environments" && fs::is_directory(path, error)) {
+    found->second = fingerprint_of_environments(path);
   }
   return found->second;
 }

@@ -30,8 +30,9 @@ using Row = std::map<std::string, std::string>;
 constexpr std::uintmax_t kLargestJoined = kMaxFile / 2;
 constexpr std::size_t kMaxElements = 16;  // of a list whose elements become columns
 // What a clock says, which is another time another.
-constexpr std::array<std::string_view, 5> kTimes = {
-    "wall_time_s", "first_solution_s", "first_candidate_s", "first_certificate_s", "time_s"};
+constexpr std::array<std::string_view, 6> kTimes = {
+    "wall_time_s",         "first_solution_s", "first_candidate_s",
+    "first_certificate_s", "time_s",           "first_solution_s_median"};
 
 /// Numbers and truths below `value`, by their path: "network.open_loop.position_error_cm.mean".
 void add_numbers(const nlohmann::json& value, const std::string& path, Row& row) {

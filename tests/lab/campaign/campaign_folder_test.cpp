@@ -82,6 +82,25 @@ TEST_F(CampaignFolderTest, AnotherCommandOrInputIsAnotherUnit) {
   EXPECT_EQ(CampaignFolder(path_, campaign_).state(unit(0)), UnitState::waiting);
 }
 
+TEST_F(CampaignFolderTest, OtherEnvironmentsInAFolderAreAnotherUnit) {
+  const std::filesystem::path places = temporary_.path() / "places";
+  std::filesystem::create_directories(places);
+  write_file_atomically(places / "a.yaml", "one");
+  campaign_.flags.push_back({"environments", {places.string()}});
+  campaign_.flags.push_back({"schedule", {temporary_.path().string()}});  // a folder by chance
+  CampaignFolder folder(path_, campaign_);
+  folder.begin(unit(0));
+  folder.finish(unit(0), {}, 0.5);
+  write_file_atomically(places / "notes.txt", "no environment");
+  write_file_atomically(temporary_.path() / "other.yaml", "no input");
+  EXPECT_EQ(CampaignFolder(path_, campaign_).state(unit(0)), UnitState::done);
+  write_file_atomically(places / "a.yaml", "two");
+  EXPECT_EQ(CampaignFolder(path_, campaign_).state(unit(0)), UnitState::waiting);
+  write_file_atomically(places / "a.yaml", "one");
+  write_file_atomically(places / "b.yaml", "one");
+  EXPECT_EQ(CampaignFolder(path_, campaign_).state(unit(0)), UnitState::waiting);
+}
+
 TEST_F(CampaignFolderTest, NoFolderHasMoreThanAThousandEntries) {
   const CampaignFolder folder(path_, campaign_);
   EXPECT_EQ(folder.unit_folder(0), path_ / "units/000/000");

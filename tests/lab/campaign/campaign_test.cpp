@@ -136,6 +136,12 @@ TEST_F(CampaignFile, RefusesWhatWouldDependOnAClockOrOnOtherUnits) {
   refusal("verb: train\nflags: {data: a.h5}\n", "no budget: expected the flag epochs");
   refusal("verb: experiment\n", "no budget: expected the flag max-iterations or max-queries");
   refusal("verb: experiment\nflags: {time-limit-s: 3}\n", "budgets are iterations, queries");
+  const std::string closed = "verb: experiment\nflags: {max-queries: 9, ";
+  refusal(closed + "replan: true}\n", "closed loop without the flag motion-queries");
+  refusal(closed + "trials: 1}\ngrid: {controller: [open, replan]}\n",
+          "closed loop without the flag motion-queries");
+  EXPECT_NO_THROW(read("schema: limber/campaign/1\n" + closed +
+                       "motion-queries: 5}\ngrid: {controller: [open, replan]}\n"));
   refusal("verb: collect\nflags: {out: x.h5}\n", "each unit has files of its own");
   refusal("verb: collect\nflags: {'--count': 3}\n", "the name of a flag without its dashes");
   refusal("verb: collect\ngrid: {count: [1]}\nrandom: {count: 3}\n", "expected one design");

@@ -61,7 +61,8 @@ void require_usable(const ExperimentSettings& settings);
 std::optional<std::uint64_t> known_motion_queries(const ExperimentSettings& settings);
 
 /// The paper's Table I on the virtual arm: every environment planned in with both models, every
-/// plan certified and executed by every controller under every disturbance. Writes to the folder
+/// plan certified, and the same one executed by every controller under every disturbance. Writes to
+/// the folder
 ///
 ///   experiment.json         the settings; `resume` asks for the same
 ///   trials/ID.json          keys of `plan --json`, and of `execute --json` under "execution"
@@ -81,7 +82,7 @@ nlohmann::ordered_json run_experiment(const ExperimentSettings& settings);
 
 /// Every *.yaml of a folder, sorted by name; or one such file.
 /// @throws InputError naming the folder where it is none or has no such file, or the file that
-///   can't be read.
+///   can't be read or has a name that is not UTF-8.
 std::vector<EnvironmentCase> environments_in(const std::filesystem::path& folder,
                                              const ArmDescription& arm);
 

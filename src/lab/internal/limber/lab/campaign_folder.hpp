@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -50,11 +51,13 @@ class CampaignFolder {
   std::filesystem::path marker(const CampaignUnit& unit, const char* state);
   /// Of everything that decides what comes out: command, version, input files.
   std::string identity(const CampaignUnit& unit);
-  const std::string& fingerprint(const std::string& path);
+  /// Of the file that a flag names, or of the environments in the folder.
+  const std::string& fingerprint(const std::string& flag, const std::string& path);
 
   std::filesystem::path folder_;
   const Campaign& campaign_;
-  std::map<std::string, std::string> fingerprints_;  ///< of input files; empty where it is none
+  /// Of flags' values; empty where one is no input.
+  std::map<std::pair<std::string, std::string>, std::string> fingerprints_;
 };
 
 /// Units that are not done, dearest first: the last ones to end are then short.

@@ -44,11 +44,9 @@ std::string environment_picture(const ArmDescription& arm, const Environment& en
 std::string plan_picture(const ArmDescription& arm, const Environment& environment,
                          const PlanResult& result);
 
-/// Set points, the pressures predicted from them and, if given, the measured ones over time, in one
-/// chart for all segments, as the text of an SVG file.
-/// @param measured_kpa  one row per frame, the plan's frames first; may be empty
-std::string pressure_picture(const ArmDescription& arm, const Plan& plan,
-                             const std::vector<Pressures>& measured_kpa = {});
+/// Set points and the pressures predicted from them over time, in one chart for all segments, as
+/// the text of an SVG file.
+std::string pressure_picture(const ArmDescription& arm, const Plan& plan);
 
 /// A plan as its model predicts it: the page that the studio saves too, one file which loads
 /// nothing else, with play, pause, a slider over time, and charts.

@@ -56,7 +56,7 @@ ReportTable run_table(const std::vector<RunRow>& rows);
 
 /// The trials in one environment as a log of OMPL's benchmarks, which Planner Arena and OMPL's own
 /// script (ompl_benchmark_statistics.py) read: one planner for each of limber's planners and
-/// models.
+/// models. Each plan counts once, however many controllers and disturbances it was executed with.
 /// @param environment  EnvironmentCase::id
 std::string planner_arena_log(const std::string& environment, const std::vector<PlanTrial>& trials,
                               const PlannerLimits& limits, std::uint64_t seed);

@@ -20,6 +20,8 @@ nlohmann::ordered_json obstacle_to_json(const Obstacle& obstacle);
 /// The keys of the environment's file.
 nlohmann::ordered_json environment_to_json(const Environment& environment);
 
+/// A shape's rows, as they are.
+nlohmann::ordered_json exact_backbone(const Backbone& backbone);
 /// A shape's 3m numbers, to 0.01 mm and 0.0001 rad: far below a pixel.
 nlohmann::ordered_json shape_to_json(const Eigen::Ref<const Backbone>& backbone);
 /// To 0.01 mm; null if it is not finite.

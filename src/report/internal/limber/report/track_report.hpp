@@ -10,9 +10,14 @@
 
 namespace limber {
 
-/// One run over time, as the text of an SVG file with three charts: set points, predicted and
-/// measured pressures of each segment; x and y of the tip, predicted and as recorded; clearance
-/// from the obstacles (of one that appeared, from then on). Predictions end where the plan does.
+/// Set points that were sent, predicted and measured pressures of each segment over one run, as the
+/// text of an SVG file.
+std::string execution_pressures_picture(const ArmDescription& arm, const Plan& plan,
+                                        const ExecutionResult& result);
+
+/// One run over time, as the text of an SVG file with up to three charts: these pressures; x
+/// and y of the tip, predicted and as recorded; clearance from the obstacles, where there are some
+/// (of one that appeared, from then on). Predictions end where the plan does.
 std::string execution_times_picture(const ArmDescription& arm, const Environment& environment,
                                     const Plan& plan, const ExecutionResult& result);
 
