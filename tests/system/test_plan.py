@@ -91,22 +91,22 @@ class Plan(InFolder):
 
     def test_a_forest_is_grown_once_and_never_stale(self):
         rest = self.plan_file(PILLAR, "rest.yaml")
-        forest = ("--forest", "f", "--forest-nodes", 2000)
 
-        def said(*arguments):
+        def said(*arguments, nodes=2000):
             budget = BUDGET if "--environment" in arguments else ()
+            forest = ("--forest", "f", "--forest-nodes", nodes)
             return self.run_limber("plan", *ARM, *budget, *forest, *arguments).stderr
 
         self.assertIn("f: 2000 motions", said("--environment", rest))
         grown = (self.folder / "f").read_bytes()
         self.assertNotIn("motions", said("--environment", rest))
         self.assertIn("f: has 2000 motions, and is used as it is; --build-forest grows 3000",
-                      said("--environment", rest, "--forest-nodes", 3000))
+                      said("--environment", rest, nodes=3000))
         self.assertEqual((self.folder / "f").read_bytes(), grown)
         self.assertIn("growing it again, as asked for", said("--build-forest"))
         self.assertEqual((self.folder / "f").read_bytes(), grown, "same seed, same forest")
-        other = self.run_limber("plan", "--arm", "three_segment", "--no-load", *forest,
-                                "--build-forest")
+        other = self.run_limber("plan", "--arm", "three_segment", "--no-load", "--forest", "f",
+                                "--forest-nodes", 2000, "--build-forest")
         self.assertIn("growing it again", other.stderr)
         self.assertIn("grown for another arm, model, valves or start; growing it again",
                       said("--environment", rest))
