@@ -210,7 +210,8 @@ void require_planar(const ArmDescription& arm, const std::string& what) {
   if (arm.is_spatial()) {
     throw InputError(fmt::format(
         "{} can't use an arm in space yet, and '{}' is one. collect, import, inspect, "
-        "characterize --recording, train, family, adapt, evaluate, export and bench can",
+        "characterize --recording and --valves, train, family, adapt, evaluate, export and bench "
+        "can",
         what, arm.name));
   }
 }

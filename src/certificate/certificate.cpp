@@ -359,17 +359,21 @@ std::string valves_named(const std::string& hash) {
 }  // namespace
 
 Certifier::Certifier(const ArmDescription& arm, const CompensationModel* network,
-                     const ValveParameters& valves, const Environment& environment)
-    : problem_(new Problem{arm,
-                           network,
-                           valves,
-                           environment,
-                           arm.hash(),
-                           valves.hash(),
-                           limber::environment_hash(environment),
-                           why_not_usable(network, arm, valves, environment),
-                           {arm, network},
-                           {arm, environment.obstacles, Certificate::kClearanceToleranceM}}) {}
+                     const ValveParameters& valves, const Environment& environment) {
+  const std::string refusal = why_not_usable(network, arm, valves, environment);
+  // What is no obstacle has no distance either.
+  const auto solid = refusal.empty() ? environment.obstacles : std::vector<Obstacle>();
+  problem_.reset(new Problem{arm,
+                             network,
+                             valves,
+                             environment,
+                             arm.hash(),
+                             valves.hash(),
+                             limber::environment_hash(environment),
+                             refusal,
+                             {arm, network},
+                             {arm, solid, Certificate::kClearanceToleranceM}});
+}
 
 Certifier::Certifier(Certifier&&) noexcept = default;
 Certifier& Certifier::operator=(Certifier&&) noexcept = default;

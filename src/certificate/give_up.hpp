@@ -2,12 +2,10 @@
 
 #include <functional>
 
-#include "limber/common/interrupt.hpp"
-
 namespace limber {
 
 /// Calls `ask` at some of the many times that it is called itself; once `ask` has said to give up,
-/// the answer stays true. Where nobody asks, a signal ends it all.
+/// the answer stays true.
 class GiveUp {
  public:
   /// @param ask  borrowed; may be empty: never
@@ -16,11 +14,7 @@ class GiveUp {
   /// Cheap enough for the innermost loops, whose rounds take some microseconds at most.
   bool seldom() { return ++rounds_ % kRoundsPerQuestion == 0 ? now() : is_given_up_; }
 
-  /// @throws Interrupted
   bool now() {
-    if (!ask_) {
-      throw_if_interrupted();
-    }
     is_given_up_ = is_given_up_ || (ask_ && ask_());
     return is_given_up_;
   }

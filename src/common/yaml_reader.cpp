@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <set>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,6 +20,33 @@ namespace {
 
 int line_of(const YAML::Node& node, int fallback) {
   return node.Mark().is_null() ? fallback : node.Mark().line + 1;
+}
+
+/// From 1. yaml-cpp loads the first document, passes over the others, and counts some without end.
+std::optional<int> line_of_second_document(const std::string& text) {
+  std::istringstream lines(text);
+  bool has_begun = false;
+  bool has_ended = false;
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    const std::size_t first = line.find_first_not_of(" \t\r");
+    const bool is_mark = line.size() == 3 || line.find_first_of(" \t\r", 3) == 3;
+    if (is_mark && line.starts_with("...")) {
+      has_ended = true;
+    } else if (is_mark && line.starts_with("---")) {
+      if (has_begun) {
+        return number;
+      }
+      has_begun = true;
+    } else if (first != std::string::npos && line[first] != '#' && line[0] != '%') {
+      if (has_ended) {
+        return number;
+      }
+      has_begun = true;
+    }
+  }
+  return std::nullopt;
 }
 
 /// yaml-cpp makes a byte that is not UTF-8 of the escapes \_ and \N.
@@ -78,13 +107,11 @@ YamlReader YamlReader::from_text(const std::string& text, const std::string& nam
     throw InputError(fmt::format("{}:{}: a byte that is zero; expected text", name,
                                  1 + std::count(text.begin(), text.begin() + long(at), '\n')));
   }
+  if (const std::optional<int> line = line_of_second_document(text)) {
+    throw InputError(fmt::format("{}:{}: another document; expected one in the file", name, *line));
+  }
   try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-    if (documents.size() > 1) {
-      throw InputError(fmt::format("{}:{}: another document begins ('---'); expected one", name,
-                                   line_of(documents[1], 1)));
-    }
-    const YAML::Node root = documents.empty() ? YAML::Node() : documents.front();
+    const YAML::Node root = YAML::Load(text);
     if (!root.IsMap()) {
       throw InputError(fmt::format("{}:1: expected a mapping (key: value …), found {}", name,
                                    root.IsNull() ? "an empty file" : "something else"));

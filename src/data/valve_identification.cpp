@@ -214,11 +214,14 @@ class Identification {
     if (told_.size() < 2) {
       return pooled;
     }
+    const double pooled_mean = collector_.errors({has_sides(), pooled}, split_.held_back).mean_kpa;
+    if (pooled_mean <= kNothing * scale()) {
+      return pooled;  // whatever others have
+    }
     std::vector<SegmentValves> own = pooled;
     for (const int i : told_) {
       own[std::size_t(i)] = fit({i});
     }
-    const double pooled_mean = collector_.errors({has_sides(), pooled}, split_.held_back).mean_kpa;
     const double own_mean = collector_.errors({has_sides(), own}, split_.held_back).mean_kpa;
     return pooled_mean <= kAsGood * own_mean + kNothing * scale() ? pooled : own;
   }

@@ -61,7 +61,7 @@ TEST_F(SpaceClock, IsFoundWhereNobodyKnowsWhatChambersDo) {
   arm_.no_load = NoLoadKind::straight;
   const ClockMatch match = match_clocks(motion_, commands_, arm_);
   EXPECT_TRUE(match.is_decisive());
-  EXPECT_NEAR(match.offset_s, kOffset_s, 0.1);
+  EXPECT_NEAR(match.offset_s, kOffset_s, 0.15);  // the arm's lag is in it
 }
 
 TEST_F(SpaceClock, IsNoneOfChambersOnTheirOtherSides) {

@@ -47,13 +47,13 @@ TEST(RecordedRegion, SaysInNumbersWhereAPlanLeavesIt) {
   const std::vector<std::string> below =
       excursions_beyond(recorded(low, wide, kFast), *result.plan, Command{});
   ASSERT_FALSE(below.empty());
-  EXPECT_EQ(below.front(), fmt::format("segment 1 down to {:.1f} kPa; recorded {:.1f} … 500.0",
+  EXPECT_EQ(below.front(), fmt::format("segment 1 down to {:.4g} kPa; recorded {:.4g} … 500",
                                        lowest, lowest + 5.0F));
 
   const std::vector<std::string> fast =
       excursions_beyond(recorded(-wide, wide, 1.0F), *result.plan, Command{});
   ASSERT_FALSE(fast.empty());
-  EXPECT_THAT(fast.front(), HasSubstr("kPa per second; recorded up to 1.0"));
+  EXPECT_THAT(fast.front(), HasSubstr("kPa per second; recorded up to 1"));
   float fastest = 0.0F;
   for (std::size_t k = 1; k < result.plan->frames.size(); ++k) {
     const PlanFrame& before = result.plan->frames[k - 1];
@@ -62,7 +62,7 @@ TEST(RecordedRegion, SaysInNumbersWhereAPlanLeavesIt) {
                      float(result.plan->frame_rate_hz));
   }
   EXPECT_THAT(fast,
-              ::testing::Contains(HasSubstr(fmt::format("by {:.1f} kPa per second", fastest))));
+              ::testing::Contains(HasSubstr(fmt::format("by {:.4g} kPa per second", fastest))));
 }
 
 TEST(RecordedRegion, PlansAskedToStayInsideDo) {

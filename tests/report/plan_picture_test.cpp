@@ -46,7 +46,7 @@ TEST(PlanPicture, CostsAreInTheUnitOfAnArmThatKnowsNoPressure) {
   result.plan->frames.assign(
       2, {Pressures::Zero(3), Pressures::Zero(3), start_state(one_of_each(), arm).backbone});
   EXPECT_THAT(plan_picture(arm, one_of_each(), result), HasSubstr("no-load model: 12.35 mm, "));
-  EXPECT_THAT(plan_animation(arm, one_of_each(), *result.plan), HasSubstr("model: 12.35 mm"));
+  EXPECT_THAT(plan_animation(arm, one_of_each(), *result.plan), HasSubstr("model, 12.35 mm"));
 }
 
 TEST(PlanPicture, NeverShowsANearMissAsAPlan) {
