@@ -294,12 +294,12 @@ class DriverVerb final : public Verb {
     const IdentifiedValves valves = identify_valves({check.episode}, arm, "driver check");
     const nlohmann::ordered_json json = to_json(check, valves);
     write_file_atomically(folder / "check.json", json.dump(2) + "\n");
-    write_file_atomically(folder / "report.html", driver_check_to_html(check, valves));
+    write_file_atomically(folder / "report.html", driver_check_to_html(check, arm, valves));
     if (!valves.parameters.is_ideal()) {
       write_valves(folder / "valves.yaml", valves);
     }
     print_result(flags, json,
-                 to_text(check) + "\n  " + to_text(valves) +
+                 to_text(check) + "\n  " + to_text(valves, arm.command.unit, arm.dimension) +
                      fmt::format("\n{}: report.html{}", out_,
                                  valves.parameters.is_ideal()
                                      ? ""

@@ -109,6 +109,13 @@ Finding inspect_yaml(const std::string& file, const std::string& content,
                   schema.found()));
 }
 
+/// What the model's arm is driven by; files of before it was kept are of pressures.
+Command command_of(const CompensationModel& model) {
+  return model.arm_description.empty()
+             ? Command{}
+             : read_arm_keys(model.arm_description, "the model's arm").command;
+}
+
 /// How large the model's error is, and what its recordings held.
 void add_what_is_known(const CompensationModel& model, Finding& finding) {
   if (model.prediction_error) {
@@ -122,9 +129,7 @@ void add_what_is_known(const CompensationModel& model, Finding& finding) {
     finding.text += "\n  " + to_text(*model.tube);
   }
   if (model.learnt) {
-    const Command command = model.arm_description.empty()
-                                ? Command{}
-                                : read_arm_keys(model.arm_description, "the model's arm").command;
+    const Command command = command_of(model);
     finding.json["learnt"] = to_json(*model.learnt, command);
     finding.text += "\n  trained on";
     for (const std::string& line : learnt_region_lines(*model.learnt, command)) {
@@ -199,7 +204,7 @@ Finding inspect_model(const std::string& file, const std::optional<ArmDescriptio
   if (model.valves || !valves.findings.reason.empty()) {
     finding.json["valves"] = to_json(valves);
   }
-  finding.text += "\n  " + to_text(valves);
+  finding.text += "\n  " + to_text(valves, command_of(model).unit, model.dimension);
   add_what_is_known(model, finding);
   return finding;
 }

@@ -50,7 +50,8 @@ class VirtualArmVerb final : public Verb {
     app.add_option("--disturbance", disturbance_,
                    "Be another arm than --arm says, as with limber execute --disturbance; without "
                    "obstacles. Sampled from --seed");
-    app.add_option("--plan", plan_, "Plan while which lost_tracking loses the arm");
+    app.add_option("--plan", plan_,
+                   "Plan during whose motion lost_tracking, picked_up or leak happens");
   }
 
   int run(const CommonFlags& flags) override {
@@ -81,9 +82,11 @@ class VirtualArmVerb final : public Verb {
       throw InputError(
           "--disturbance obstacle: the arm does not know obstacles; limber execute has the flag");
     }
-    const bool needs_plan = has_kind(disturbances, DisturbanceKind::lost_tracking) ||
-                            has_kind(disturbances, DisturbanceKind::picked_up) ||
-                            has_kind(disturbances, DisturbanceKind::leak);
+    // There are no plans in space yet: there they begin with the arm.
+    const bool begins_late =
+        !arm.is_spatial() && (has_kind(disturbances, DisturbanceKind::picked_up) ||
+                              has_kind(disturbances, DisturbanceKind::leak));
+    const bool needs_plan = has_kind(disturbances, DisturbanceKind::lost_tracking) || begins_late;
     if (needs_plan == plan_.empty()) {
       throw InputError(needs_plan ? fmt::format("--disturbance {}: in which plan's motion? "
                                                 "(--plan FILE)",

@@ -134,12 +134,16 @@ class SegmentReader {
     segment.strain_polynomial = strain_polynomial_of(node, limit, polynomials_);
     const double turn_rad =
         strain_at(segment.strain_polynomial, limit) * segment.length_m / segment.width_m;
-    if (turn_rad > segment.gaps * std::numbers::pi) {
+    if (turn_rad <= segment.gaps * std::numbers::pi) {
+      return;
+    }
+    if (polynomials_ == PolynomialsOf::model) {
       node.at("width_m").refuse(fmt::format(
           "{} m found, and so {} {} turn the segment by {:.1f} rad; expected less than half a turn "
           "for each of its {} gaps",
           segment.width_m, limit, unit_, turn_rad, segment.gaps));
     }
+    segment.strain_polynomial = {};
   }
 
   void read_curvature(const YamlReader& node, Segment& segment) const {

@@ -1,5 +1,6 @@
 #include "limber/certificate/certificate.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 

@@ -80,8 +80,8 @@ constexpr double kSetpointShare = 1e-6;  // of the largest command: several roun
 constexpr double kCost = 1e-6;           // relative
 constexpr double kFrames = 1e-4;    // a motion so near a whole number of frames may take either
 constexpr double kGoalHoldS = 1.0;  // docs/planning.md, Goal
-constexpr double kFarthestM =
-    1e4;  // no plate is there; coordinates of environments end long before
+// No plate is there; coordinates of environments end long before.
+constexpr double kFarthestM = 1e4;
 
 double change_kpa(const Pressures& from, const Pressures& to, Eigen::Index i) {
   return double(to[i]) - double(from[i]);

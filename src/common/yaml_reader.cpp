@@ -24,26 +24,23 @@ int line_of(const YAML::Node& node, int fallback) {
 
 /// From 1. yaml-cpp loads the first document, passes over the others, and counts some without end.
 std::optional<int> line_of_second_document(const std::string& text) {
-  std::istringstream lines(text);
-  bool has_begun = false;
+  std::istringstream lines(
+      text.substr(text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0));
+  bool has_content = false;
   bool has_ended = false;
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
     ++number;
-    const std::size_t first = line.find_first_not_of(" \t\r");
     const bool is_mark = line.size() == 3 || line.find_first_of(" \t\r", 3) == 3;
-    if (is_mark && line.starts_with("...")) {
-      has_ended = true;
-    } else if (is_mark && line.starts_with("---")) {
-      if (has_begun) {
-        return number;
-      }
-      has_begun = true;
-    } else if (first != std::string::npos && line[first] != '#' && line[0] != '%') {
+    const bool is_begin = is_mark && line.starts_with("---");
+    const bool is_end = is_mark && line.starts_with("...");
+    has_ended = has_ended || is_end || (is_begin && has_content);
+    const std::size_t first = line.find_first_not_of(" \t\r", is_begin || is_end ? 3 : 0);
+    if (first != std::string::npos && line[first] != '#' && line[0] != '%') {
       if (has_ended) {
         return number;
       }
-      has_begun = true;
+      has_content = true;
     }
   }
   return std::nullopt;

@@ -243,11 +243,14 @@ class Experiment {
         return;
       }
       const PlanTrial planned = plan_for(plans[i].front(), trial);
-      arena.for_each(plans[i].size(), [&](std::size_t k) {
-        if (!interrupt_requested()) {
-          run_task(plans[i][k], trial, planned);
-          progress.advance();
-        }
+      // A thread that waits here takes no other plan meanwhile: all of them would be held at once.
+      tbb::this_task_arena::isolate([&] {
+        arena.for_each(plans[i].size(), [&](std::size_t k) {
+          if (!interrupt_requested()) {
+            run_task(plans[i][k], trial, planned);
+            progress.advance();
+          }
+        });
       });
     });
     progress.finish();

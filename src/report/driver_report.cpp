@@ -138,13 +138,14 @@ std::string to_text(const DriverCheck& check) {
   return text;
 }
 
-std::string driver_check_to_html(const DriverCheck& check, const IdentifiedValves& valves) {
+std::string driver_check_to_html(const DriverCheck& check, const ArmDescription& arm,
+                                 const IdentifiedValves& valves) {
   ReportPage page("Driver check");
   page.code(to_text(check))
       .figure({pressures_svg(check), "Each segment alone, to either side: pulses, then jumps"})
       .figure({round_trip_svg(check), "How long states took"})
       .heading("Valves")
-      .paragraph(to_text(valves));
+      .paragraph(to_text(valves, arm.command.unit, arm.dimension));
   return page.html();
 }
 

@@ -31,6 +31,7 @@ enum HttpStatus {
 /// @param owner  keeps `bytes` until they are sent
 inline void send(httplib::Response& response, std::string_view bytes, const char* media_type,
                  std::shared_ptr<const void> owner = nullptr) {
+  response.headers.erase("Content-Type");  // of an answer that this one replaces
   response.set_content_provider(
       bytes.size(), media_type,
       [bytes, owner = std::move(owner)](std::size_t at, std::size_t size, httplib::DataSink& sink) {

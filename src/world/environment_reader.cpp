@@ -22,8 +22,8 @@ constexpr double kOrientationToleranceRad = 0.3;  // where the file gives theta 
 constexpr double kMeasuredBeyond = 0.05;  // of a segment's limits, their range: valves overshoot
 constexpr std::size_t kMaxObstacles = 10000;
 constexpr std::size_t kMaxPolygonPoints = 1000;
-constexpr std::size_t kMaxCorners =
-    100000;  // of all polygons; each corner is looked at with others
+// Of all polygons; a polygon's corners are looked at with each other.
+constexpr std::size_t kMaxCorners = 100000;
 
 double coordinate(const YamlReader& node) {
   return node.number("a coordinate in metres", -kFarthestM, kFarthestM);

@@ -77,9 +77,13 @@ TEST(YamlReader, RefusesAListOrANumberWhereAMappingIsExpected) {
 
 TEST(YamlReader, RefusesAnotherDocumentBehindTheFirst) {
   EXPECT_THAT([] { read("a: 1\n---\na: 2\n"); },
-              ThrowsMessage<InputError>(HasSubstr("f.yaml:2: another document")));
+              ThrowsMessage<InputError>(HasSubstr("f.yaml:3: another document")));
   EXPECT_THROW(read("a: 1\n...\n- garbage: [\n"), InputError);
-  EXPECT_NO_THROW(read("---\na: 1\n...\n"));
+  EXPECT_THROW(read("a: 1\n--- {a: 2}\n"), InputError);
+  for (const char* one : {"---\na: 1\n...\n", "\xEF\xBB\xBF# c\n---\na: 1\n", "a: 1\n---\n# end\n",
+                          "%YAML 1.2\n---\na: 1\n", "--- {a: 1}\n"}) {
+    EXPECT_NO_THROW(read(one)) << one;
+  }
 }
 
 TEST(YamlReader, GivesLineAndColumnOfBrokenYaml) {

@@ -75,6 +75,8 @@ class Disturbance(InFolder):
     def test_what_a_served_arm_cannot_have_is_refused(self):
         for flags, said in ((("--disturbance", "obstacle"), "does not know obstacles"),
                             (("--disturbance", "lost_tracking"), "in which plan's motion?"),
+                            (("--disturbance", "picked_up"), "in which plan's motion?"),
+                            (("--disturbance", "leak"), "in which plan's motion?"),
                             (("--plan", "p.json"), "goes with --disturbance lost_tracking"),
                             (("--disturbance", "wind"), "no such kind")):
             error = self.run_limber("virtual-arm", "--serve", *ARM, *flags, code=2).stderr

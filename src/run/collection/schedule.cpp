@@ -49,10 +49,10 @@ std::vector<int> eulerian_circuit(int vertices, RandomStream& random) {
   return circuit;
 }
 
-std::vector<int> random_walk(std::int64_t vertices, int steps, RandomStream& random) {
+std::vector<int> random_walk(std::uint32_t vertices, int steps, RandomStream& random) {
   std::vector<int> walk = {0};
   for (int i = 0; i < steps; ++i) {
-    walk.push_back(static_cast<int>(random.index(static_cast<std::uint32_t>(vertices))));
+    walk.push_back(static_cast<int>(random.index(vertices)));
   }
   return walk;
 }
@@ -110,7 +110,10 @@ std::vector<EpisodeSchedule> transition_schedule(const ArmDescription& arm,
   const int n = arm.channel_count();
   const int count = transition_count(arm, settings);
   RandomStream random(seed, kScheduleStream);
-  const std::int64_t vertices = std::llround(std::pow(kCornerStates, n));
+  std::uint32_t vertices = 1;  // where there are more, some corners are never walked to
+  for (int i = 0; i < n; ++i) {
+    vertices *= kCornerStates;
+  }
   const std::vector<int> walk = n <= kMaxWalk ? eulerian_circuit(static_cast<int>(vertices), random)
                                               : random_walk(vertices, count, random);
   const int wanted = settings.episodes == 0 ? kTransitionEpisodes : settings.episodes;

@@ -61,8 +61,8 @@ void require_usable(const ExperimentSettings& settings);
 std::optional<std::uint64_t> known_motion_queries(const ExperimentSettings& settings);
 
 /// The paper's Table I on the virtual arm: every environment planned in with both models, every
-/// plan certified, and the same one executed by every controller under every disturbance. Writes to
-/// the folder
+/// plan certified, and the same one executed by every controller under every disturbance; what is
+/// left of a plan's trials when `resume` goes on has it searched again. Writes to the folder
 ///
 ///   experiment.json         the settings; `resume` asks for the same
 ///   trials/ID.json          keys of `plan --json`, and of `execute --json` under "execution"

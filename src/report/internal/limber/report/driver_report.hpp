@@ -22,6 +22,7 @@ nlohmann::ordered_json to_json(const DriverCheck& check, const IdentifiedValves&
 std::string to_text(const DriverCheck& check);
 
 /// A page with plots of the set points and of what was measured.
-std::string driver_check_to_html(const DriverCheck& check, const IdentifiedValves& valves);
+std::string driver_check_to_html(const DriverCheck& check, const ArmDescription& arm,
+                                 const IdentifiedValves& valves);
 
 }  // namespace limber

@@ -89,7 +89,7 @@ class VirtualArm final : public ArmDriver {
 
   const ArmState& state() const override;
 
-  /// As ArmDriver::command. Set points up to 1e-3 kPa beyond a limit (rounding) are clamped.
+  /// As ArmDriver::command. Set points that rounding put beyond a limit are clamped.
   /// @throws SystemFault if the simulation blows up, naming time and pressures.
   const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) override;
 
