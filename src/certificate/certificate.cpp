@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "covered_obstacle.hpp"
 #include "exact_arm.hpp"
 #include "frame_checks.hpp"
 #include "give_up.hpp"
@@ -307,31 +308,10 @@ class Certifier::Certification {
 
 namespace {
 
-/// What the reader of files takes; programs can make others. A NaN lies nowhere, and collides with
-/// nothing.
-bool is_solid(const Obstacle& obstacle) {
-  const auto is_size = [](double size_m) { return std::isfinite(size_m) && size_m > 0.0; };
-  if (const auto* circle = std::get_if<Circle>(&obstacle)) {
-    return std::isfinite(circle->x_m) && std::isfinite(circle->y_m) && is_size(circle->radius_m);
-  }
-  if (const auto* rectangle = std::get_if<Rectangle>(&obstacle)) {
-    return std::isfinite(rectangle->x_m) && std::isfinite(rectangle->y_m) &&
-           std::isfinite(rectangle->angle_rad) && is_size(rectangle->width_m) &&
-           is_size(rectangle->height_m);
-  }
-  const auto& corners_m = std::get<Polygon>(obstacle).points_m;
-  return corners_m.size() >= 3 && std::ranges::all_of(corners_m, [](const Eigen::Vector2d& corner) {
-           return corner.allFinite();
-         });
-}
-
 std::string why_not_usable(const CompensationModel* network, const ArmDescription& arm,
                            const ValveParameters& valves, const Environment& environment) {
-  for (std::size_t o = 0; o < environment.obstacles.size(); ++o) {
-    if (!is_solid(environment.obstacles[o])) {
-      return fmt::format("obstacles[{}]: expected finite numbers, sizes > 0, and 3 corners or more",
-                         o);
-    }
+  if (std::string why = why_not_solid(environment.obstacles); !why.empty()) {
+    return why;
   }
   try {
     require_start_of(arm, environment);
@@ -362,8 +342,8 @@ std::string valves_named(const std::string& hash) {
 Certifier::Certifier(const ArmDescription& arm, const CompensationModel* network,
                      const ValveParameters& valves, const Environment& environment) {
   const std::string refusal = why_not_usable(network, arm, valves, environment);
-  // What is no obstacle has no distance either.
-  const auto solid = refusal.empty() ? environment.obstacles : std::vector<Obstacle>();
+  static const std::vector<Obstacle> kNone;  // what is no obstacle has no distance either
+  const std::vector<Obstacle>& solid = refusal.empty() ? environment.obstacles : kNone;
   problem_.reset(new Problem{arm,
                              network,
                              valves,

@@ -279,6 +279,23 @@ void require_plain_file(const fs::path& path) {
   (void)open_to_read(path);
 }
 
+namespace {
+
+/// Reads up to `most` bytes. @return how many; 0 at the end
+std::size_t read_some(const Descriptor& file, const fs::path& path, char* to, std::size_t most) {
+  while (true) {
+    const ssize_t count = ::read(file.get(), to, most);
+    if (count >= 0) {
+      return static_cast<std::size_t>(count);
+    }
+    if (errno != EINTR) {
+      throw_fault(path, "can't be read", errno);
+    }
+  }
+}
+
+}  // namespace
+
 std::string read_file(const fs::path& path) {
   const Descriptor file = open_to_read(path);
   struct stat status {};
@@ -289,15 +306,12 @@ std::string read_file(const fs::path& path) {
   std::string content(has_size ? static_cast<std::size_t>(status.st_size) + 1 : kBlock, '\0');
   std::size_t size = 0;
   while (true) {
-    const ssize_t count = ::read(file.get(), content.data() + size, content.size() - size);
+    const std::size_t count = read_some(file, path, content.data() + size, content.size() - size);
     if (count == 0) {
       content.resize(size);
       return content;
     }
-    if (count < 0 && errno != EINTR) {
-      throw_fault(path, "can't be read", errno);
-    }
-    size += static_cast<std::size_t>(std::max<ssize_t>(count, 0));
+    size += count;
     if (size > kMaxFile) {
       refuse_size(path, size);
     }
@@ -311,16 +325,11 @@ std::string read_head(const fs::path& path, std::size_t most) {
   const Descriptor file = open_to_read(path);
   std::string head(most, '\0');
   std::size_t size = 0;
-  while (size < most) {
-    const ssize_t count = ::read(file.get(), head.data() + size, most - size);
-    if (count == 0) {
-      break;
-    }
-    if (count < 0 && errno != EINTR) {
-      throw_fault(path, "can't be read", errno);
-    }
-    size += static_cast<std::size_t>(std::max<ssize_t>(count, 0));
-  }
+  std::size_t count = 0;
+  do {
+    count = read_some(file, path, head.data() + size, most - size);
+    size += count;
+  } while (count > 0);
   head.resize(size);
   return head;
 }
@@ -328,15 +337,8 @@ std::string read_head(const fs::path& path, std::size_t most) {
 void read_blocks(const fs::path& path, const std::function<void(std::string_view)>& take) {
   const Descriptor file = open_to_read(path);
   std::string block(std::size_t{1} << 20U, '\0');
-  while (true) {
-    const ssize_t count = ::read(file.get(), block.data(), block.size());
-    if (count == 0) {
-      return;
-    }
-    if (count < 0 && errno != EINTR) {
-      throw_fault(path, "can't be read", errno);
-    }
-    take(std::string_view(block).substr(0, static_cast<std::size_t>(std::max<ssize_t>(count, 0))));
+  while (const std::size_t count = read_some(file, path, block.data(), block.size())) {
+    take(std::string_view(block).substr(0, count));
   }
 }
 

@@ -64,18 +64,9 @@ Eigen::VectorXd levers_m(const ArmDescription& arm) {
   return levers;
 }
 
-/// Standard deviations of numbers that were found with one piece after the other left out.
-Eigen::MatrixXd jackknife(const std::vector<Eigen::MatrixXd>& without) {
-  const double count = double(without.size());
-  Eigen::MatrixXd mean = Eigen::MatrixXd::Zero(without.front().rows(), without.front().cols());
-  for (const Eigen::MatrixXd& one : without) {
-    mean += one / count;
-  }
-  Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(mean.rows(), mean.cols());
-  for (const Eigen::MatrixXd& one : without) {
-    squares += (one - mean).cwiseAbs2();
-  }
-  return (squares * ((count - 1.0) / count)).cwiseSqrt();
+/// Standard deviation of a number that was found with one piece after the other left out.
+double jackknife(const std::vector<double>& without) {
+  return double(without.size() - 1) * standard_error(without);
 }
 
 /// Fits one model after the other to the same frames.
@@ -197,7 +188,14 @@ class SpaceFitter {
     for (Eigen::Index piece = 0; piece < kSpacePieces; ++piece) {
       without.push_back(solve(weights_without(piece)));
     }
-    return jackknife(without);
+    return Eigen::MatrixXd::NullaryExpr(shapes_.cols(), terms_.cols(),
+                                        [&](Eigen::Index row, Eigen::Index column) {
+                                          std::vector<double> numbers;
+                                          for (const Eigen::MatrixXd& shape : without) {
+                                            numbers.push_back(shape(row, column));
+                                          }
+                                          return jackknife(numbers);
+                                        });
   }
 
   /// The dead time lies at the vertex of the parabola through the errors there and one step before
@@ -212,13 +210,13 @@ class SpaceFitter {
         off_m(piece, k) = mean_off_m(solve(weights), weights);
       }
     }
-    std::vector<Eigen::MatrixXd> vertices;
+    std::vector<double> vertices_s;
     for (const auto& off : off_m.rowwise()) {
       const double bend = off[0] - 2.0 * off[1] + off[2];
       const double part = bend > 0.0 ? std::clamp(0.5 * (off[0] - off[2]) / bend, -1.0, 1.0) : 0.0;
-      vertices.push_back(Eigen::MatrixXd::Constant(1, 1, part * step_s));
+      vertices_s.push_back(part * step_s);
     }
-    return jackknife(vertices)(0, 0);
+    return jackknife(vertices_s);
   }
 
   const ArmDescription& arm_;

@@ -9,8 +9,8 @@
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/lab/planning_experiment.hpp"
 #include "limber/lab/witnessed_environment.hpp"
-#include "limber/planning/planner.hpp"
 #include "limber/run/plan_trial.hpp"
 #include "limber/run/safety_settings.hpp"
 

@@ -50,24 +50,18 @@ double independent_rows(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   return double(a.size()) / sum;
 }
 
-/// Bends of every segment out of its shapes, 3s.
-Eigen::RowVectorXd bends_of(const Eigen::VectorXd& shapes) {
-  Eigen::RowVectorXd bends(kBends * (shapes.size() / kShapeRows));
-  for (Eigen::Index i = 0; i * kShapeRows < shapes.size(); ++i) {
-    bends.segment<kBends>(kBends * i) = shapes.segment<kBends>(kShapeRows * i);
-  }
-  return bends;
-}
-
-/// `values` of the rows that are known, NaN of the others.
-template <class BendsOfRow>
+/// Bends of every segment, T×2s; NaN where a row is not known.
+/// @param shapes_of  a row's shapes, 3s
+template <class ShapesOf>
 Eigen::MatrixXd bends_where_known(const ArmDescription& arm, const Eigen::MatrixXd& rows,
-                                  const BendsOfRow& bends_of_row) {
+                                  const ShapesOf& shapes_of) {
   Eigen::MatrixXd bends =
       Eigen::MatrixXd::Constant(rows.rows(), kBends * arm.segment_count(), std::nan(""));
   for (Eigen::Index t = 0; t < rows.rows(); ++t) {
     if (rows.row(t).allFinite()) {
-      bends.row(t) = bends_of(bends_of_row(rows.row(t).transpose()));
+      const Eigen::VectorXd shapes = shapes_of(rows.row(t).transpose());
+      bends.row(t) =
+          shapes.reshaped(kShapeRows, arm.segment_count()).topRows<kBends>().reshaped().transpose();
     }
   }
   return bends;

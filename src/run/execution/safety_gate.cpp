@@ -19,6 +19,12 @@ constexpr double kStuckWindowS = 1.0;    // a reading that stands still for so l
 constexpr double kStuckDelayS = 0.5;     // … though the set point had moved so long before
 constexpr double kStuckShare = 0.02;     // of the set point's change: less is none
 
+/// Whether limits allow a set point, rounded or not.
+bool allow(const PressureLimits& limits, double kpa, double rounding_kpa) {
+  return kpa >= limits.lower_kpa - rounding_kpa &&
+         kpa <= limits.upper_kpa + rounding_kpa;  // no NaN
+}
+
 double rounding_kpa(const ArmDescription& arm, int channel) {
   return kRoundingShare * arm.limits_of_channel(channel).largest_kpa();
 }
@@ -73,9 +79,7 @@ Eigen::VectorXd checked_setpoints(const ArmDescription& arm,
   Eigen::VectorXd result = setpoint_kpa.cast<double>();
   for (int channel = 0; channel < arm.channel_count(); ++channel) {
     const PressureLimits& limits = arm.limits_of_channel(channel);
-    const double rounding = rounding_kpa(arm, channel);
-    if (!(result[channel] >= limits.lower_kpa - rounding &&
-          result[channel] <= limits.upper_kpa + rounding)) {  // no NaN is
+    if (!allow(limits, result[channel], rounding_kpa(arm, channel))) {
       throw InputError(fmt::format("set point of {} is {} {unit}; expected {} to {} {unit}",
                                    channel_name(arm, channel), setpoint_kpa[channel],
                                    limits.lower_kpa, limits.upper_kpa,
@@ -115,7 +119,7 @@ std::string SafetyGate::check_command(const Eigen::Ref<const Pressures>& setpoin
     const double value = setpoint_kpa[s];
     const PressureLimits& limits = limits_kpa(s);
     const double rounding = rounding_kpa(arm_, s);
-    if (!(value >= limits.lower_kpa - rounding && value <= limits.upper_kpa + rounding)) {
+    if (!allow(limits, value, rounding)) {
       return fmt::format(
           "set point of {} is {:.2f} {unit}; its limit is {:.2f} {unit}. It was not "
           "sent",
