@@ -206,6 +206,12 @@ void require_known_flags(const Campaign& campaign, const CampaignUnit& unit) {
   }
 }
 
+void require_known_parameters(const CampaignUnit& unit) {
+  if (const Flags parameters = arm_parameters(unit); !parameters.empty()) {
+    (void)arm_with(find_arm_file(arm_of(unit)), parameters);
+  }
+}
+
 bool run_unit(const Campaign& campaign, const CampaignUnit& unit, CampaignFolder& folder,
               int jobs) {
   const auto begin = std::chrono::steady_clock::now();

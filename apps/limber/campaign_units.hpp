@@ -22,6 +22,9 @@ std::vector<std::string> unit_command(const Campaign& campaign, const CampaignUn
 /// @throws InputError what the verb says of flags that it does not have, or that lack values.
 void require_known_flags(const Campaign& campaign, const CampaignUnit& unit);
 
+/// @throws InputError where the arm has none of the unit's arm.PARAMETERs, or not of such a value.
+void require_known_parameters(const CampaignUnit& unit);
+
 /// Runs a unit in this process and leaves its marker; none where Ctrl-C cut it short. Standard
 /// output and error go to its folder meanwhile. @return whether it was not a failure
 bool run_unit(const Campaign& campaign, const CampaignUnit& unit, CampaignFolder& folder, int jobs);

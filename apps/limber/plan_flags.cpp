@@ -135,7 +135,7 @@ std::vector<PressureLimits> LimitFlags::limits(const ArmDescription& arm) const 
 void ForestFlags::add_to(CLI::App& app) {
   app.add_option("--forest", file_,
                  "Stored motions of model and start, tried before searching; grown and written "
-                 "here if there are none, or if they are of another model");
+                 "here if there are none");
   app.add_flag("--build-forest", build_,
                "Grow the stored motions again. If --forest names no file, they are written to "
                "MODEL.forest, which --forest can name from then on");
@@ -188,7 +188,8 @@ std::optional<Forest> ForestFlags::forest(const ArmDescription& arm, const Motio
       }
       return stored;
     }
-    say(flags, "{}: grown for another arm, model, valves or start; growing it again", path);
+    throw InputError(fmt::format(
+        "{}: grown for another arm, model, valves or start; --build-forest replaces it", path));
   }
   refuse_to_overwrite(path, true);
   ForestSettings settings;
@@ -231,8 +232,10 @@ void ReplanFlags::add_to(CLI::App& app) {
                  "With --replan: plans from rest, after the first")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  app.add_option("--replan-queries", settings_.corrections.queries,
-                 "Model queries of each search while the arm stands still")
+  app.add_option(
+         "--replan-queries", settings_.corrections.queries,
+         "Model queries of each search while the arm stands still (25 times as many as a last "
+         "resort)")
       ->check(CLI::Range(std::uint64_t{100}, std::uint64_t{1'000'000'000}))
       ->capture_default_str();
   app.add_option("--blind-s", settings_.blind_s,

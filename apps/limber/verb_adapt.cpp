@@ -21,7 +21,7 @@ class AdaptVerb final : public Verb {
   AdaptVerb()
       : Verb("adapt", "Make a family's network one arm's, from a minute of its motion",
              "limber collect --schedule identify --out minute.h5\n"
-             "  limber adapt --model family.safetensors --recording minute.h5 --out "
+             "  limber adapt --model three_segment --recording minute.h5 --out "
              "mine.safetensors") {}
 
   void add_flags(CLI::App& app) override {

@@ -71,6 +71,10 @@ class CampaignVerb final : public Verb {
     require_known_flags(campaign, campaign_unit(campaign, count - 1));
     const auto [first, step] = shard(count);
     CampaignFolder folder(out_.empty() ? fs::path(file_).stem() : fs::path(out_), campaign);
+    if (!status_ && !collect_) {
+      require_known_parameters(campaign_unit(campaign, 0));
+      require_known_parameters(campaign_unit(campaign, count - 1));
+    }
     if (dry_run_) {
       return print_units(campaign, folder, flags);
     }

@@ -62,7 +62,8 @@ class CollectVerb final : public Verb {
     app.add_option("--noise-m", options_.noise_m, "Noise of measured positions, std deviation");
     app.add_option("--noise-rad", options_.noise_rad, "Noise of measured headings");
     app.add_option("--noise-kpa", options_.noise_kpa, "Noise of measured pressures");
-    app.add_option("--drop-rate", options_.drop_rate, "Probability that a frame has no backbone");
+    app.add_option("--drop-rate", options_.drop_rate, "Probability that a frame has no backbone")
+        ->check(CLI::Range(0.0, 1.0));
     app.add_option("--latency-s", options_.latency_s, "Delay of everything measured");
     app.add_option("--vary-physics", vary_physics_,
                    "Each episode on a virtual arm whose friction, load, stiffness, valves and "

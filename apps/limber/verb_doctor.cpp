@@ -10,6 +10,7 @@
 #include "limber/common/data_folder.hpp"
 #include "limber/common/version.hpp"
 #include "limber/data/hdf5_version.hpp"
+#include "limber/lab/rank_work.hpp"
 #include "limber/lab/speed_peers.hpp"
 #include "limber/network/onnx_export.hpp"
 #include "limber/planning/ompl_planner.hpp"
@@ -20,18 +21,10 @@ namespace limber {
 
 namespace {
 
-/// A program that can use limber's results; limber itself does not need it.
-struct OptionalProgram {
-  const char* name;
-  const char* use;
-  const char* how_to_get;
-};
-
-constexpr OptionalProgram kOptionalPrograms[] = {
-    {"python3", "recordings and models in scripts, with h5py and numpy",
-     "apt install python3-h5py python3-numpy"},
-    {"rsvg-convert", "limber's SVG pictures as PNG or PDF", "apt install librsvg2-bin"},
-};
+/// Whether the python3 that scripts would run finds them.
+bool python_has_modules() {
+  return std::system("python3 -c 'import h5py, numpy' >/dev/null 2>&1") == 0;
+}
 
 bool on_path(const std::string& program) {
   const char* path = std::getenv("PATH");
@@ -86,12 +79,15 @@ class DoctorVerb final : public Verb {
       result["optional"].push_back(
           {{"name", name}, {"present", present}, {"use", use}, {"how_to_get", how_to_get}});
     };
-    for (const OptionalProgram& program : kOptionalPrograms) {
-      add(program.name, on_path(program.name), program.use, program.how_to_get);
-    }
+    add("python3", python_has_modules(), "recordings and models in scripts, with h5py and numpy",
+        "apt install python3-h5py python3-numpy; a python3 earlier on PATH may not see them");
+    add("rsvg-convert", on_path("rsvg-convert"), "limber's SVG pictures as PNG or PDF",
+        "apt install librsvg2-bin");
     for (const OptionalPeer& peer : optional_peers()) {
       add(peer.library, peer.present, "a peer in limber bench", peer.how_to_get);
     }
+    add("MPI", has_ranks(), "limber campaign over ranks",
+        "apt install libopenmpi-dev, then build again");
     add("OMPL", !ompl_planner_names().empty(), "planners ompl:…, to compare with",
         "apt install libompl-dev, then build again");
     return result;

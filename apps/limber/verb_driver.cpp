@@ -159,13 +159,10 @@ class DriverCalibrate {
           "--yes: needs --handedness right or left. A mirrored tracker with left and right swapped "
           "reads like one that is right, so only who sees the arm can tell");
     }
-    const std::string log = out + ".driver.jsonl";
-    for (const std::string& file : {out, log}) {
-      refuse_to_overwrite(file, flags.force);
-    }
+    refuse_to_overwrite(out, flags.force);
     CalibrateDriverSettings settings;
     settings.driver = driver;
-    settings.driver.log = log;
+    settings.driver.log = free_name(out + ".driver", ".", ".jsonl");
     settings.driver.say = tell_of_arm(false);
     settings.tolerance = tolerance_;
     settings.confirm = [&](const std::string& step) {
@@ -231,7 +228,7 @@ class DriverVerb final : public Verb {
       : Verb("driver", "Check a driver (timing, units, valves, deadmen), or calibrate it",
              "limber driver check --driver \"exec:limber virtual-arm --serve\" --out checked\n"
              "  limber driver calibrate --driver \"exec:limber virtual-arm --serve "
-             "--fast --misassembled 1\" --simulated --yes --handedness left --out "
+             "--fast --misassembled 1\" --simulated --yes --handedness right --out "
              "calibration.yaml") {}
 
   void add_flags(CLI::App& app) override {
@@ -275,13 +272,13 @@ class DriverVerb final : public Verb {
     require_limit_scale(limit_scale_);
     const fs::path folder = out_;
     require_writable_folder(folder);
-    for (const char* file : {"check.json", "report.html", "valves.yaml", "check.driver.jsonl"}) {
+    for (const char* file : {"check.json", "report.html", "valves.yaml"}) {
       refuse_to_overwrite(folder / file, flags.force);
     }
     ProcessDriverSettings settings = wire_.settings(driver_, arm, arm_file);
     fs::create_directories(folder);
     settings.limit_scale = limit_scale_;
-    settings.log = folder / "check.driver.jsonl";
+    settings.log = free_name((folder / "check.driver").string(), ".", ".jsonl");
     settings.say = tell_of_arm(!flags.quiet);
     say(flags, "checking the driver: the arm moves for about a minute");
     const DriverCheck check = check_driver(arm, settings);

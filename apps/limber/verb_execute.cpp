@@ -302,13 +302,15 @@ class ExecuteVerb final : public Verb {
     if (!disturbance_.empty()) {
       json["disturbance"] = disturbance_;
     }
+    std::string text = to_text(result, environment);
     if (depends_on_seed()) {
       json["seed"] = flags.seed;
+      text += fmt::format("; seed {}", flags.seed);
     }
     if (driver != nullptr) {
       json["driver"] = to_json(*driver);
     }
-    print_result(flags, json, to_text(result, environment));
+    print_result(flags, json, text);
     return end(result, driver);
   }
 

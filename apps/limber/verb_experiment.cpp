@@ -133,7 +133,8 @@ class ExperimentVerb final : public Verb {
         ->check(CLI::PositiveNumber);
     app.add_option("--max-queries", settings_.limits.queries, "For each plan")
         ->check(CLI::PositiveNumber);
-    app.add_option("--max-memory-mb", settings_.limits.memory_mb, "For each plan");
+    app.add_option("--max-memory-mb", settings_.limits.memory_mb, "For each plan")
+        ->check(CLI::PositiveNumber);
     add_cost_threshold(app, settings_.limits.cost_threshold_kpa);
     runs_.add_to(app);
     replan_.add_settings_to(app);
@@ -153,7 +154,9 @@ class ExperimentVerb final : public Verb {
       environments_.push_back((data_folder() / "environments").string());
     }
     for (const std::string& name : environments_) {
-      std::ranges::move(environments_in(name, settings_.arm),
+      const std::string place =
+          std::filesystem::is_directory(name) ? name : find_environment_file(name);
+      std::ranges::move(environments_in(place, settings_.arm),
                         std::back_inserter(settings_.environments));
     }
     settings_.limits = settings_.limits.or_default();

@@ -81,17 +81,23 @@ class ImproveVerb final : public Verb {
       append(learnt, {"--data", plans});
       say(flags, "round {} of {}", round, rounds_);
       const std::string seed = std::to_string(flags.seed + static_cast<std::uint64_t>(round) - 1);
-      if (int code = step(*make_collect_verb(), collect_words(model, plans, seed),
-                          fs::exists(plans + ".parts"), here, flags, found);
-          code != kExitDone) {
-        return code;
+      int code = kExitDone;
+      try {
+        code = step(*make_collect_verb(), collect_words(model, plans, seed),
+                    fs::exists(plans + ".parts"), here, flags, found);
+      } catch (const InputError&) {
+        forget_if_nothing_was_made(folder);
+        throw;
       }
-      if (int code = step(*make_train_verb(), train_words(model, learnt, better, seed),
-                          fs::exists(better + ".checkpoint"), here, flags, found);
-          code != kExitDone) {
-        return code;
+      if (code == kExitDone) {
+        code = step(*make_train_verb(), train_words(model, learnt, better, seed),
+                    fs::exists(better + ".checkpoint"), here, flags, found);
       }
       rounds.push_back(std::move(found));
+      if (code != kExitDone) {
+        print_result(flags, {{"model", nullptr}, {"rounds", rounds}}, "");
+        return code;
+      }
       model = better;
     }
     const std::string result = result_of(folder).string();
@@ -151,6 +157,14 @@ class ImproveVerb final : public Verb {
     }
     fs::create_directories(folder);
     write_file_atomically(made_of, identity(flags).dump(1) + "\n");
+  }
+
+  /// What was asked for was refused: the same folder serves once that is mended.
+  static void forget_if_nothing_was_made(const fs::path& folder) {
+    std::error_code holds_something;
+    if (fs::remove(folder_of(folder, 1), holds_something)) {
+      fs::remove(folder / "improve.json", holds_something);
+    }
   }
 
   static fs::path folder_of(const fs::path& folder, int round) {

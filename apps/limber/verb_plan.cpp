@@ -110,7 +110,8 @@ class PlanVerb final : public Verb {
                    "more: they count the plan's last simulation and an ensemble's other networks")
         ->check(CLI::PositiveNumber);
     app.add_option("--max-memory-mb", limits_.memory_mb,
-                   "Stop when the tree takes so many megabytes");
+                   "Stop when the tree takes so many megabytes")
+        ->check(CLI::PositiveNumber);
     add_cost_threshold(app, limits_.cost_threshold_kpa);
     narrower_.add_to(app);
     room_.add_to(app);

@@ -19,7 +19,8 @@ class StudioVerb final : public Verb {
   StudioVerb()
       : Verb("studio",
              "Serve a page for browsers: see the arm, drag obstacles and goal, plan, play, drive",
-             "limber studio --project my_project --model my_project/model.safetensors") {}
+             "limber studio\n  limber studio --project my_project --model "
+             "my_project/model.safetensors") {}
 
   void add_flags(CLI::App& app) override {
     app.add_option("--project", settings_.project,
@@ -33,7 +34,11 @@ class StudioVerb final : public Verb {
                    "exec:COMMAND, the driver of --arm (docs/driver.md): pages can arm it and run "
                    "plans on it");
     wire_.add_to(app);
-    for (const char* name : {"--calibration", "--simulated"}) {
+    app.add_option("--limit-scale", limit_scale_,
+                   "Largest factor on the driver's arm's pressure limits that a page may set, over "
+                   "0 and at most 1")
+        ->capture_default_str();
+    for (const char* name : {"--calibration", "--simulated", "--limit-scale"}) {
       app.get_option(name)->needs("--driver");
     }
     app.add_option("--port", settings_.port, "Port to listen at; 0: any that is free")
@@ -51,13 +56,17 @@ class StudioVerb final : public Verb {
     settings_.arm = arm_file;
     settings_.model = model_;
     if (!driver_.empty()) {
+      require_limit_scale(limit_scale_);
       settings_.driver = wire_.settings(driver_, arm, arm_file);
+      settings_.driver->limit_scale = limit_scale_;
       settings_.driver->say = [](const std::string& message) {
         print_to_stderr(printable(message) + "\n");
       };
     }
     Studio studio(settings_);
-    print_result(flags, {{"address", studio.address()}}, studio.address());
+    CommonFlags spoken = flags;
+    spoken.quiet = false;  // nobody guesses it
+    print_result(spoken, {{"address", studio.address()}}, studio.address());
     std::fflush(stdout);  // whoever reads it through a pipe waits for it
     say(flags, "open this address in a browser; Ctrl-C ends the studio");
     {
@@ -79,6 +88,7 @@ class StudioVerb final : public Verb {
   StudioSettings settings_;
   std::string driver_;
   WireFlags wire_;
+  double limit_scale_ = 1.0;
   std::string arm_ = "three_segment";
   std::string model_;
 };

@@ -61,7 +61,7 @@ void bind_certificate_findings(py::module_& module) {
       .def_readonly(
           "max_pressure_deviation_kpa", &Certificate::max_pressure_deviation_kpa,
           "Largest difference of a pressure between its own valves and the plan [kPa]; up "
-          "to 1e-3 is allowed.")
+          "to 1e-5 of the segment's largest command is allowed.")
       .def_readonly("unfinished", &Certificate::unfinished,
                     "Whether it was given up before the end; what was not checked has no figure.");
 }

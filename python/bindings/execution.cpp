@@ -238,7 +238,8 @@ void bind_execution(py::module_& module) {
           [](const ExecutionResult& run) {
             return run.collided ? std::optional(true) : if_seen(run, false);
           },
-          "Whether the arm touched an obstacle, or None: not tracked in the last 0.25 s.")
+          "Whether the arm was seen to touch an obstacle, or None: not seen to, and not tracked in "
+          "the last 0.25 s.")
       .read_only("prediction", &ExecutionResult::prediction,
                  "ExecutedError between plan and arm, or None where nothing was tracked.")
       .done()

@@ -32,6 +32,9 @@ std::string text_of(const Shape& shape) {
 /// hold, and HDF5 reads beyond them without a check.
 bool is_number_of_machines(const H5::DataType& type) {
   const H5T_class_t kind = type.getClass();
+  if (kind == H5T_ENUM) {  // NumPy's booleans
+    return is_number_of_machines(type.getSuper());
+  }
   if (kind != H5T_INTEGER && kind != H5T_FLOAT) {
     return false;
   }

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/printable.hpp"
 #include "limber/common/seconds_since.hpp"
@@ -67,10 +68,11 @@ const DriverHello& DriverLink::exchange_hellos() {
     throw BrokenDriver(fault.what());
   }
   if (!hello_.real_time && !simulated_) {
-    throw BrokenDriver(
-        "says that it is a simulation (real_time: false in its hello), which is asked as fast as "
-        "it answers. If it is one, say --simulated (simulated=True in Python); the driver of an "
-        "arm leaves real_time out");
+    end();
+    throw InputError(
+        "the driver says that it is a simulation (real_time: false in its hello), which is asked "
+        "as fast as it answers. If it is one, say --simulated (simulated=True in Python); the "
+        "driver of an arm leaves real_time out");
   }
   if (calibration_ && !hello_.limit_kpa.empty()) {
     hello_.limit_kpa = calibration_->from_wire(hello_.limit_kpa);

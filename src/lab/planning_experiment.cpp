@@ -84,7 +84,9 @@ class Experiment {
     if (settings_.parts.empty()) {
       run_tasks();
     }
-    throw_if_interrupted();
+    if (interrupt_requested()) {
+      throw Interrupted("stopped on request; the same command with --resume runs what is missing");
+    }
     return write_results();
   }
 

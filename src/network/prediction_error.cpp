@@ -102,10 +102,11 @@ nlohmann::ordered_json to_json(const PredictionError& error) {
 
 std::string to_text(const PredictionError& error) {
   return fmt::format(
-      "error on {} unseen runs of {:.3g} s, {:.0f} %: {:.2f} cm anywhere on the arm, {:.2f} cm off "
-      "the predicted path, {:.2f} cm{} at the tip's end",
-      error.runs, error.run_s, 100.0 * PredictionError::kShare, kCmPerM * error.max_position_m,
-      kCmPerM * error.off_path_m, kCmPerM * error.end_position_m,
+      "error on {} unseen runs of {:.3g} s, {:.0f} %{}: {:.2f} cm anywhere on the arm, {:.2f} cm "
+      "off the predicted path, {:.2f} cm{} at the tip's end",
+      error.runs, error.run_s, 100.0 * PredictionError::kShare,
+      error.runs < PredictionError::kMinRuns ? " guessed from their median" : "",
+      kCmPerM * error.max_position_m, kCmPerM * error.off_path_m, kCmPerM * error.end_position_m,
       error.end_orientation_rad ? fmt::format(" and {:.3f} rad", *error.end_orientation_rad) : "");
 }
 

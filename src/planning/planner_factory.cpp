@@ -99,7 +99,9 @@ std::unique_ptr<Planner> make_planner(const std::string& name, int jobs, const F
   if (forest != nullptr) {
     throw InputError(fmt::format("planner '{}' uses no forest; only 'default' does", name));
   }
-  if (PlannerName parsed = PlannerName::parse(name); parsed.name == "paper") {
+  // The second name is of a search that tries all parents; the tree is the same, node by node.
+  if (PlannerName parsed = PlannerName::parse(name);
+      parsed.name == "paper" || parsed.name == "paper-steer-all") {
     return make_paper_planner(std::move(parsed), name, jobs);
   }
   if (name.rfind("ompl:", 0) == 0) {

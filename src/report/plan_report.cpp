@@ -187,13 +187,13 @@ std::string to_text(const PlanResult& result, const Command& command) {
       command.is_pressure_kpa() ? fmt::format(" ({:.1f} psi)", plan.cost_kpa / kKpaPerPsi) : "";
   return fmt::format(
              "plan: {} frames, {:.1f} s, cost {:.1f} {}{}; ends {:.2f} cm from the goal, {}, "
-             "as the {} model predicts\n"
+             "as the {} model predicts; seed {}\n"
              "first certified plan after {:.4f} s, {:.4f} s of them for its certificate ({:.1f} "
              "{}); {} nodes, {} rewires of {} tried, {} model queries in {:.2f} s ({:.0f} per "
              "second); {}",
              plan.frame_count(), plan.duration_s(), plan.cost_kpa, command.unit, psi,
              plan.goal_distance_m * kCmPerM, clearance_text(plan.clearance_m, 2), plan.model,
-             result.first_solution->time_s, result.first_solution->certificate_s,
+             plan.seed, result.first_solution->time_s, result.first_solution->certificate_s,
              result.first_solution->cost_kpa, command.unit, result.statistics.nodes,
              result.statistics.rewires_accepted, result.statistics.rewires_tried,
              result.statistics.queries, result.statistics.time_s,

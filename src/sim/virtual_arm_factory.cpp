@@ -30,6 +30,10 @@ std::string describe(const ArmDescription& arm, const VirtualArmOptions& options
   if (options.lost_for_s > 0.0) {
     text += fmt::format(", lost from {} s for {} s", options.lost_from_s, options.lost_for_s);
   }
+  if (options.later) {
+    text += fmt::format(", from {} s physics {}", options.later_from_s,
+                        virtual_arm_hash(*options.later).substr(0, kShortHash));
+  }
   return text;
 }
 

@@ -3,6 +3,8 @@
 #include <exception>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "limber/driver/driver_run.hpp"
 #include "request_rules.hpp"
 
@@ -81,6 +83,10 @@ std::string ArmStation::run(const std::string& lease, ArmRunJob job) {
     }
     if (job.found.scene.arm != arm_) {
       return "the driver is that of another arm: " + arm_;
+    }
+    if (job.limit_scale > driver_.limit_scale) {
+      return fmt::format("limits of {:g}: the studio was started with --limit-scale {:g}",
+                         job.limit_scale, driver_.limit_scale);
     }
     control_.clear_stop();
     message_.clear();

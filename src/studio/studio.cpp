@@ -138,6 +138,12 @@ class Studio::Server {
       response.set_header("Cache-Control", "no-store");
       return admission_.admit(request, response);
     });
+    // What nobody answered: a path with no such request.
+    http_.set_error_handler([](const Request&, Response& response) {
+      if (response.content_length_ == 0 && response.body.empty()) {
+        refuse(response, response.status, "nothing is there");
+      }
+    });
     http_.set_exception_handler([](const Request&, Response& response, std::exception_ptr thrown) {
       try {
         std::rethrow_exception(thrown);

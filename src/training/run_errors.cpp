@@ -21,14 +21,14 @@ constexpr double kQuantileConfidence = 0.5;  // a measured quantile is too small
 constexpr double kPathTail = 2.0;
 constexpr double kEndTail = 2.6;
 constexpr double kHeadingTail = 5.4;
-constexpr std::size_t kMinQuantileRuns = 19;  // the largest of 19 is 95 %
 constexpr int kParts = 3;         // of a segment's range, to look for where errors are large
 constexpr double kLarger = 1.25;  // times the error of all runs: worth a sentence
 
 /// What 95 % of runs do not exceed. The largest of a few runs is none of that: one outlier would
 /// rule the arm, and without one it is too small. So of few it is the usual multiple of the median.
 double largest_expected(const std::vector<double>& values, double tail) {
-  return values.size() < kMinQuantileRuns ? tail * median(values) : conformal_quantile(values);
+  return values.size() < PredictionError::kMinRuns ? tail * median(values)
+                                                   : conformal_quantile(values);
 }
 
 }  // namespace

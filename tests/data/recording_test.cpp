@@ -291,6 +291,22 @@ TEST_F(RecordingFile, RefusesWrongShapesAndTypes) {
       {"episodes/000000/motion_index: holds no numbers"});
 }
 
+TEST_F(RecordingFile, TrackedMayBeBooleansOfNumPy) {
+  {
+    H5::H5File file(path_, H5F_ACC_RDWR);
+    constexpr const char* kTracked = "episodes/000001/tracked";
+    file.unlink(kTracked);
+    H5::EnumType boolean(H5::PredType::STD_I8LE);
+    std::array<std::int8_t, 2> values{0, 1};
+    boolean.insert("FALSE", &values[0]);
+    boolean.insert("TRUE", &values[1]);
+    const std::vector<std::int8_t> tracked{1, 0, 1, 1, 1};
+    const hsize_t frames = tracked.size();
+    file.createDataSet(kTracked, boolean, H5::DataSpace(1, &frames)).write(tracked.data(), boolean);
+  }
+  EXPECT_THAT(read_recording(path_).episodes[1].tracked, testing::ElementsAre(1, 0, 1, 1, 1));
+}
+
 TEST_F(RecordingFile, RefusesAnotherUnit) {
   expect_refusal(
       [](H5::H5File& f) {

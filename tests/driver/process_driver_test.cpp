@@ -280,7 +280,7 @@ TEST_F(ProcessDriverTest, RefusesDriversThatDoNotFit) {
 
 TEST_F(ProcessDriverTest, ASimulationThatNobodyExpectsMovesNothing) {
   EXPECT_THAT([&] { ProcessDriver(arm_, settings("fast")); },
-              ThrowsMessage<SystemFault>(HasSubstr("say --simulated")));
+              ThrowsMessage<InputError>(HasSubstr("say --simulated")));
   EXPECT_THAT(heard(), Not(HasSubstr("set")));
 }
 

@@ -60,6 +60,8 @@ TEST(PredictionErrorText, IsOneLineInCentimetres) {
   EXPECT_EQ(to_text(PredictionError{27, 10.0, 0.0132, 0.0099, 0.0081, 0.0456}),
             "error on 27 unseen runs of 10 s, 95 %: 1.32 cm anywhere on the arm, 0.99 cm off "
             "the predicted path, 0.81 cm and 0.046 rad at the tip's end");
+  EXPECT_THAT(to_text(PredictionError{18, 10.0, 0.0132, 0.0099, 0.0081, 0.0456}),
+              testing::HasSubstr("18 unseen runs of 10 s, 95 % guessed from their median: 1.32"));
 }
 
 TEST(PredictionError, NamesTheNumberThatIsOutOfRange) {

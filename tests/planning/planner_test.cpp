@@ -1,8 +1,11 @@
 #include "limber/planning/planner.hpp"
 
+#include <atomic>
+
 #include <gmock/gmock.h>
 
 #include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
 #include "limber/forward/motion_simulator.hpp"
 #include "limber/planning/planner_factory.hpp"
 #include "limber/world/collision.hpp"
@@ -267,6 +270,24 @@ TEST(Planner, StopsAtEachLimitAndSaysWhich) {
   });
   EXPECT_EQ(calls, 2);
   EXPECT_EQ(stopped.reason.rfind("stopped by the user", 0), 0U);
+}
+
+TEST(Planner, KeepsTheCertifiedPlanWhereItIsStopped) {
+  Setting s(false);
+  PlannerLimits many;
+  many.iterations = 1000000;
+  for (const char* name : {"paper", "default"}) {
+    std::atomic<bool> stop = false;
+    const StopScope scope(&stop);
+    const PlanResult stopped = make_planner(name)->plan({s.arm, s.model, s.environment}, many, 1,
+                                                        [&](const PlannerProgress& now) {
+                                                          stop = now.best_cost_kpa.has_value();
+                                                          return true;
+                                                        });
+    EXPECT_TRUE(stop) << name;
+    ASSERT_EQ(stopped.status, PlanStatus::solved) << name << ": " << stopped.reason;
+    EXPECT_TRUE(stopped.plan->certified) << name;
+  }
 }
 
 TEST(Planner, RefusesMissingAndSenselessLimitsAndSettings) {

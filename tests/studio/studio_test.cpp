@@ -197,6 +197,9 @@ TEST_F(StudioServer, PathsDoNotLeadOut) {
                            "//etc/passwd", "/etc/passwd"}) {
     EXPECT_THAT(get(path), StartsWith("HTTP/1.1 404")) << path;
   }
+  const std::string unknown = ask("PUT /api/stop", own_headers());
+  EXPECT_THAT(unknown, StartsWith("HTTP/1.1 404"));
+  EXPECT_THAT(unknown, HasSubstr(R"({"error":"nothing is there"})"));
 }
 
 TEST_F(StudioServer, BodiesAreJsonAndSmall) {

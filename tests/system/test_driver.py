@@ -104,7 +104,7 @@ class Collecting(Driver):
             ("plan", *ARM, "--no-load", "--environment", "e.yaml", "--out", "q.json", "--start-from-driver", driver[1]),
         ):
             with self.subTest(verb=arguments[:2]):
-                self.assertIn("say --simulated", self.run_limber(*arguments, "--force", code=3).stderr)
+                self.assertIn("say --simulated", self.run_limber(*arguments, "--force", code=2).stderr)
                 self.assertNotIn("set", [event["event"] for event in self.device_events()])
 
     def test_a_late_state_says_which_set_points_it_shows(self):

@@ -209,7 +209,7 @@ class Experiment(InFolder):
     def test_bad_input_is_named_before_any_work(self):
         for arguments, message in (
             (("--environments", "environments", "--planner", "fast"), "planner 'fast'"),
-            (("--environments", "none"), "none: no folder"),
+            (("--environments", "none"), "--environment none: no such file"),
             (("--environments", "environments", "--trials", 0), "--trials 0"),
         ):
             with self.subTest(message=message):

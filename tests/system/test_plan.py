@@ -108,8 +108,11 @@ class Plan(InFolder):
         other = self.run_limber("plan", "--arm", "three_segment", "--no-load", "--forest", "f",
                                 "--forest-nodes", 2000, "--build-forest")
         self.assertIn("growing it again", other.stderr)
-        self.assertIn("grown for another arm, model, valves or start; growing it again",
-                      said("--environment", rest))
+        other = (self.folder / "f").read_bytes()
+        refused = self.run_limber("plan", *ARM, *BUDGET, "--forest", "f", "--environment", rest, code=2)
+        self.assertIn("f: grown for another arm, model, valves or start; --build-forest replaces it",
+                      refused.stderr)
+        self.assertEqual((self.folder / "f").read_bytes(), other)
 
     def test_a_forest_of_another_form_is_grown_again_where_asked_for(self):
         rest = self.plan_file(PILLAR, "rest.yaml")

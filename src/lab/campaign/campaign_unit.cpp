@@ -1,6 +1,7 @@
 #include <cmath>
 #include <filesystem>
-#include <regex>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -182,21 +183,18 @@ nlohmann::ordered_json flags_to_json(const Flags& flags) {
 }
 
 std::string arm_with(const fs::path& arm_file, const Flags& parameters) {
-  std::string text = virtual_arm_to_yaml(load_arm(arm_file, PolynomialsOf::characterisation));
-  const std::size_t block = std::min(text.find("virtual_arm:"), text.size());
-  std::string keys = text.substr(block);
-  text.resize(block);
+  ArmDescription arm = load_arm(arm_file, PolynomialsOf::characterisation);
+  const std::string where = fmt::format("arm.PARAMETER of {}", arm_file.string());
+  std::vector<std::string> texts;
   for (const auto& [name, values] : parameters) {
-    const std::regex line("(^|\n)([ \t]*" + name + ":[ \t]*)[^\n]*");
-    std::smatch found;
-    if (!std::regex_search(keys, found, line)) {
-      throw InputError(fmt::format("arm.{}: the virtual arm of {} has no such parameter", name,
-                                   arm_file.string()));
-    }
-    keys = found.prefix().str() + found[1].str() + found[2].str() + as_text(values) +
-           found.suffix().str();
+    texts.push_back(values.size() == 1 ? fmt::format("{}: {}", name, values.front())
+                                       : fmt::format("{}: [{}]", name, fmt::join(values, ", ")));
   }
-  return text + keys;
+  change_virtual_arm(arm, [&](VirtualArmParameters& physics) {
+    physics = with_differences(physics, fmt::format("{{{}}}", fmt::join(texts, ", ")),
+                               arm.dimension, where);
+  });
+  return virtual_arm_to_yaml(arm);
 }
 
 }  // namespace limber

@@ -20,11 +20,13 @@ namespace fs = std::filesystem;
 // What Open MPI's mpirun and Slurm's srun with PMIx or PMI-2 tell each rank.
 constexpr std::array kRankVariables = {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"};
 
+fs::path ranks_module() {
+  return fs::read_symlink("/proc/self/exe").parent_path() / "../lib/limber" / kRanksModule;
+}
+
 RunOverRanks load_ranks() {
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  const fs::path module = program.parent_path() / "../lib/limber" / kRanksModule;
-  if (error || !fs::exists(module, error)) {
+  const fs::path module = ranks_module();
+  if (!has_ranks()) {
     throw InputError(
         "started by mpirun or srun, but limber was built without MPI: apt install libopenmpi-dev "
         "and build limber again, or give each process a --shard");
@@ -43,6 +45,10 @@ RunOverRanks load_ranks() {
 bool is_rank() {
   return std::ranges::any_of(kRankVariables,
                              [](const char* name) { return std::getenv(name) != nullptr; });
+}
+
+bool has_ranks() {
+  return fs::exists(ranks_module());
 }
 
 RankFigures run_over_ranks(const RankWork& work) {

@@ -148,15 +148,16 @@ class DriverServer {
   void answer(const std::string& line) {
     try {
       const DriverRequest request = parse_request(line, host_);
-      last_request_ = Clock::now();
       switch (request.kind) {
         case RequestKind::hello:
           say_hello();
           break;
         case RequestKind::set:
+          last_request_ = Clock::now();
           set(request);
           break;
         case RequestKind::vent:
+          last_request_ = Clock::now();
           vent("command");
           reply(request.seq, next_frame());
           break;

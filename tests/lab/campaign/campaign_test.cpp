@@ -14,6 +14,7 @@
 namespace limber {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
@@ -157,15 +158,23 @@ TEST_F(CampaignFile, RefusesWhatWouldDependOnAClockOrOnOtherUnits) {
   refusal("verb: train\nflags: {epochs: 3}\ngrid: {hidden: [[60], []]}\n", "an empty list found");
 }
 
-TEST(ArmWith, ReplacesAParameterAndRefusesOneThatIsNone) {
+TEST(ArmWith, SetsParametersAlsoThoseThatAreOffAndRefusesOneThatIsNone) {
   const auto arm = std::filesystem::path(LIMBER_SOURCE_DIR) / "arms/two_segment.yaml";
-  const std::string text = arm_with(arm, {{"friction_coefficient", {"0.375"}}});
+  const std::string text =
+      arm_with(arm, {{"friction_coefficient", {"0.375"}}, {"tip_load_kg", {"0.05"}}});
   EXPECT_THAT(text, HasSubstr("friction_coefficient: 0.375\n"));
-  EXPECT_THAT(
-      [&] {
-        arm_with(arm, {{"fricton", {"1"}}});
-      },
-      ThrowsMessage<InputError>(HasSubstr("arm.fricton: the virtual arm of")));
+  EXPECT_THAT(text, HasSubstr("tip_load_kg: 0.05\n"));
+  const auto refusal = [&](const char* name, const char* value, const char* message) {
+    EXPECT_THAT(
+        [&] {
+          (void)arm_with(arm, {{name, {value}}});
+        },
+        ThrowsMessage<InputError>(
+            AllOf(HasSubstr("arm.PARAMETER of "), HasSubstr(name), HasSubstr(message))));
+  };
+  refusal("fricton", "1", "unknown parameter of the virtual arm");
+  refusal("tip_load_kg", "-1", "-1");
+  refusal("chamber_area_m2", "3e-4", "belongs to the virtual arm in space");
 }
 
 }  // namespace

@@ -29,7 +29,8 @@ class RandomStream {
   /// Uniform in {0, …, count − 1}. @pre count > 0.
   std::uint32_t index(std::uint32_t count);
 
-  /// Number of samples made so far; `seek(position())` continues the stream from the same point.
+  /// Number of 32-bit words used so far (two for a uniform sample); `seek(position())`
+  /// continues the stream from the same point.
   std::uint64_t position() const { return position_; }
   void seek(std::uint64_t position);
 

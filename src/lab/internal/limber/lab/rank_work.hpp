@@ -36,6 +36,9 @@ inline constexpr const char* kRanksEntry = "limber_run_over_ranks";
 /// Whether mpirun or srun started this process as one of several, with MPI.
 bool is_rank();
 
+/// Whether limber was built with MPI.
+bool has_ranks();
+
 /// @pre is_rank @throws InputError if limber was built without MPI.
 RankFigures run_over_ranks(const RankWork& work);
 /// In this process alone.

@@ -19,7 +19,7 @@ class YamlReader;
 struct PredictionError {
   int runs = 0;        ///< number of runs, ≥ 1
   double run_s = 0.0;  ///< their mean length, > 0
-  // Of fewer than 19 runs, what follows is a multiple of their median that is usual for 95 %.
+  // Of fewer than kMinRuns, what follows is a multiple of their median that is usual for 95 %.
   /// The largest distance of any plate in any frame of a run: kShare of the runs do not exceed it.
   double max_position_m = 0.0;
   /// The farthest that the arm came off the predicted path in a run, early or late: the clearance
@@ -30,6 +30,7 @@ struct PredictionError {
   /// is in space alone.
   std::optional<double> end_orientation_rad = 0.0;
   static constexpr double kShare = 0.95;
+  static constexpr int kMinRuns = 19;  ///< the largest of 19 is 95 %
   bool operator==(const PredictionError&) const = default;
 };
 

@@ -13,7 +13,7 @@ namespace limber {
 
 struct Forest;
 
-/// Names that `make_planner` knows, the default first.
+/// Names that `make_planner` knows, the default first; beside them ompl:NAME for any of OMPL's.
 std::vector<std::string> planner_names();
 
 /// Its plans are certified (docs/planning.md, Certificate).

@@ -169,7 +169,7 @@ Environment with_appeared(const Environment& environment, const ExecutionResult&
 /// Commands a plan's frames as they stand, one frame period each, then holds; or what a controller
 /// decides. Whatever happens (end, fault, Ctrl-C, exception), the arm
 /// is vented before this returns. If the plan starts under pressure, the arm is led there first,
-/// straight in pressure space, and held 3 s, unrecorded.
+/// straight in pressure space, and held for 3 s, or until it is there (60 s at most), unrecorded.
 ///
 /// Collision is judged on the backbones that the driver returns, once per frame.
 /// @throws InputError if plan, environment and arm don't belong together (hashes in the

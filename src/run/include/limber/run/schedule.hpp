@@ -66,8 +66,8 @@ struct EpisodeSchedule {
 std::vector<EpisodeSchedule> make_schedule(const ArmDescription& arm,
                                            const ScheduleSettings& settings, std::uint64_t seed);
 
-/// The settings in one line, "transitions, 16 episodes, step, hold 3 s": equal lines and seeds give
-/// equal schedules.
+/// The settings in one line, "transitions, all, step, hold 3 s and until reached": equal
+/// lines and seeds give equal schedules.
 std::string describe(const ScheduleSettings& settings);
 
 /// Configuration `index` in {0, …, 3^n − 1}: base-3 digits, 0 off, 1 fully right, 2 fully left. A

@@ -85,8 +85,8 @@ struct VirtualArmParameters {
 
   // Valves and their PD controller.
   double pressure_rate_limit_kpa_per_s = 100.0;  ///< of a direction that has none of its own
-  double inflate_rate_limit_kpa_per_s = 0.0;     ///< 0: the one above
-  double vent_rate_limit_kpa_per_s = 0.0;        ///< 0: the one above
+  double inflate_rate_limit_kpa_per_s = 0.0;     ///< left out, 0: the one above
+  double vent_rate_limit_kpa_per_s = 0.0;        ///< left out, 0: the one above
   double valve_dead_time_s = 0.0;                ///< delay until set points reach the controller
   double inflate_time_constant_s = 0.1;
   double vent_time_constant_s = 0.12;

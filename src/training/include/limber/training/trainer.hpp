@@ -121,7 +121,8 @@ struct TrainingResult {
 ///
 /// Validation error: mean distance of the tip over open-loop rollouts of up to 600 frames that
 /// cover the validation episodes. For an ensemble it is that of the mean of its members'
-/// predictions, each member rolled out by itself. Untracked frames don't count.
+/// predictions, each member rolled out by itself; of a family, after each held-back arm was fitted.
+/// Untracked frames don't count. Without validation data the loss decides.
 ///
 /// The networks' predictions stay within bounds (20), recorded ranges and a margin. The best epochs
 /// of each tenth of the run are kept; the one with the smallest validation error is chosen whose
