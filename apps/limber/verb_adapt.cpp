@@ -51,6 +51,11 @@ class AdaptVerb final : public Verb {
     const std::vector<Episode> episodes = reader.read_all(recordings_).episodes;
     take_common(flags, settings_);
     Adaptation done = adapt(arm, family, episodes, settings_);
+    if (family.member_of_family && family.tube && !done.model.tube) {
+      say(flags,
+          "warning: {} is one arm's already, and its tube is lost; adapt its family to keep one",
+          family_file_);
+    }
     note_origin(family, reader.sources(), done);
     write_model(out_, done.model);
     print_result(flags, to_json(done), to_text(done, arm));

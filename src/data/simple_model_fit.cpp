@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "command_change.hpp"
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
@@ -19,8 +20,7 @@ constexpr double kLongestLag_s = 1.0;
 constexpr double kLagStep_s = 0.05;
 constexpr double kClearlyBetter = 0.002;  // of the loss: no lag for less than that
 constexpr int kIterations = 20;
-constexpr double kHuber = 1.345;     // of the scale: 95 % efficient without outliers
-constexpr double kMinSpread = 0.01;  // of the limit: a command that changed by less
+constexpr double kHuber = 1.345;  // of the scale: 95 % efficient without outliers
 constexpr int kBlocksOfOne = 10;
 constexpr int kMaxBlocks = 50;
 constexpr double kTiny_rad = 1e-9;
@@ -224,17 +224,7 @@ class SimpleFitter {
   /// Of a segment whose command tells nothing: as the arm file has it.
   double held_slope() const { return arm_.no_load == NoLoadKind::straight ? 0.0 : 1.0; }
 
-  bool moved(int segment) const {
-    double lowest = std::numeric_limits<double>::infinity();
-    double highest = -lowest;
-    for (const Episode& episode : episodes_) {
-      lowest = std::min(lowest, double(episode.pressure_kpa.col(segment).minCoeff()));
-      highest = std::max(highest, double(episode.pressure_kpa.col(segment).maxCoeff()));
-    }
-    const double limit =
-        arm_.segments[static_cast<std::size_t>(segment)].pressure_limit_kpa.half_width_kpa();
-    return highest - lowest > kMinSpread * limit;
-  }
+  bool moved(int segment) const { return command_changes(arm_, episodes_, segment); }
 
   Eigen::MatrixXd rows_of(double lag_s) const {
     std::vector<Eigen::MatrixXd> turns;

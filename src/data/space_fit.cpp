@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <Eigen/Cholesky>
 
+#include "command_change.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/arm/no_load_model.hpp"
 #include "limber/arm/space_no_load.hpp"
@@ -94,6 +95,7 @@ class SpaceFitter {
               .transpose();
     }
     weights_ = Eigen::VectorXd::Ones(shapes_.rows());
+    hold_still_chambers();
   }
 
   SpaceFit run() {
@@ -118,7 +120,7 @@ class SpaceFitter {
       }
       for (const double lag : kLags_s) {
         for (const double shift : {-step_s, 0.0, step_s}) {
-          consider(std::max(0.0, fit.dead_time_s + shift), lag);
+          consider(std::clamp(fit.dead_time_s + shift, 0.0, kLongestDead_s), lag);
         }
       }
       set_terms(fit.dead_time_s, fit.lag_s);
@@ -128,10 +130,31 @@ class SpaceFitter {
     }
     fit.shape_sd = shape_deviations();
     fit.dead_time_sd_s = dead_time_deviation_s(fit, step_s);
+    for (Eigen::Index channel = 0; channel < arm_.channel_count(); ++channel) {
+      fit.is_held.push_back(still_[channel] > 0.0);
+      if (fit.is_held.back()) {
+        fit.shape.col(channel) = no_load_.shape_of_strains().col(channel);
+      }
+    }
     return fit;
   }
 
  private:
+  /// What a chamber does whose command never changes can't be told from what the arm does at rest:
+  /// it does what the arm file says, and nothing is fitted to it.
+  void hold_still_chambers() {
+    still_ = Eigen::VectorXd::Zero(arm_.channel_count());
+    for (int channel = 0; channel < arm_.channel_count(); ++channel) {
+      still_[channel] = command_changes(arm_, episodes_, channel) ? 0.0 : 1.0;
+    }
+    for (Eigen::Index row = 0; still_.sum() > 0.0 && row < shapes_.rows(); ++row) {
+      const auto [episode, frame] = frames_[std::size_t(row)];
+      const Eigen::VectorXd strains =
+          no_load_.strains(episodes_[episode].pressure_kpa.row(frame).transpose().cast<double>());
+      shapes_.row(row) -= (no_load_.shape_of_strains() * strains.cwiseProduct(still_)).transpose();
+    }
+  }
+
   /// Of all frames but those of one piece of the jackknife.
   Eigen::VectorXd weights_without(Eigen::Index piece) const {
     Eigen::VectorXd weights = weights_;
@@ -150,6 +173,7 @@ class SpaceFitter {
       for (; row < shapes_.rows() && frames_[std::size_t(row)].first == e; ++row) {
         terms_.row(row) << no_load_
                                .strains(commands.row(frames_[std::size_t(row)].second).transpose())
+                               .cwiseProduct((1.0 - still_.array()).matrix())
                                .transpose(),
             1.0;
       }
@@ -227,6 +251,7 @@ class SpaceFitter {
   Eigen::MatrixXd shapes_;                           // F × 3s
   Eigen::MatrixXd terms_;                            // F × (n + 1)
   Eigen::VectorXd weights_;
+  Eigen::VectorXd still_;  // n: 1 where a chamber's command never changes, else 0
 };
 
 void measure(const ArmDescription& arm, const std::vector<Episode>& episodes, SpaceFit& fit) {

@@ -75,7 +75,9 @@ std::vector<ChamberFinding> chamber_findings(const ArmDescription& arm, const Sp
       found.sd_rad = std::abs(strain) * fit.shape_sd.block<2, 1>(3 * i, channel).norm();
       ChamberFinding as_pressed = found;
       as_pressed.angle_deg += full[channel] < 0.0 ? 180.0 : 0.0;
-      found.suspicion = suspicion_of(arm, i, chamber, as_pressed);
+      found.suspicion = fit.is_held[static_cast<std::size_t>(channel)]
+                            ? "hardly changes, and is taken to do what the arm file says"
+                            : suspicion_of(arm, i, chamber, as_pressed);
       findings.push_back(std::move(found));
       ++channel;
     }

@@ -39,14 +39,33 @@ std::vector<double> max_setpoints(const Recording& recording) {
   return limits;
 }
 
-int change_count(const Recording& recording, int segment, double limit) {
+int change_count(const Recording& recording, const std::vector<FrameRange>& ranges, int segment,
+                 double limit) {
   int count = 0;
-  for (const Episode& episode : recording.episodes) {
-    for (int t = 1; t < episode.frame_count(); ++t) {
+  for (const FrameRange& range : ranges) {
+    const Episode& episode = recording.episodes[std::size_t(range.episode)];
+    for (int t = range.first; t < range.first + range.count; ++t) {
       count += changes_at(episode, segment, t, limit) ? 1 : 0;
     }
   }
   return count;
+}
+
+/// Where all but the last of `parts` of an episode's frames lie; of one that rests for most of that
+/// time, of its changes.
+int frames_before_the_last(const Episode& episode, int parts) {
+  const int frames = episode.frame_count();
+  const int usual = frames - frames / parts;
+  std::vector<int> changes(std::size_t(frames), 0);  // so many up to each frame
+  for (int t = 1; t < frames; ++t) {
+    const bool changed = episode.setpoint_kpa.row(t) != episode.setpoint_kpa.row(t - 1);
+    changes[std::size_t(t)] = changes[std::size_t(t) - 1] + (changed ? 1 : 0);
+  }
+  if (usual == 0 || 2 * changes[std::size_t(usual) - 1] >= changes.back()) {
+    return usual;
+  }
+  const int wanted = changes.back() - changes.back() / parts;
+  return int(std::ranges::lower_bound(changes, wanted) - changes.begin()) + 1;
 }
 
 /// Fitted ranges as runs of one segment, about a minute each, evenly picked from what there is.
@@ -154,6 +173,15 @@ class Identification {
     result.findings.from_setpoints =
         collector_.errors({result.parameters.has_sides, {}}, split_.held_back);
     look_for_causes(result);
+    if (result.findings.held_back.mean_kpa >
+        result.findings.from_setpoints.mean_kpa + kChange * scale()) {
+      result.parameters.segments.clear();
+      result.findings.reason = fmt::format(
+          "valves that fit one part are {:.3g} {unit} off on the rest, more than none at all ({:.3g} "
+          "{unit})",
+          result.findings.held_back.mean_kpa, result.findings.from_setpoints.mean_kpa,
+          fmt::arg("unit", recording_.command.unit));
+    }
     return result;
   }
 
@@ -177,7 +205,7 @@ class Identification {
     }
     int changes = 0;
     for (int i = 0; i < recording_.channel_count(); ++i) {
-      const int count = change_count(recording_, i, limits_[std::size_t(i)]);
+      const int count = change_count(recording_, split_.fitted, i, limits_[std::size_t(i)]);
       changes = std::max(changes, count);
       if (count >= kMinChanges) {
         told_.push_back(i);
@@ -187,8 +215,10 @@ class Identification {
       return "the set points never change";
     }
     if (told_.empty()) {
-      return fmt::format("set points change in {} frames at most; expected {} or more", changes,
-                         kMinChanges);
+      return fmt::format(
+          "set points change in {} frames at most, of four fifths to fit to; "
+          "expected {} or more",
+          changes, kMinChanges);
     }
     if (split_.fitted.empty() || split_.held_back.empty()) {
       return "the episodes are too short to fit valves to one part and check them on the rest";
@@ -283,15 +313,29 @@ class Identification {
 
 }  // namespace
 
+namespace {
+
+/// Whether it moves, and its set points are merely what was measured.
+bool is_without_setpoints(const Episode& episode) {
+  return setpoints_are_measured(episode) &&
+         (episode.pressure_kpa.rowwise() - episode.pressure_kpa.row(0)).any();
+}
+
+}  // namespace
+
+bool setpoints_are_measured(const Episode& episode) {
+  const double largest = double(episode.pressure_kpa.cwiseAbs().maxCoeff());
+  return double((episode.setpoint_kpa - episode.pressure_kpa).cwiseAbs().maxCoeff()) <=
+         kCopy * largest;
+}
+
 bool setpoints_are_measured(const std::vector<Episode>& episodes) {
-  float largest = 0.0F;
-  float distance = 0.0F;
-  for (const Episode& episode : episodes) {
-    largest = std::max(largest, episode.pressure_kpa.cwiseAbs().maxCoeff());
-    distance =
-        std::max(distance, (episode.setpoint_kpa - episode.pressure_kpa).cwiseAbs().maxCoeff());
-  }
-  return double(distance) <= kCopy * double(largest);
+  return std::ranges::all_of(
+      episodes, [](const Episode& episode) { return setpoints_are_measured(episode); });
+}
+
+void leave_out_measured_setpoints(std::vector<Episode>& episodes) {
+  std::erase_if(episodes, is_without_setpoints);
 }
 
 ValveSplit split_for_valves(const std::vector<Episode>& episodes) {
@@ -302,7 +346,8 @@ ValveSplit split_for_valves(const std::vector<Episode>& episodes) {
   for (int e = 0; e < int(episodes.size()); ++e) {
     const int frames = episodes[std::size_t(e)].frame_count();
     const bool held = e % kHeldBack == kHeldBack - 1;
-    const int fitted = whole ? (held ? 0 : frames) : frames - frames / kHeldBack;
+    const int fitted =
+        whole ? (held ? 0 : frames) : frames_before_the_last(episodes[std::size_t(e)], kHeldBack);
     if (fitted >= kMinFrames) {
       split.fitted.push_back({e, 0, fitted});
     }
@@ -327,7 +372,13 @@ IdentifiedValves identify_valves(const Recording& recording, std::vector<double>
     throw InputError(fmt::format("valves: {} limits; the recording has {} segments",
                                  limits_kpa.size(), recording.channel_count()));
   }
-  return Identification(recording, std::move(limits_kpa)).run();
+  if (recording.setpoints_only() || setpoints_are_measured(recording.episodes) ||
+      std::ranges::none_of(recording.episodes, is_without_setpoints)) {
+    return Identification(recording, std::move(limits_kpa)).run();
+  }
+  Recording told = recording;
+  leave_out_measured_setpoints(told.episodes);
+  return Identification(told, std::move(limits_kpa)).run();
 }
 
 IdentifiedValves identify_valves(const std::vector<Episode>& episodes, const ArmDescription& arm,

@@ -23,7 +23,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kTurn = 2.0 * M_PI;
 constexpr double kLongestChord = 1.2;  // over the length at rest; noise and stretch leave less
 constexpr double kNotedLength = 0.03;
-constexpr double kMaxHeadingOff_rad = 2.0;  // of the middle one; arms bend by less between points
+constexpr double kMaxHeadingOff_rad = 0.3;  // of the mean one; bodies are defined to a few degrees
 constexpr double kShortestArc = 0.05;  // chord over length; beyond, the points are no neighbours
 
 // ---- missing points
@@ -121,27 +121,35 @@ void chord_directions(const PointTracks& tracks, Eigen::Index t, std::vector<dou
   }
 }
 
-/// Measured headings point from base to tip, as the plates' line does. Bodies that are defined the
-/// other way round would make an arm that grows out of its base backwards.
+/// Measured headings point from base to tip, as the plates' line does. Bodies that are defined
+/// another way round would make an arm that grows out of its base sideways or backwards. However
+/// far an arc turns, its chord has the heading of its middle.
 void require_headings_along(const std::string& log, const std::vector<bool>& tracked,
-                            const PointTracks& tracks) {
-  std::vector<double> off_rad;
-  std::vector<double> directions;
-  for (Eigen::Index t = 0; t < tracks.row_count(); ++t) {
-    if (!tracked[std::size_t(t)]) {
-      continue;
+                            const PointTracks& tracks, const ArmDescription& arm) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (Eigen::Index i = 0; i + 1 < tracks.point_count(); ++i) {
+    const int from = tracks.plates[std::size_t(i)];
+    if (arm.segment_of_gap(from) != arm.segment_of_gap(tracks.plates[std::size_t(i + 1)] - 1)) {
+      continue;  // no arc
     }
-    chord_directions(tracks, t, directions);
-    for (std::size_t i = 0; i < directions.size(); ++i) {
-      off_rad.push_back(
-          std::abs(std::remainder(tracks.theta_rad(t, Eigen::Index(i)) - directions[i], kTurn)));
+    for (Eigen::Index t = 0; t < tracks.row_count(); ++t) {
+      if (tracked[std::size_t(t)]) {
+        const double theta_rad = tracks.theta_rad(t, i);
+        const double turn_rad = std::remainder(tracks.theta_rad(t, i + 1) - theta_rad, kTurn);
+        const double off_rad = theta_rad + 0.5 * turn_rad -
+                               std::atan2(tracks.y_m(t, i + 1) - tracks.y_m(t, i),
+                                          tracks.x_m(t, i + 1) - tracks.x_m(t, i));
+        sum += Eigen::Vector2d(std::cos(off_rad), std::sin(off_rad));
+      }
     }
   }
-  if (const double usual_rad = median(std::move(off_rad)); usual_rad > kMaxHeadingOff_rad) {
+  if (const double usual_rad = std::atan2(sum.y(), sum.x());
+      std::abs(usual_rad) > kMaxHeadingOff_rad) {
     throw InputError(fmt::format(
         "{}: the headings are {:.0f} degrees off the line from each point to the next, in the "
-        "middle; expected along it, from base to tip. Turn the tracked bodies, or leave the "
-        "headings out with 'headings: tangent' in the mapping's backbone",
+        "mean; expected along it, from base to tip. Turn the tracked bodies, say with 'straight_s' "
+        "in the mapping's alignment when the arm lay straight, or leave the headings out with "
+        "'headings: tangent' in its backbone",
         log, usual_rad * 180.0 / M_PI));
   }
 }
@@ -309,11 +317,9 @@ BackboneTrack build_backbone(const std::string& log, PointTracks tracks,
   fill_gaps(log, mapping.longest_gap_s, tracks, track, report, bridge);
   // Before looking for the base: a wrong unit or order would cause a stranger message there.
   require_distances(log, track.tracked, mapping, arm, tracks, report);
-  if (tracks.has_headings()) {
-    require_headings_along(log, track.tracked, tracks);
-  }
   align_base(log, track.tracked, mapping.alignment, arm, tracks, report);
   if (tracks.has_headings()) {
+    require_headings_along(log, track.tracked, tracks, arm);
     unwrap_along_arm(tracks);
   } else {
     tracks.theta_rad = tangent_headings(tracks, arm);

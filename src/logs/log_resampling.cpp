@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
 #include "limber/common/error.hpp"
+#include "limber/common/statistics.hpp"
 #include "limber/data/median_rate.hpp"
 #include "log_runs.hpp"
 
@@ -107,20 +109,58 @@ FrameMatrix stacked(const std::vector<Eigen::RowVectorXd>& rows) {
   return matrix;
 }
 
+/// Standard deviation of a column's noise, from second differences, which steady motion leaves out.
+double noise_of(const FrameMatrix& values, Eigen::Index column) {
+  constexpr double kPerMedian = 1.4826;                   // of a normal deviate's size
+  constexpr double kOfSecondDifference = 2.449489742783;  // √6
+  std::vector<double> sizes;
+  for (Eigen::Index t = 2; t < values.rows(); ++t) {
+    sizes.push_back(
+        std::abs(double(values(t, column)) - 2.0 * values(t - 1, column) + values(t - 2, column)));
+  }
+  return sizes.empty() ? 0.0 : kPerMedian * median(std::move(sizes)) / kOfSecondDifference;
+}
+
+/// Frames to take the mean of, before and after, so that `change` a frame is no noise.
+Eigen::Index mean_of_frames(double noise, double change, Eigen::Index most) {
+  constexpr double kNoNoise = 5.0;  // standard deviations
+  const double frames = std::pow(kNoNoise * M_SQRT2 * noise / change, 2.0 / 3.0);
+  return std::clamp(static_cast<Eigen::Index>(std::ceil(std::min(frames, double(most)))),
+                    Eigen::Index{1}, most);
+}
+
+/// Whether each frame moves by more than `min_change` of the limits.
+std::vector<bool> moving_frames(const FrameMatrix& values, const ArmDescription& arm,
+                                double min_change) {
+  constexpr double kLongestMean_s = 0.5;
+  std::vector<bool> moves(static_cast<std::size_t>(values.rows()), false);
+  for (Eigen::Index i = 0; i < values.cols(); ++i) {
+    const double change = min_change * arm.limits_of_channel(static_cast<int>(i)).half_width_kpa();
+    const Eigen::Index mean_of =
+        mean_of_frames(noise_of(values, i), change, std::max(arm.frames_in(kLongestMean_s), 1));
+    for (Eigen::Index t = 1; t < values.rows(); ++t) {
+      const Eigen::Index before = std::min(mean_of, t);
+      const Eigen::Index after = std::min(mean_of, values.rows() - t);
+      const double step = values.col(i).segment(t, after).cast<double>().mean() -
+                          values.col(i).segment(t - before, before).cast<double>().mean();
+      if (std::abs(step) > change * double(mean_of)) {
+        moves[static_cast<std::size_t>(t)] = true;
+      }
+    }
+  }
+  return moves;
+}
+
 /// Numbers of motions: a motion begins where something moves that stood still.
 std::vector<int> number_motions(const FrameMatrix& values, const ArmDescription& arm,
                                 double min_change, int still_frames) {
+  const std::vector<bool> moves = moving_frames(values, arm, min_change);
   std::vector<int> motions = {0};
   int still = still_frames;
-  for (Eigen::Index t = 1; t < values.rows(); ++t) {
-    bool moves = false;
-    for (Eigen::Index i = 0; i < values.cols(); ++i) {
-      const double limit = arm.limits_of_channel(static_cast<int>(i)).half_width_kpa();
-      moves |= std::abs(values(t, i) - values(t - 1, i)) > min_change * limit;
-    }
-    const bool begins = moves && still >= still_frames && t > 1;
+  for (std::size_t t = 1; t < moves.size(); ++t) {
+    const bool begins = moves[t] && still >= still_frames && t > 1;
     motions.push_back(motions.back() + int(begins));
-    still = moves ? 0 : still + 1;
+    still = moves[t] ? 0 : still + 1;
   }
   return motions;
 }
@@ -133,7 +173,9 @@ class Resampler {
         commands_(commands),
         arm_(arm),
         motion_rows_(motion.time_s, longest_gap_s, motion.usual_step_s),
-        command_rows_(commands.time_s, longest_gap_s),
+        // A set point holds until another one is given, however long that takes.
+        command_rows_(commands.time_s,
+                      commands.measured ? longest_gap_s : std::numeric_limits<double>::infinity()),
         report_(report) {}
 
   std::vector<Episode> run() {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include <fmt/format.h>
@@ -23,7 +24,7 @@ void require_one_side(const LogTable& table, std::size_t row, const ArmDescripti
   constexpr double kBothSides = 0.1;  // of the limit; gauges at rest read a little
   const double limit =
       arm.segments[static_cast<std::size_t>(segment)].pressure_limit_kpa.largest_kpa();
-  if (std::min(right, left) > kBothSides * limit) {
+  if (right > kBothSides * limit && left > kBothSides * limit) {  // not where one was not logged
     throw InputError(fmt::format(
         "{}: line {}: {} has {:.4g} {unit} on its right and {:.4g} {unit} on its left; limber's "
         "arms pressurise one side at a time, and at most {:.4g} {unit} (10 % of the limit) may be "
@@ -184,16 +185,24 @@ CommandTrack commands_of(const LogTable& table, std::size_t first, const RowGrou
     return commands.columns.empty() ? commands.factor * logged : in_unit(logged, column);
   };
   for (Eigen::Index i = 0; i < n; ++i) {
-    const std::vector<double>& right = table.columns[first + std::size_t(i)];
+    double right = std::numeric_limits<double>::quiet_NaN();
+    double left = right;
     for (Eigen::Index r = 0; r < rows; ++r) {
       const std::size_t row = group.rows[std::size_t(r)];
-      double value = in_unit(right[row], i);
+      const auto read = [&](Eigen::Index column, double& value) {
+        const double logged = table.columns[first + std::size_t(column)][row];
+        // A set point holds over empty cells; of one signed column that is seen to later.
+        const bool holds = !commands.measured && commands.columns.empty();
+        if (!holds || std::isfinite(logged)) {
+          value = in_unit(logged, i);
+        }
+      };
+      read(i, right);
       if (commands.columns.empty()) {
-        const double left = in_unit(table.columns[first + std::size_t(n) + std::size_t(i)][row], i);
-        require_one_side(table, row, arm, i, value, left);
-        value -= left;
+        read(n + i, left);
+        require_one_side(table, row, arm, i, right, left);
       }
-      track.values(r, i) = value;
+      track.values(r, i) = commands.columns.empty() ? right - left : right;
     }
   }
   if (commands.setpoint.empty()) {

@@ -115,6 +115,9 @@ void note_hidden_rows(const std::string& log, double longest_gap_s,
                       const std::vector<bool>& tracked, const std::vector<bool>& bridged,
                       RunReport& report);
 
+/// Between rows of a clock that may be uneven: nine tenths of the steps are no longer.
+double usual_step_s(const std::vector<double>& time_s);
+
 /// Has rows of point `i` that are hidden for at most `longest_gap_s` bridged, and marks these and
 /// the lost ones.
 /// @param bridge  (row before, row behind, i, tracks) puts rows between these two
@@ -160,6 +163,7 @@ void fill_gaps(const std::string& log, double longest_gap_s, Tracks& tracks, Bac
                report);
   }
   note_hidden_rows(log, longest_gap_s, track.tracked, track.bridged, report);
+  track.usual_step_s = usual_step_s(tracks.time_s);
 }
 
 CommandTrack shifted(CommandTrack commands, double offset_s);

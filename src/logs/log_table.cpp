@@ -78,10 +78,12 @@ class LogFile {
     return std::find(names_.begin(), names_.end(), name) != names_.end();
   }
 
-  /// The next row that is neither blank nor a comment.
+  /// The next row that is neither blank nor a comment. Where rows are the clock, one without
+  /// anything in its cells is a moment in which nothing was logged.
   bool next(std::vector<CsvCell>& row) {
     while (csv_.next(row)) {
-      if (!is_comment(row)) {
+      const bool is_moment = mapping_.time.column.empty() && !names_.empty() && row.size() > 1;
+      if (!is_comment(row) || (is_moment && is_blank(row))) {
         ++rows_read_;
         return true;
       }
@@ -225,7 +227,8 @@ LogTable read_log_table(const std::filesystem::path& path, const ImportMapping& 
     }
     table.lines.push_back(file.csv().line());
     if (!wanted.label.empty()) {
-      table.labels.emplace_back(row[label].text);
+      const bool is_of_before = is_blank(row) && !table.labels.empty();
+      table.labels.emplace_back(is_of_before ? table.labels.back() : std::string(row[label].text));
     }
   }
   const auto max_bad = static_cast<std::size_t>(kMaxBadRows * double(table.row_count() + bad));

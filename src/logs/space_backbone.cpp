@@ -71,7 +71,8 @@ class GapMeasurement {
             log, name(i), name(i + 1), chord_m, arm.name, rest_m(i), kShortestChord * rest_m(i),
             kLongestSpaceChord * rest_m(i),
             unit.empty()
-                ? "Are the points in order, and is the base where 'alignment' says?"
+                ? "Are the points in order, and is the base where 'alignment' says? Of an arm that "
+                  "stretches, length_m is what it usually has"
                 : fmt::format("The mapping reads lengths in {}: {}", mapping.length_unit, unit)));
       }
     }
@@ -130,7 +131,6 @@ void bridge_in_space(Eigen::Index from, Eigen::Index to, Eigen::Index i, SpaceTr
 }
 
 constexpr double kStrayShare = 0.95;
-constexpr double kUsualSteps = 0.9;  // of the rows: clocks of space logs are uneven
 
 /// V of exp: the end of a curve of constant strain (v, ω) lies at V(ω) v.
 Eigen::Matrix3d end_of_strain(const Eigen::Vector3d& omega) {
@@ -195,14 +195,6 @@ void leave_out_rotations(bool asked, SpaceTracks& tracks, RunReport& report) {
                       : "some points have a rotation and some have none: all are left out");
     std::fill(begin, tracks.has_rotation.end(), false);
   }
-}
-
-double usual_step_s(const std::vector<double>& time_s) {
-  std::vector<double> steps;
-  for (std::size_t t = 1; t < time_s.size(); ++t) {
-    steps.push_back(time_s[t] - time_s[t - 1]);
-  }
-  return quantile(std::move(steps), kUsualSteps);
 }
 
 void measure_strays(const BackboneTrack& track, const std::vector<int>& plates,
@@ -279,7 +271,6 @@ BackboneTrack build_backbone(const std::string& log, SpaceTracks tracks,
                 {}, arm.point_count() - std::ssize(plates));
   }
   track.time_s = std::move(tracks.time_s);
-  track.usual_step_s = usual_step_s(track.time_s);
   measure_strays(track, plates, space);
   return track;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "limber/arm/plate_distance.hpp"
+#include "limber/data/valve_identification.hpp"
 #include "limber/training/unseen_error.hpp"
 
 namespace limber {
@@ -30,12 +31,19 @@ std::vector<RolloutPiece> cut_motions(const std::vector<Episode>& unseen, int ma
   return pieces;
 }
 
-/// Whether anything is commanded to move: standing still is easily predicted.
-bool moves(const Episode& episode, const RolloutPiece& piece) {
-  return (episode.setpoint_kpa.middleRows(piece.first + 1, piece.frames).rowwise() -
-          episode.setpoint_kpa.row(piece.first))
-             .cwiseAbs()
-             .maxCoeff() > 0.0F;
+/// Whether anything is commanded to move: standing still is easily predicted. Where set points are
+/// what was measured, a sensor's noise is no command.
+bool moves(const ArmDescription& arm, const Episode& episode, const RolloutPiece& piece) {
+  constexpr double kNoise = 0.02;  // of half the range
+  const double noise = setpoints_are_measured(episode) ? kNoise : 0.0;
+  for (int i = 0; i < arm.channel_count(); ++i) {
+    const auto commands = episode.setpoint_kpa.col(i).segment(piece.first, piece.frames + 1);
+    if (double((commands.array() - commands[0]).abs().maxCoeff()) >
+        noise * arm.limits_of_channel(i).half_width_kpa()) {
+      return true;
+    }
+  }
+  return false;
 }
 
 /// Whether the arm had come to rest in frame `frame`, as it has before a plan.
@@ -61,7 +69,7 @@ std::vector<RolloutPiece> error_runs(const ArmDescription& arm,
   std::vector<RolloutPiece> from_rest;
   for (const RolloutPiece& piece : cut_motions(unseen, max_frames)) {
     const Episode& episode = unseen[static_cast<std::size_t>(piece.episode)];
-    if (moves(episode, piece)) {
+    if (moves(arm, episode, piece)) {
       moving.push_back(piece);
       if (stands_still(episode, piece.first)) {
         from_rest.push_back(piece);

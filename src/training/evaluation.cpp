@@ -108,6 +108,7 @@ std::optional<TipErrors> errors_from_setpoints(const ForwardModel& network,
   if (!valves || setpoints_are_measured(episodes)) {
     return std::nullopt;
   }
+  leave_out_measured_setpoints(episodes);
   for (Episode& episode : episodes) {
     const int frames = episode.frame_count();
     const double rate_hz = (frames - 1) / (episode.time_s[frames - 1] - episode.time_s[0]);

@@ -24,6 +24,8 @@ namespace {
 // Streams of the seed that choose which episodes are held back, and for what.
 constexpr std::uint64_t kValidationStream = 0;
 constexpr std::uint64_t kUnseenStream = 0x756e7365656e;
+// Of all frames: a drawn episode that is longer would leave too little to learn from.
+constexpr double kTooMuch = 0.3;
 constexpr int kMinUnseenFrames = 20;  // of an episode's end: less says nothing about a prediction
 
 /// Moves whole episodes from `from` to `to`, in an order sampled by (seed, stream), until `frames`
@@ -57,6 +59,13 @@ std::vector<int> hold_back(std::vector<Episode>& from, std::vector<Episode>& to,
   return numbers;
 }
 
+/// Moves the last `frames` of an episode.
+void hold_back_end(Episode& from, int frames, std::vector<Episode>& to) {
+  const int kept = from.frame_count() - frames;
+  to.push_back(slice(from, kept, frames));
+  from = slice(from, 0, kept);
+}
+
 }  // namespace
 
 TrainingData hold_back_validation(std::vector<Episode> episodes, double fraction,
@@ -77,13 +86,22 @@ TrainingData hold_back_validation(std::vector<Episode> episodes, double fraction
           "or a recording of its own with --validation",
           whole.frame_count()));
     }
-    data.training.push_back(slice(whole, 0, whole.frame_count() - held));
-    data.validation.push_back(slice(whole, whole.frame_count() - held, held));
+    data.training = std::move(episodes);
+    hold_back_end(data.training.front(), held, data.validation);
     data.held_back = {0};
     return data;
   }
   const double frames = fraction * static_cast<double>(frame_count(episodes));
   data.training = std::move(episodes);
+  const auto longest = std::ranges::max_element(data.training, {}, &Episode::frame_count);
+  const int wanted = static_cast<int>(std::lround(frames));
+  const double too_much =
+      std::max(2.0 * frames, kTooMuch * static_cast<double>(frame_count(data.training)));
+  if (wanted > 0 && longest->frame_count() > too_much) {
+    hold_back_end(*longest, wanted, data.validation);
+    data.held_back = {static_cast<int>(longest - data.training.begin())};
+    return data;
+  }
   data.held_back = hold_back(data.training, data.validation, frames, seed, kValidationStream);
   return data;
 }
@@ -108,9 +126,7 @@ void hold_back_unseen(TrainingData& data, double fraction, std::uint64_t seed) {
   // With few long episodes, whole ones would take too much away from training.
   if (longest->frame_count() > 2 * wanted) {
     if (wanted >= kMinUnseenFrames) {
-      const int kept = longest->frame_count() - wanted;
-      data.unseen.push_back(slice(*longest, kept, wanted));
-      *longest = slice(*longest, 0, kept);
+      hold_back_end(*longest, wanted, data.unseen);
     }
   } else if (data.training.size() > 1) {
     hold_back(data.training, data.unseen, frames, seed, kUnseenStream);

@@ -116,8 +116,12 @@ TEST(SimpleModelFit, IsHardlyMovedByABrokenEpisode) {
 TEST(SimpleModelFit, LeavesWhatDidNotMoveAsTheArmFileHasIt) {
   const ArmDescription arm = sample_arm(3);
   std::vector<Episode> episodes = episodes_of(some_model(), arm, 4);
+  RandomStream random(3, 0);
+  const double noise = 0.004 * arm.limits_of_channel(1).half_width_kpa();
   for (Episode& episode : episodes) {
-    episode.pressure_kpa.col(1).setConstant(10.0F);
+    for (Eigen::Index t = 0; t < episode.pressure_kpa.rows(); ++t) {  // a sensor's noise
+      episode.pressure_kpa(t, 1) = float(10.0 + noise * random.normal());
+    }
     episode.backbone = predict(some_model(), arm, episode);
   }
   const SimpleFit fit = fit_simple_model(arm, episodes);

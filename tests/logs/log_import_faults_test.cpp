@@ -1,6 +1,10 @@
 // Bad logs and mappings, each with what to do about it.
+#include <algorithm>
+#include <cmath>
+
 #include <gmock/gmock.h>
 
+#include "limber/common/random_stream.hpp"
 #include "logs/csv_import.hpp"
 
 namespace limber {
@@ -29,10 +33,45 @@ TEST_F(LogImportFaults, FindsConstantPressures) {
 TEST_F(LogImportFaults, FindsBodiesThatPointBackwards) {
   headings_ = true;
   EXPECT_NO_THROW(import(log(), mapping()));
-  heading_off_rad_ = M_PI;
-  expect_refusal(log(), mapping(),
-                 {"run.csv: the headings are", "off the line from each point to the next",
-                  "'headings: tangent'"});
+  heading_off_rad_ = 0.2;
+  EXPECT_NO_THROW(import(log(), mapping()));
+  for (const double off_rad : {0.5, -M_PI / 2.0, M_PI}) {  // bodies whose x axis points elsewhere
+    heading_off_rad_ = off_rad;
+    expect_refusal(log(), mapping(),
+                   {"run.csv: the headings are", "off the line from each point to the next",
+                    "'straight_s'", "'headings: tangent'"});
+  }
+}
+
+TEST_F(LogImportFaults, NumbersNoMotionsInTheNoiseOfAHold) {
+  RandomStream random(5, 0);
+  const std::string text = LogTruth::table(header(), 4000, rate_hz_, [&](double t) {
+    const double held_s = 10.0 * std::floor(t / 10.0) + std::min(std::fmod(t, 10.0), 1.0);
+    std::string cells;
+    for (const double p : truth_.pressures(held_s)) {
+      cells += fmt::format(",{:.6f}", p + 0.3 * random.normal());
+    }
+    return cells + pose_cells(held_s);
+  });
+  const Episode episode = import(text, mapping()).recording.episodes.front();
+  EXPECT_EQ(episode.motion_index.back(), 3) << "four motions of a second, then nine of rest";
+}
+
+TEST_F(LogImportFaults, KeepsRowsWithoutAnythingWhereRowsAreTheClock) {
+  std::string text = log();
+  const std::string counted = replaced(mapping(), "time: {column: time_s}", "time: {rate_hz: 100}");
+  const auto columns = std::ranges::count(header(), ',');
+  std::size_t begin = 0;
+  for (int line = 0; line < 260; ++line) {
+    const std::size_t end = text.find('\n', begin);
+    if (line > 200) {
+      text.replace(begin, end - begin, std::string(static_cast<std::size_t>(columns), ','));
+    }
+    begin = text.find('\n', begin) + 1;
+  }
+  const Recording recording = import(text, counted).recording;
+  ASSERT_EQ(recording.episodes.size(), 2U) << "the arm was not seen in between";
+  EXPECT_LT(errors(recording.episodes[1]).first, 1e-3);
 }
 
 TEST_F(LogImportFaults, FindsThreeFrames) {

@@ -81,6 +81,22 @@ TEST_F(SetpointImport, ReadsOneColumnPerSide) {
           .recording);
 }
 
+TEST_F(SetpointImport, HoldsEachSideOverEmptyCells) {
+  const std::string sides =
+      replaced(mapping(), "columns: [pressure_1_kpa, pressure_2_kpa, pressure_3_kpa]",
+               "right: [r1, r2, r3]\n  left: [l1, l2, l3]\n  measured: false");
+  const auto held = [&](const std::string& text) {
+    return import(text, sides).recording.episodes.front().setpoint_kpa;
+  };
+  // Rows in which the left side stands at zero: empty, they change nothing.
+  int from = 200;
+  while (truth_.pressures(from / rate_hz_)[0] < 1.0 ||
+         truth_.pressures((from + 8) / rate_hz_)[0] < 1.0) {
+    ++from;
+  }
+  EXPECT_EQ(held(hidden(log_of_sides(), 2, from + 1, from + 8)), held(log_of_sides()));
+}
+
 // An empty cell says nothing new, for however long; before the first set point nothing is known.
 TEST_F(SetpointImport, KeepsASetPointInForceOverEmptyCells) {
   const std::string gaps = hidden(hidden(log(), 1, 200, 260), 2, 0, 40);

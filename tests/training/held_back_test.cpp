@@ -56,6 +56,19 @@ TEST(HoldBackValidation, CutsASingleEpisode) {
       ThrowsMessage<InputError>(HasSubstr("3 frames are too few to hold some of them back")));
 }
 
+TEST(HoldBackValidation, TakesTheEndOfATakeThatIsMostOfWhatThereIs) {
+  const ArmDescription arm = three_segment_arm();
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const TrainingData data =
+        hold_back_validation({toy_episode(arm, 2, 20, 1), toy_episode(arm, 40, 20, 2)}, 0.1, seed);
+    ASSERT_EQ(data.training.size(), 2U);
+    ASSERT_EQ(data.validation.size(), 1U);
+    EXPECT_EQ(data.held_back, std::vector<int>{1});
+    EXPECT_EQ(data.validation[0].frame_count(), 84);
+    EXPECT_EQ(data.training[0].frame_count() + data.training[1].frame_count(), 842 - 84);
+  }
+}
+
 TEST(HoldBackUnseen, LeavesTheChoiceOfValidationAsItIs) {
   const ArmDescription arm = three_segment_arm();
   std::vector<Episode> episodes;

@@ -1,9 +1,10 @@
 // Arms in space through training: a toy arm whose answer is known, and its model's file.
 #include <cmath>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "limber/arm/no_load_model.hpp"
+#include "limber/arm/space_no_load.hpp"
 #include "limber/arm/space_pose.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/data/space_fit.hpp"
@@ -59,6 +60,23 @@ TEST(SpaceFit, IsSurerOfTheDeadTimeTheMoreItHasSeen) {
   EXPECT_GT(much.dead_time_sd_s, 0.0);
   EXPECT_LT(much.dead_time_sd_s, 0.5 * little.dead_time_sd_s);
   EXPECT_LT(little.dead_time_sd_s, arm.frame_period_s());
+}
+
+TEST(SpaceFit, KeepsWhatNeverMovesAsTheArmFileHasIt) {
+  const ArmDescription arm = space_arm();
+  std::vector<Episode> episodes = {space_toy_episode(arm, 800, 1, 2)};
+  RandomStream random(7, 0);
+  const NoLoadModel no_load(arm);
+  for (int t = 0; t < episodes[0].frame_count(); ++t) {  // a sensor's noise about a pretension
+    episodes[0].pressure_kpa(t, 1) = float(0.5 + 0.1 * random.normal());
+    Eigen::VectorXf poses(episodes[0].backbone.cols());
+    no_load.poses(episodes[0].pressure_kpa.row(t).transpose(), poses);
+    episodes[0].backbone.row(t) = poses.transpose();
+  }
+  const SpaceFit fit = fit_space_model(arm, episodes);
+  EXPECT_EQ(fit.shape.col(1), SpaceNoLoad(arm).shape_of_strains().col(1));
+  EXPECT_THAT(chamber_findings(arm, fit)[1].suspicion, testing::StartsWith("hardly changes"));
+  EXPECT_EQ(chamber_findings(arm, fit)[2].suspicion, "");
 }
 
 TEST(SpaceFit, NamesColumnsInAnotherOrder) {

@@ -17,11 +17,15 @@ struct FrameRange {
 };
 
 /// Whether the set points are merely the measured pressures, as written by an import that found no
-/// set points in the log.
+/// set points in the log; of several, whether all are.
+bool setpoints_are_measured(const Episode& episode);
 bool setpoints_are_measured(const std::vector<Episode>& episodes);
 
+/// Episodes that move and hold no set points of their own tell nothing of valves.
+void leave_out_measured_setpoints(std::vector<Episode>& episodes);
+
 /// What valves are fitted to, and what is held back to judge them: every fifth episode if there
-/// are five or more, else the last fifth of each.
+/// are five or more, else the last fifth of each (of its changes, where it rests for most of it).
 struct ValveSplit {
   std::vector<FrameRange> fitted;
   std::vector<FrameRange> held_back;

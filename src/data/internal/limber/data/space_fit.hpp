@@ -31,6 +31,7 @@ struct SpaceFit {
   double dead_time_s = 0.0;
   double dead_time_sd_s = 0.0;  ///< likewise, with the lag as it is
   double lag_s = 0.0;
+  std::vector<bool> is_held;  ///< n: chambers that never change, which do what the arm file says
   /// Mean distance of the plates behind the base, over the frames fitted to.
   double plates_mm = 0.0;
   double tip_mm = 0.0;
