@@ -61,8 +61,10 @@ ELSEWHERE = {
 }
 SHORTER = (
     (r"--trials 20 --time-limit-s 10", "--trials 1 --time-limit-s 0.1"),
-    (r"(collect +--arm arms/mine.yaml) --out",
-     r"\1 --schedule random --count 15 --episodes 3 --out"),
+    (r"--count 60 --episodes 10", "--count 10 --episodes 3"),
+    (r"--count 100 --seed 7", "--count 10 --seed 7"),
+    (r"--count 20 --episodes 6", "--count 6 --episodes 6"),
+    (r" --calibration calibration.yaml", ""),  # the stand's driver speaks as the arm file does
     (r"(limber train .*)", r"\1 --hidden 16 --epochs 6"),
     (r"(limber plan .*)",
      r"\1 --time-limit-s 5 --margin-m 0.001 --goal-margin-m 0 --goal-margin-rad 0"),
