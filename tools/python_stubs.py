@@ -19,7 +19,7 @@ PARAMETERS = {
     "on_message": "Callable[[str], None] | None",
     "episodes": "Iterable[Episode]", "training": "Iterable[Episode]",
     "validation": "Iterable[Episode]", "replay": "Iterable[Episode]",
-    "unseen": "Iterable[Episode]", "tracked": "npt.ArrayLike | None",
+    "unseen": "Iterable[Episode]", "motion_index": "npt.ArrayLike", "tracked": "npt.ArrayLike | None",
 }
 RESULTS = {
     "Recording.episodes": "list[Episode]", "TrainingData.training": "list[Episode]",
@@ -29,6 +29,8 @@ RESULTS = {
     "ArmState.setpoint_kpa": "npt.NDArray[np.float32] | None", "to_json": "dict[str, Any]",
     "ExecutionResult.final_backbone": "npt.NDArray[np.float32] | None",
     "ExecutionResult._repr_svg_": "str | None", "ProcessDriver.__enter__": "ProcessDriver",
+    "ArmEstimate.rest": "npt.NDArray[np.float32] | None", "export_csv": "list[pathlib.Path]",
+    "with_setpoints_only": "list[Episode]",
 }
 # Parameters that a name alone does not tell: (function, parameter).
 EXCEPTIONS = {("certify", "network"): "CompensationModel | None",
@@ -37,6 +39,7 @@ EXCEPTIONS = {("certify", "network"): "CompensationModel | None",
 
 HEADER = '''# Made by tools/python_stubs.py from the module's docstrings; do not edit.
 import os
+import pathlib
 from typing import Any, Callable, Iterable, Iterator, Sequence, overload
 
 import numpy as np

@@ -18,7 +18,7 @@ namespace limber::python {
 namespace {
 
 void bind_segments(py::module_& module) {
-  py::enum_<NoLoadKind>(module, "NoLoadKind", "What the no-load model takes a command for.")
+  Choice<NoLoadKind>(module, "NoLoadKind", "What the no-load model takes a command for.")
       .value("strain_polynomial", NoLoadKind::strain_polynomial,
              "the pressure of one side, which contracts by P(|p|)")
       .value("curvature", NoLoadKind::curvature, "proportional to the segment's curvature")

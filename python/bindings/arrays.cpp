@@ -1,11 +1,13 @@
 #include "arrays.hpp"
 
 #include <cmath>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "limber/common/error.hpp"
+#include "limber/common/jobs.hpp"
 #include "planar.hpp"
 #include "record.hpp"
 
@@ -68,9 +70,9 @@ void require_number(const char* name, double value, double lowest, double highes
 }
 
 void require_jobs(int jobs) {
-  if (jobs < 0) {
+  if (jobs < 0 || jobs > kMaxJobs) {
     throw InputError(
-        fmt::format("jobs = {}; expected threads, 1 or more, or 0: one per core", jobs));
+        fmt::format("jobs = {}; expected 1 to {} threads, or 0: one per core", jobs, kMaxJobs));
   }
 }
 
@@ -83,9 +85,8 @@ void require_planar_model(Dimension dimension, const char* name) {
   }
 }
 
-bool is_complex(py::handle object) {
-  return py::hasattr(object, "dtype") &&
-         std::string(py::str(object.attr("dtype").attr("kind"))) == "c";
+bool has_numbers(const py::array& array) {
+  return std::string_view("biufO").find(array.dtype().kind()) != std::string_view::npos;
 }
 
 std::string to_text(const Shape& shape) {
@@ -113,6 +114,12 @@ void require_finite(const FloatArray& array, const char* name) {
 
 void require_finite(const DoubleArray& array, const char* name) {
   require_all_finite(array, name);
+}
+
+void require_finite(double value, const char* name) {
+  if (!std::isfinite(value)) {
+    throw InputError(fmt::format("{} = {}; expected a finite number", name, value));
+  }
 }
 
 py::array_t<float> result_array(const py::object& out, const Shape& shape) {

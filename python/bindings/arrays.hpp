@@ -36,12 +36,13 @@ class DoubleArray : public py::array_t<double, py::array::c_style | py::array::f
   DoubleArray(Base other) : Base(std::move(other)) {}  // NOLINT(google-explicit-constructor)
 };
 
-/// Whether that is an array of complex numbers, of which NumPy would drop a part.
-bool is_complex(py::handle object);
+/// Whether that holds real numbers: NumPy would drop a part of complex ones, and read texts and
+/// dates as numbers.
+bool has_numbers(const py::array& array);
 
 using Shape = std::vector<py::ssize_t>;
 
-/// @throws InputError for a negative number of threads; 0 is one per core.
+/// @throws InputError unless it is a number of threads; 0 is one per core.
 void require_jobs(int jobs);
 
 /// @throws InputError "seconds = nan; expected 0 to 1000000".
@@ -57,6 +58,7 @@ void require_shape(const py::array& array, const Shape& expected, const char* na
 /// @throws InputError naming the array and its first number that is not finite.
 void require_finite(const FloatArray& array, const char* name);
 void require_finite(const DoubleArray& array, const char* name);
+void require_finite(double value, const char* name);
 
 /// The array that results go to: `out` where one is given, else a fresh one.
 /// @throws InputError unless `out` is None or a writable C-contiguous float32 array of the shape.
@@ -102,10 +104,17 @@ py::array_t<Scalar> backbone_array(const SpaceBackboneOf<Scalar>& backbone) {
   return copy_of<Scalar>(backbone, {backbone.rows(), kSpacePoseSize});
 }
 
+/// The array itself, which Python can't write to any more.
+template <class Scalar>
+py::array_t<Scalar> read_only(py::array_t<Scalar> array) {
+  py::detail::array_proxy(array.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+  return array;
+}
+
 /// A view of numbers that `owner` holds: no copy, and `owner` lives as long as the view.
 template <class Scalar>
 py::array_t<Scalar> view_of(const Scalar* data, const Shape& shape, const py::object& owner) {
-  return py::array_t<Scalar>(shape, data, owner);
+  return read_only(py::array_t<Scalar>(shape, data, owner));
 }
 
 /// Size n, finite.
@@ -150,10 +159,14 @@ class ArrayCaster {
  protected:
   bool convert(pybind11::handle source, bool convert) {
     using Base = typename Value::Base;
-    if ((!convert && !Base::check_(source)) || limber::python::is_complex(source)) {
+    if (!convert && !Base::check_(source)) {
       return false;
     }
-    value_ = Value(Base::ensure(source));
+    const auto array = pybind11::array::ensure(source);
+    if (!array || !has_numbers(array)) {
+      return false;
+    }
+    value_ = Value(Base::ensure(array));
     return static_cast<bool>(value_);
   }
 

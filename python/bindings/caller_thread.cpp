@@ -2,7 +2,10 @@
 
 #include <chrono>
 
+#include <fmt/format.h>
+
 #include "limber/common/error.hpp"
+#include "record.hpp"
 
 namespace limber::python {
 
@@ -88,6 +91,15 @@ void CallerThread::run_to_end(const std::function<void()>& work) {
   if (failure) {
     std::rethrow_exception(failure);
   }
+}
+
+bool asks_to_go_on(const py::object& said, const char* callback) {
+  py::detail::make_caster<bool> answer;
+  if (!said.is_none() && !answer.load(said, true)) {
+    throw py::type_error(
+        fmt::format("{} returned {}; expected True, False or None", callback, type_name(said)));
+  }
+  return said.is_none() || py::detail::cast_op<bool>(answer);
 }
 
 }  // namespace limber::python

@@ -69,6 +69,9 @@ class CallerThread {
   std::exception_ptr python_failure_;
 };
 
+/// What a callback said: False stops, None goes on. @throws TypeError naming the callback.
+bool asks_to_go_on(const py::object& said, const char* callback);
+
 /// Runs `work` on a thread that Ctrl-C interrupts, and waits for it.
 template <class Work>
 auto interruptibly(const Work& work) {

@@ -1,10 +1,15 @@
 #include "limber/certificate/certificate.hpp"
 
+#include <memory>
+#include <optional>
+#include <utility>
+
 #include <pybind11/stl.h>
 
 #include "bindings.hpp"
 #include "caller_thread.hpp"
 #include "limber/common/error.hpp"
+#include "limber/network/compensation_model.hpp"
 #include "others_may_run.hpp"
 #include "record.hpp"
 
@@ -12,9 +17,23 @@ namespace limber::python {
 
 namespace {
 
-Certificate certified(const Certifier& certifier, const Plan& plan) {
+/// A certifier with copies of what Python may change.
+struct OwnCertifier {
+  OwnCertifier(const ArmDescription& arm, std::optional<CompensationModel> of_network,
+               ValveParameters of_valves, const Environment& environment)
+      : network(std::move(of_network)),
+        valves(std::move(of_valves)),
+        certifier(arm, network ? &*network : nullptr, valves, environment) {}
+
+  const std::optional<CompensationModel> network;
+  const ValveParameters valves;
+  const Certifier certifier;
+};
+
+Certificate certified(const OwnCertifier& own, const Plan& plan) {
   CallerThread caller;
-  return caller.run([&] { return certifier.certify(plan, [&] { return caller.should_stop(); }); });
+  return caller.run(
+      [&] { return own.certifier.certify(plan, [&] { return caller.should_stop(); }); });
 }
 
 void bind_certificate_findings(py::module_& module) {
@@ -70,17 +89,18 @@ void bind_certificate_findings(py::module_& module) {
 
 void bind_certificate(py::module_& module) {
   bind_certificate_findings(module);
-  py::class_<Certifier>(module, "Certifier",
-                        "Certifies plans for one problem with nothing "
-                        "of the planner's. Constant: share it freely.")
-      .def(py::init([](const ArmDescription& arm, const CompensationModel* network,
-                       const ValveParameters& valves, const Environment& environment) {
+  py::class_<OwnCertifier>(module, "Certifier",
+                           "Certifies plans for one problem with nothing "
+                           "of the planner's. Constant: share it freely.")
+      .def(py::init([](const ArmDescription& arm, std::optional<CompensationModel> network,
+                       ValveParameters valves, const Environment& environment) {
+             const OthersMayRun others_may_run;
              require_planar(arm, "limber.Certifier");
-             return Certifier(arm, network, valves, environment);
+             return std::make_unique<OwnCertifier>(arm, std::move(network), std::move(valves),
+                                                   environment);
            }),
            py::arg("arm"), py::arg("network"), py::arg("valves"), py::arg("environment"),
-           py::keep_alive<1, 2>(), py::keep_alive<1, 3>(), py::keep_alive<1, 4>(),
-           py::keep_alive<1, 5>(), py::call_guard<OthersMayRun>(),
+           py::keep_alive<1, 2>(), py::keep_alive<1, 5>(),
            "network: a CompensationModel, None: the no-load model; valves: "
            "ValveParameters, ideal ones for a plan without valves. None of them is taken "
            "from a plan.")
@@ -88,20 +108,23 @@ void bind_certificate(py::module_& module) {
            "The Certificate of one plan. Raises InputError where the plan was made for "
            "another arm, environment or valves; all else is a failure in the result. "
            "Ctrl-C raises KeyboardInterrupt.")
-      .def_property_readonly("environment_hash", &Certifier::environment_hash,
-                             "environment_hash of the environment, which plans have to state.")
-      .def("__repr__", [](const Certifier& certifier) {
-        return "Certifier(environment_hash='" + certifier.environment_hash() + "')";
+      .def_property_readonly(
+          "environment_hash",
+          [](const OwnCertifier& own) { return own.certifier.environment_hash(); },
+          "environment_hash of the environment, which plans have to state.")
+      .def("__repr__", [](const OwnCertifier& own) {
+        return "Certifier(environment_hash='" + own.certifier.environment_hash() + "')";
       });
   module.def(
       "certify",
-      [](const Plan* plan, const ArmDescription& arm, const CompensationModel* network,
-         const ValveParameters& valves, const Environment& environment) {
+      [](const Plan* plan, const ArmDescription& arm, std::optional<CompensationModel> network,
+         ValveParameters valves, const Environment& environment) {
         if (plan == nullptr) {
           throw InputError("there is no plan: the reason of its PlanResult says why");
         }
         require_planar(arm, "limber.certify");
-        return certified(Certifier(arm, network, valves, environment), *plan);
+        return certified(OwnCertifier(arm, std::move(network), std::move(valves), environment),
+                         *plan);
       },
       py::arg("plan"), py::arg("arm"), py::arg("network"), py::arg("valves"),
       py::arg("environment"),

@@ -37,6 +37,15 @@ void require_spatial(const ArmDescription& arm, const char* what, const SpaceFit
   }
 }
 
+/// @throws InputError for an arm in space, or where the fit is another arm's.
+void require_planar_fit(const ArmDescription& arm, const char* what, const SimpleFit& fit) {
+  require_planar(arm, what);
+  if (std::ssize(fit.segments) != arm.segment_count()) {
+    throw InputError(fmt::format("{}: a fit of {} segments; arm '{}' has {}", what,
+                                 fit.segments.size(), arm.name, arm.segment_count()));
+  }
+}
+
 void bind_simple_model(py::module_& module) {
   py::class_<SimpleFit>(module, "SimpleFit",
                         "Gains, offsets and lengths of the simple model, fitted to recordings by "
@@ -49,7 +58,7 @@ void bind_simple_model(py::module_& module) {
       .def(
           "describe",
           [](const SimpleFit& fit, const ArmDescription& arm) {
-            require_planar(arm, "SimpleFit.describe");
+            require_planar_fit(arm, "SimpleFit.describe", fit);
             return to_text(fit, arm);
           },
           py::arg("arm"), "Each number with its 95 % interval, as text.");
@@ -67,7 +76,7 @@ void bind_simple_model(py::module_& module) {
   module.def(
       "fitted_arm",
       [](const ArmDescription& arm, const SimpleFit& fit, const EpisodeList& episodes) {
-        require_planar(arm, "limber.fitted_arm (with_space_fit is its like)");
+        require_planar_fit(arm, "limber.fitted_arm (with_space_fit is its like)", fit);
         const std::vector<Episode> runs = episodes_from(episodes);
         return interruptibly([&] { return fitted_arm(arm, fit, runs); });
       },
@@ -194,10 +203,14 @@ void bind_characterisation(py::module_& module) {
              "Fits a monotone quartic to every segment's bench points: a CharacterisedArm. "
              "bench: a list of BenchPoint for each segment, base first, at least 5 different "
              "pressures up to the limit. Raises InputError naming the segment.");
-  module.def("bench_test_all", &bench_test_all, py::arg("arm"), py::arg("steps") = 20,
-             py::call_guard<OthersMayRun>(),
-             "The bench test of every segment of the virtual arm: a list of BenchPoint for "
-             "each. steps: pressures from 0 to the limit, >= 4.");
+  module.def(
+      "bench_test_all",
+      [](const ArmDescription& arm, int steps) {
+        return interruptibly([&] { return bench_test_all(arm, steps); });
+      },
+      py::arg("arm"), py::arg("steps") = 20,
+      "The bench test of every segment of the virtual arm: a list of BenchPoint for each. steps: "
+      "pressures from 0 to the limit, 4 to 1000. Ctrl-C raises KeyboardInterrupt.");
   module.def(
       "write_arm",
       [](const std::filesystem::path& path, const ArmDescription& arm) {

@@ -38,6 +38,7 @@ CollectionResult collect_on(const ArmDescription& arm, CollectionSettings settin
 CollectionResult collect_with(const ArmDescription& arm, const CollectionSettings& asked,
                               const py::object& make_driver, const std::filesystem::path& path) {
   require_jobs(asked.jobs);
+  require_number("hold_limit_s", asked.hold_limit_s, 0.0, kMaxSeconds);
   CollectionSettings settings = asked;
   CallerThread caller;
   settings.should_stop = [&] { return caller.should_stop(); };
@@ -60,12 +61,12 @@ CollectionResult collect_with(const ArmDescription& arm, const CollectionSetting
 }
 
 void bind_schedule(py::module_& module) {
-  py::enum_<ScheduleKind>(module, "ScheduleKind", "Which motions are recorded.")
+  Choice<ScheduleKind>(module, "ScheduleKind", "Which motions are recorded.")
       .value("transitions", ScheduleKind::transitions,
              "between configurations with each segment fully right, fully left or off")
       .value("random", ScheduleKind::random,
              "between configurations sampled uniformly within the limits");
-  py::enum_<Approach>(module, "Approach", "How set points go to the next configuration.")
+  Choice<Approach>(module, "Approach", "How set points go to the next configuration.")
       .value("step", Approach::step, "they jump, and each valve ramps by itself")
       .value("straight", Approach::straight, "together, along a straight line, as a plan's do");
   Record<ScheduleSettings>(module, "ScheduleSettings", "What motions are recorded.")
@@ -91,7 +92,7 @@ void bind_schedule(py::module_& module) {
 
 void bind_collection(py::module_& module) {
   bind_schedule(module);
-  py::enum_<Progress::Mode>(module, "ProgressMode", "Whether progress goes to standard error.")
+  Choice<Progress::Mode>(module, "ProgressMode", "Whether progress goes to standard error.")
       .value("automatic", Progress::Mode::automatic, "often on a terminal, else every 10 s")
       .value("quiet", Progress::Mode::quiet, "never");
   Record<CollectionSettings>(module, "CollectionSettings", "How an arm is recorded by `collect`.")

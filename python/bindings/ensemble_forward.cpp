@@ -61,8 +61,11 @@ void bind_ensemble_forward(py::module_& module) {
   py::class_<EnsembleForward>(module, "EnsembleForward",
                               "All networks of an ensemble, each rolled out by itself: their "
                               "spread says how certain they are. Constant: share it freely.")
-      .def(py::init<const ArmDescription&, const CompensationModel&>(), py::arg("arm"),
-           py::arg("model"), py::call_guard<OthersMayRun>(),
+      .def(py::init([](const ArmDescription& arm, CompensationModel model) {
+             const OthersMayRun others_may_run;
+             return EnsembleForward(arm, model);
+           }),
+           py::arg("arm"), py::arg("model"),
            "model: a CompensationModel of one or more networks. Raises InputError where it was "
            "trained for another arm.")
       .def_property_readonly("member_count", &EnsembleForward::member_count,

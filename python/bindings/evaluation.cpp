@@ -44,7 +44,7 @@ void bind_errors_of_tips(py::module_& module) {
                  "TipErrors, never corrected, and from set points through the model's valves; "
                  "None where the model has none.")
       .done();
-  py::enum_<Restart>(module, "Restart", "How often a prediction is corrected by what was recorded.")
+  Choice<Restart>(module, "Restart", "How often a prediction is corrected by what was recorded.")
       .value("every_frame", Restart::every_frame, "at every frame: RolloutErrors.one_step")
       .value("every_32_frames", Restart::every_32_frames,
              "every 32 frames: RolloutErrors.window_32")

@@ -125,7 +125,7 @@ std::optional<std::string> picture_of(const py::object& self) {
 }
 
 void bind_execution_findings(py::module_& module) {
-  py::enum_<ExecutionStatus>(module, "ExecutionStatus", "How an execution ended.")
+  Choice<ExecutionStatus>(module, "ExecutionStatus", "How an execution ended.")
       .value("done", ExecutionStatus::done, "every frame was commanded, and the hold after them")
       .value("fault", ExecutionStatus::fault, "the arm failed, ExecutionResult.message")
       .value("stopped", ExecutionStatus::stopped, "stopped on request, ExecutionResult.message");
@@ -231,7 +231,8 @@ void bind_execution(py::module_& module) {
           "Whether the tip was in the goal after the hold, or None: not tracked in the last 0.25 "
           "s.")
       .property(
-          "goal_error", [](const ExecutionResult& run) { return if_seen(run, run.goal_error); },
+          "goal_error",
+          [](const ExecutionResult& run) { return if_seen(run, fixed_copy(run.goal_error)); },
           "PoseError of the tip after the hold, or None: not tracked in the last 0.25 s.")
       .property(
           "collided",
@@ -269,8 +270,10 @@ void bind_execution(py::module_& module) {
                     "The same of the last one [m].")
       .def_readonly("frames_not_certified", &ExecutionResult::frames_not_certified,
                     "Frames in which nothing was certified from where the arm was.")
-      .def_readonly("open_loop_goal_error", &ExecutionResult::open_loop_goal_error,
-                    "PoseError where the first plan's hold ended, if more followed; or None.")
+      .def_property_readonly(
+          "open_loop_goal_error",
+          [](const ExecutionResult& run) { return fixed_copy(run.open_loop_goal_error); },
+          "PoseError where the first plan's hold ended, if more followed; or None.")
       .def_readonly("start_error_m", &ExecutionResult::start_error_m,
                     "Largest distance of a plate from where the plan starts, before the first set "
                     "point [m].")

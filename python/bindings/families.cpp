@@ -80,7 +80,7 @@ void bind_families(py::module_& module) {
       "the model is of no family, or e of another size.");
   module.def(
       "adapt",
-      [](const ArmDescription& arm, const CompensationModel& family, const EpisodeList& episodes,
+      [](const ArmDescription& arm, CompensationModel family, const EpisodeList& episodes,
          bool train_weights, std::uint64_t seed, int jobs) {
         require_jobs(jobs);
         const std::vector<Episode> copies = episodes_from(episodes);

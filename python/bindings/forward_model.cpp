@@ -255,10 +255,11 @@ void bind_forward_model(py::module_& module) {
       module, "ForwardModel",
       "B_t = F(q_(t-1), q_t, B_(t-1)): the no-load model, or the no-load model compensated by a "
       "network. A pure function: any number of threads may share it.")
-      .def(py::init([](const ArmDescription& arm, const CompensationModel* compensation) {
-             return compensation == nullptr ? ForwardModel(arm) : ForwardModel(arm, *compensation);
+      .def(py::init([](const ArmDescription& arm, std::optional<CompensationModel> compensation) {
+             const OthersMayRun others_may_run;
+             return compensation ? ForwardModel(arm, *std::move(compensation)) : ForwardModel(arm);
            }),
-           py::arg("arm"), py::arg("compensation") = py::none(), py::call_guard<OthersMayRun>(),
+           py::arg("arm"), py::arg("compensation") = py::none(),
            "compensation: a CompensationModel, None: the no-load model alone. Raises "
            "InputError where it was trained for another arm.")
       .def_property_readonly("segment_count", &ForwardModel::segment_count, "Segments of the arm.")
@@ -285,11 +286,10 @@ void bind_forward_model(py::module_& module) {
                              "The NoLoadModel that the network compensates.")
       .def_property_readonly(
           "compensation",
-          [](const ForwardModel& model) -> const CompensationModel* {
-            return model.has_network() ? &model.compensation() : nullptr;
+          [](const ForwardModel& model) {
+            return model.has_network() ? std::optional(model.compensation()) : std::nullopt;
           },
-          py::return_value_policy::reference_internal,
-          "The CompensationModel, or None: the no-load model alone.")
+          "A copy of the CompensationModel, or None: the no-load model alone.")
       .def("step", &step, py::arg("previous_kpa"), py::arg("current_kpa"), py::arg("previous"),
            py::arg("out") = py::none(), py::arg("before") = py::none(),
            "One query: pressures a frame ago and now, float32 (n,) and (n,) [kPa], and the "

@@ -103,6 +103,7 @@ void bind_goals(py::module_& module) {
       .field("orientation_rad", &PoseError::orientation_rad,
              "Difference of the headings [rad], 0 to pi; 0 where the goal has no heading.")
       .keywords()
+      .fixed()
       .done();
   module.def("pose_error", &pose_error, py::arg("goal"), py::arg("pose"),
              "How far a Pose is from the centre of a PoseGoal: a PoseError.");
@@ -114,11 +115,11 @@ void bind_inverse_kinematics(py::module_& module) {
   using Settings = InverseKinematicsSettings;
   using Result = InverseKinematicsResult;
   Record<Settings>(module, "InverseKinematicsSettings", "How long solutions are looked for.")
-      .field("starts", &Settings::starts, "Random configurations to start from, >= 1.")
+      .field("starts", &Settings::starts, "Random configurations to start from, 1 to 10000.")
       .field("max_solutions", &Settings::max_solutions,
              "The search stops at so many solutions, >= 1.")
       .field("iterations", &Settings::iterations,
-             "Largest number of Newton steps from each start, >= 1.")
+             "Largest number of Newton steps from each start, 1 to 1000.")
       .field("convergence_m", &Settings::convergence_m,
              "A start is done when the tip is this near to the goal [m], > 0.")
       .field("distinct_pressure_kpa", &Settings::distinct_pressure_kpa,
@@ -144,8 +145,9 @@ void bind_inverse_kinematics(py::module_& module) {
           "best_pressures_kpa",
           [](const Result& result) { return vector_array(result.best_pressures_kpa); },
           "The nearest configuration of all starts, float64 (n,) [kPa].")
-      .read_only("best_error", &Result::best_error,
-                 "PoseError of best_pressures_kpa: how far they miss the goal's centre.")
+      .property(
+          "best_error", [](const Result& result) { return fixed_copy(result.best_error); },
+          "PoseError of best_pressures_kpa: how far they miss the goal's centre.")
       .read_only("starts_used", &Result::starts_used, "Number of starts that were tried.")
       .read_only("reason", &Result::reason, "Why there is no solution; empty where there is one.")
       .property("reachable", &Result::reachable, "Whether there is at least one solution.")

@@ -8,6 +8,7 @@
 #include "limber/common/error.hpp"
 #include "limber/forward/error_room.hpp"
 #include "limber/forward/recorded_region.hpp"
+#include "limber/planning/problem_check.hpp"
 #include "others_may_run.hpp"
 #include "planar.hpp"
 #include "record.hpp"
@@ -56,8 +57,9 @@ void bind_error_room(py::module_& module) {
   Record<ErrorRoom>(module, "ErrorRoom", "What plans keep in hand for the model's error.")
       .read_only("margin_m", &ErrorRoom::margin_m,
                  "Clearance from obstacles [m], >= 0; of a tube its largest radius.")
-      .read_only("goal_margin", &ErrorRoom::goal_margin,
-                 "PoseError: how far inside the goal's tolerances plans end.")
+      .property(
+          "goal_margin", [](const ErrorRoom& room) { return fixed_copy(room.goal_margin); },
+          "PoseError: how far inside the goal's tolerances plans end.")
       .read_only("tube", &ErrorRoom::tube, "PlanTube of a calibrated model, or None.")
       .read_only("margin_yields_to_start", &ErrorRoom::margin_yields_to_start,
                  "Whether an arm that starts nearer to an obstacle than margin_m keeps only the "
@@ -73,6 +75,11 @@ void bind_error_room(py::module_& module) {
          std::optional<double> goal_margin_m, std::optional<double> goal_margin_rad,
          std::optional<double> tube_level) {
         require_planar_model(model.dimension(), "limber.error_room");
+        for (const auto& [name, asked] : {std::pair("margin_m", margin_m),
+                                          {"goal_margin_m", goal_margin_m},
+                                          {"goal_margin_rad", goal_margin_rad}}) {
+          require_number(name, asked.value_or(0.0), 0.0, kMaxMarginM);
+        }
         return error_room(model, {margin_m, goal_margin_m, goal_margin_rad, tube_level});
       },
       py::arg("model"), py::arg("margin_m") = py::none(), py::arg("goal_margin_m") = py::none(),
@@ -104,7 +111,9 @@ void bind_motion_state(py::module_& module) {
       .def(
           "copy", [](const MotionState& state) { return state; },
           "Another MotionState that is equal and independent.")
-      .def("__eq__", [](const MotionState& a, const MotionState& b) { return a == b; })
+      .def(
+          "__eq__", [](const MotionState& a, const MotionState& b) { return a == b; },
+          py::is_operator())
       .def("__repr__", [](const MotionState& state) {
         const Pose tip = tip_pose(state.backbone);
         return fmt::format("MotionState(tip=({:.4f} m, {:.4f} m, {:.3f} rad))", tip.x_m, tip.y_m,

@@ -23,17 +23,17 @@ void bind_layer(py::module_& module) {
           [](const py::object& self) {
             const Eigen::MatrixXf& weight = self.cast<const Layer&>().weight;
             const auto item = static_cast<py::ssize_t>(sizeof(float));
-            return py::array_t<float>({weight.rows(), weight.cols()}, {item, item * weight.rows()},
-                                      weight.data(), self);
+            return read_only(py::array_t<float>({weight.rows(), weight.cols()},
+                                                {item, item * weight.rows()}, weight.data(), self));
           },
-          "W, float32 (outputs, inputs); a view of limber's memory.")
+          "W, float32 (outputs, inputs); a read-only view of limber's memory.")
       .def_property_readonly(
           "bias",
           [](const py::object& self) {
             const Eigen::VectorXf& bias = self.cast<const Layer&>().bias;
             return view_of(bias.data(), {bias.size()}, self);
           },
-          "b, float32 (outputs,); a view of limber's memory.")
+          "b, float32 (outputs,); a read-only view of limber's memory.")
       .def("__repr__", [](const Layer& layer) {
         return fmt::format("Layer({} -> {})", layer.weight.cols(), layer.weight.rows());
       });
@@ -49,7 +49,7 @@ py::array_t<float> numbers_of(const py::object& self) {
 void bind_gap_bounds(py::module_& module) {
   py::class_<GapBounds>(module, "GapBounds",
                         "What predictions keep the shape of every gap between two plates within: "
-                        "float32 (m - 1,) each, base first; views of limber's memory.")
+                        "float32 (m - 1,) each, base first; read-only views of limber's memory.")
       .def_property_readonly("min_length_m", &numbers_of<&GapBounds::min_length_m>,
                              "Shortest distance of the two plates, float32 (m - 1,) [m].")
       .def_property_readonly("max_length_m", &numbers_of<&GapBounds::max_length_m>,
@@ -154,10 +154,11 @@ void bind_network(py::module_& module) {
                      "Record of the training, a dict of texts; assign a whole one.")
       .def_readonly("learnt_from_setpoints", &CompensationModel::learnt_from_setpoints,
                     "It knows the valves along with the arm, and none belong before it.")
-      .def_property("valves", value_of(&CompensationModel::valves),
-                    assigning(&CompensationModel::valves),
-                    "ValveParameters between set points and pressures of the recordings, or None; "
-                    "can be set.")
+      .def_property(
+          "valves", [](const CompensationModel& model) { return fixed_copy(model.valves); },
+          assigning(&CompensationModel::valves),
+          "ValveParameters between set points and pressures of the recordings, or None. A copy, "
+          "whose fields can't be set: assign a whole one.")
       .def_property_readonly("valve_findings", value_of(&CompensationModel::valve_findings),
                              "ValveFindings: how its valves were found, or why there are none.")
       .def_property_readonly("prediction_error", value_of(&CompensationModel::prediction_error),
@@ -190,9 +191,14 @@ void bind_networks(py::module_& module) {
       "read_model", [](const std::filesystem::path& path) { return read_model(path); },
       py::arg("path"), py::call_guard<OthersMayRun>(),
       "Reads and checks a model (safetensors). Raises InputError naming file and key.");
-  module.def("write_model", &write_model, py::arg("path"), py::arg("model"),
-             py::call_guard<OthersMayRun>(),
-             "Writes a model (safetensors) that read_model reads, atomically.");
+  module.def(
+      "write_model",
+      [](const std::filesystem::path& path, CompensationModel model) {  // Python may change its own
+        const OthersMayRun others_may_run;
+        write_model(path, model);
+      },
+      py::arg("path"), py::arg("model"),
+      "Writes a model (safetensors) that read_model reads, atomically.");
   module.def("require_model_of", &require_model_of, py::arg("model"), py::arg("arm"),
              py::arg("where") = "model",
              "Raises InputError unless the model was trained for the arm. where: the model's "

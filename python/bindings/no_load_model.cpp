@@ -88,6 +88,7 @@ void bind_no_load_model(py::module_& module) {
           "segment_shape",
           [](const NoLoadModel& model, int segment, double pressure_kpa) {
             require_segment(model, segment, "NoLoadModel.segment_shape");
+            require_finite(pressure_kpa, "pressure_kpa");
             return model.segment_shape(segment, pressure_kpa);
           },
           py::arg("segment"), py::arg("pressure_kpa"),
@@ -98,6 +99,7 @@ void bind_no_load_model(py::module_& module) {
           "pressure_for_curvature",
           [](const NoLoadModel& model, int segment, double curvature_per_m) {
             require_segment(model, segment, "NoLoadModel.pressure_for_curvature");
+            require_finite(curvature_per_m, "curvature_per_m");
             return model.pressure_for_curvature(segment, curvature_per_m);
           },
           py::arg("segment"), py::arg("curvature_per_m"),

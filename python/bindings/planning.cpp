@@ -24,10 +24,7 @@ namespace {
 
 bool goes_on(CallerThread& caller, const py::object& callback, const PlannerProgress& now) {
   bool answer = true;
-  const bool returned = caller.call([&] {
-    const py::object said = callback(now);
-    answer = said.is_none() || said.cast<bool>();
-  });
+  const bool returned = caller.call([&] { answer = asks_to_go_on(callback(now), "callback"); });
   return returned && answer;
 }
 
@@ -97,8 +94,8 @@ void bind_limits(py::module_& module) {
              "over segments and frames. None: it goes on to improve plans.")
       .keywords()
       .done();
-  py::enum_<PlanStatus>(module, "PlanStatus",
-                        "What came of planning, or what is wrong with the problem.")
+  Choice<PlanStatus>(module, "PlanStatus",
+                     "What came of planning, or what is wrong with the problem.")
       .value("solved", PlanStatus::solved, "a certified plan exists, PlanResult.plan")
       .value("limit", PlanStatus::limit, "a limit came first, PlanResult.limit; there is no plan")
       .value("invalid_start", PlanStatus::invalid_start,
@@ -109,7 +106,7 @@ void bind_limits(py::module_& module) {
              "no tip in the goal's region is free of obstacles")
       .value("not_certified", PlanStatus::not_certified,
              "plans were found, and their certificates refused all");
-  py::enum_<PlanLimit>(module, "PlanLimit", "The limit that ended a search.")
+  Choice<PlanLimit>(module, "PlanLimit", "The limit that ended a search.")
       .value("time", PlanLimit::time, "PlannerLimits.time_s")
       .value("iterations", PlanLimit::iterations, "PlannerLimits.iterations")
       .value("queries", PlanLimit::queries, "PlannerLimits.queries")
@@ -154,9 +151,10 @@ void bind_problem(py::module_& module) {
           "beside the margin. Planning raises InputError where one is out of range.")
       .def_readonly("margin_m", &PlanningProblem::margin_m,
                     "Clearance kept from every obstacle [m], >= 0.")
-      .def_readonly("goal_margin", &PlanningProblem::goal_margin,
-                    "PoseError: how far inside the goal's tolerances plans end, room for the "
-                    "model's error.")
+      .def_property_readonly(
+          "goal_margin",
+          [](const PlanningProblem& problem) { return fixed_copy(problem.goal_margin); },
+          "PoseError: how far inside the goal's tolerances plans end, room for the model's error.")
       .def_readonly("tube", &PlanningProblem::tube,
                     "PlanTube that plans keep free of obstacles beside the margin, or None.")
       .def("__repr__", [](const PlanningProblem& problem) {
@@ -268,7 +266,8 @@ void bind_plan_result(py::module_& module) {
           py::call_guard<OthersMayRun>());
 }
 
-using AnyModel = std::variant<std::filesystem::path, const CompensationModel*, const MotionModel*>;
+// A copy of the network, as Python may assign to its parts meanwhile.
+using AnyModel = std::variant<std::filesystem::path, CompensationModel, const MotionModel*>;
 
 PlanResult plan_with(const ArmDescription& arm, const AnyModel& model,
                      const Environment& environment, const PlannerLimits& limits,
@@ -281,8 +280,8 @@ PlanResult plan_with(const ArmDescription& arm, const AnyModel& model,
     if (const auto* file = std::get_if<std::filesystem::path>(&model)) {
       return plan(arm, *file, environment, limits, seed, settings);
     }
-    if (const auto* network = std::get_if<const CompensationModel*>(&model)) {
-      return plan(arm, **network, environment, limits, seed, settings);
+    if (const auto* network = std::get_if<CompensationModel>(&model)) {
+      return plan(arm, *network, environment, limits, seed, settings);
     }
     return plan(arm, *std::get<const MotionModel*>(model), environment, limits, seed, settings);
   });

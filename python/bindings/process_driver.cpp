@@ -115,10 +115,14 @@ std::string repr_of(SharedProcessDriver& shared) {
   if (!shared.is_open()) {
     return "ProcessDriver(closed)";
   }
-  const DriverUse driver(shared);
-  return fmt::format("ProcessDriver(driver='{}', device='{}', is_real_time={})",
-                     driver->hello().driver, driver->hello().device,
-                     driver->is_real_time() ? "True" : "False");
+  try {
+    const DriverUse driver(shared);
+    return fmt::format("ProcessDriver(driver='{}', device='{}', is_real_time={})",
+                       driver->hello().driver, driver->hello().device,
+                       driver->is_real_time() ? "True" : "False");
+  } catch (const InputError&) {  // a controller that a run asks may print it
+    return "ProcessDriver(moving)";
+  }
 }
 
 }  // namespace
@@ -186,8 +190,8 @@ void bind_process_driver(py::module_& module) {
           "The latest ArmState, as the driver measured it.")
       .def("command", &command, py::arg("setpoint_kpa"),
            "One frame at set points (n,) [kPa]; returns the ArmState after it. Who "
-           "commands by hand vents by hand. Raises InputError for a set point beyond the "
-           "limits, SystemFault where the driver fails.")
+           "commands by hand vents by hand. Raises SystemFault where the driver fails, and for "
+           "a set point beyond the limits, which is not sent: the driver can then only vent.")
       .def(
           "vent",
           [](SharedProcessDriver& shared) {

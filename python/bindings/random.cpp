@@ -1,6 +1,10 @@
 #include <string>
 
+#include <fmt/format.h>
+
+#include "arrays.hpp"
 #include "bindings.hpp"
+#include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
 
 namespace limber::python {
@@ -15,9 +19,18 @@ void bind_random(py::module_& module) {
       .def(py::init<std::uint64_t, std::uint64_t>(), py::arg("seed"), py::arg("stream") = 0,
            "seed: >= 0; stream: >= 0, names the unit of work. Streams of one seed are independent.")
       .def("next_u32", &RandomStream::next_u32, "The next word, uniform over all 32-bit integers.")
-      .def("uniform", py::overload_cast<double, double>(&RandomStream::uniform),
-           py::arg("low") = 0.0, py::arg("high") = 1.0,
-           "The next number, uniform in [low, high); both finite, low <= high.")
+      .def(
+          "uniform",
+          [](RandomStream& random, double low, double high) {
+            require_finite(low, "low");
+            require_finite(high, "high");
+            if (low > high) {
+              throw InputError(fmt::format("low = {}, high = {}; expected low <= high", low, high));
+            }
+            return random.uniform(low, high);
+          },
+          py::arg("low") = 0.0, py::arg("high") = 1.0,
+          "The next number, uniform in [low, high); both finite, low <= high.")
       .def("normal", &RandomStream::normal,
            "The next number, normal with mean 0 and standard deviation 1.")
       .def("position", &RandomStream::position,

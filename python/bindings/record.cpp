@@ -6,6 +6,8 @@
 #include <fmt/ranges.h>
 #include <pybind11/numpy.h>
 
+#include "limber/common/error.hpp"
+
 namespace limber::python {
 
 namespace {
@@ -28,6 +30,14 @@ std::string value_to_text(const py::object& value) {
   return py::repr(value);
 }
 
+/// What a field takes, as its getter's signature ends: "Optional[int]".
+std::string type_of(const py::object& object, const std::string& field) {
+  const py::object getter = py::type::of(object).attr(field.c_str()).attr("fget");
+  const std::string signature = py::str(getter.attr("__doc__"));
+  const std::size_t at = signature.rfind("-> ") + 3;
+  return signature.substr(at, signature.find('\n', at) - at);
+}
+
 }  // namespace
 
 std::string record_to_text(const py::object& object, const std::vector<std::string>& names) {
@@ -47,8 +57,31 @@ void set_fields(const py::object& object, const py::kwargs& values,
       throw py::type_error(fmt::format("{}() has no field '{}'; it has {}", type_name(object), name,
                                        fmt::join(names, ", ")));
     }
-    object.attr(name.c_str()) = value;
+    try {
+      object.attr(name.c_str()) = value;
+    } catch (const py::error_already_set& error) {
+      if (!error.matches(PyExc_TypeError)) {
+        throw;
+      }
+      throw py::type_error(fmt::format("{}({}={}): expected {}", type_name(object), name,
+                                       value_to_text(py::reinterpret_borrow<py::object>(value)),
+                                       type_of(object, name)));
+    }
   }
+}
+
+void require_value(py::handle enumeration, int value) {
+  std::vector<std::string> allowed;
+  for (const auto& [name, one] : py::dict(enumeration.attr("__members__"))) {
+    const int number = one.attr("value").cast<int>();
+    if (number == value) {
+      return;
+    }
+    allowed.push_back(fmt::format("{} ({})", number, std::string(py::str(name))));
+  }
+  throw InputError(fmt::format("{}({}): expected {}",
+                               std::string(py::str(enumeration.attr("__name__"))), value,
+                               fmt::join(allowed, ", ")));
 }
 
 }  // namespace limber::python

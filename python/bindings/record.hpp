@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -21,7 +22,8 @@ inline std::string type_name(py::handle of) {
 /// "PlannerLimits(time_s=1.0, iterations=None)", the fields read as Python sees them.
 std::string record_to_text(const py::object& object, const std::vector<std::string>& names);
 
-/// Sets the fields of `object` that `values` names. @throws TypeError naming the fields there are.
+/// Sets the fields of `object` that `values` names. @throws TypeError naming the fields there are,
+/// or the field whose value is of another type.
 void set_fields(const py::object& object, const py::kwargs& values,
                 const std::vector<std::string>& names);
 
@@ -42,6 +44,11 @@ SeenAs<T> fixed_copy(const T& value) {
 }
 
 template <class T>
+std::optional<SeenAs<T>> fixed_copy(const std::optional<T>& value) {
+  return value ? std::optional(fixed_copy(*value)) : std::nullopt;
+}
+
+template <class T>
 SeenAs<std::vector<T>> fixed_copies(const std::vector<T>& values) {
   py::list list;
   for (const T& value : values) {
@@ -49,6 +56,23 @@ SeenAs<std::vector<T>> fixed_copies(const std::vector<T>& values) {
   }
   return list;
 }
+
+/// @throws InputError unless one of the enumeration's values is that number.
+void require_value(py::handle enumeration, int value);
+
+/// An enumeration of limber's. pybind11's own would take any integer.
+template <class T>
+class Choice : public py::enum_<T> {
+ public:
+  Choice(py::module_& module, const char* name, const char* doc) : py::enum_<T>(module, name, doc) {
+    py::delattr(*this, "__init__");
+    this->def(py::init([](int value) {
+                require_value(py::type::of<T>(), value);
+                return static_cast<T>(value);
+              }),
+              py::arg("value"));
+  }
+};
 
 /// A plain struct of limber's as a Python class: fields, keyword arguments and a repr.
 template <class T>

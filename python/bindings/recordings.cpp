@@ -1,5 +1,7 @@
 #include "limber/data/recording.hpp"
 
+#include <limits>
+
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -20,47 +22,50 @@ namespace limber::python {
 
 namespace {
 
-template <class Array>
-void require_rows(const Array& array, py::ssize_t frames, const char* name) {
+FrameMatrix frames_from(const FloatArray& array, py::ssize_t frames, const char* name) {
   if (array.ndim() == 0 || array.shape(0) != frames) {
     throw InputError(fmt::format("{} has shape {}; expected {} frames, as time_s has", name,
                                  to_text(shape_of(array)), frames));
   }
-}
-
-FrameMatrix frames_from(const FloatArray& array, py::ssize_t frames, const char* name) {
-  require_rows(array, frames, name);
   const py::ssize_t columns = frames == 0 ? 0 : array.size() / frames;
   return Eigen::Map<const FrameMatrix>(array.data(), frames, columns);
 }
 
+/// One whole number for each frame. @throws TypeError for anything but integers and bools.
 template <class Number>
-std::vector<Number> numbers_from(
-    const py::array_t<Number, py::array::c_style | py::array::forcecast>& array, py::ssize_t frames,
-    const char* name) {
-  require_rows(array, frames, name);
+std::vector<Number> numbers_from(const py::object& given, py::ssize_t frames, const char* name,
+                                 Number highest) {
+  const auto array = py::array::ensure(given);
+  if (!array || (array.size() > 0 &&
+                 std::string_view("biu").find(array.dtype().kind()) == std::string_view::npos)) {
+    throw py::type_error(
+        fmt::format("{}: expected whole numbers, found {}", name,
+                    array ? std::string(py::str(array.dtype())) : type_name(given)));
+  }
   require_shape(array, {frames}, name);
-  return {array.data(), array.data() + frames};
+  const DoubleArray values = DoubleArray::Base::ensure(array);
+  for (py::ssize_t t = 0; t < frames; ++t) {
+    require_number(name, values.data()[t], 0.0, highest);
+  }
+  return {values.data(), values.data() + frames};
 }
 
-Episode make_episode(
-    const DoubleArray& time_s, const FloatArray& pressure_kpa, const FloatArray& setpoint_kpa,
-    const FloatArray& backbone,
-    const py::array_t<int, py::array::c_style | py::array::forcecast>& motion_index,
-    const py::object& tracked, bool setpoints_only, const std::string& physics, bool lifted,
-    const std::string& log) {
-  using Flags = py::array_t<std::uint8_t, py::array::c_style | py::array::forcecast>;
-  std::optional<Flags> seen;
-  if (!tracked.is_none()) {
-    seen = tracked.cast<Flags>();
-  }
-  const OthersMayRun others_may_run;
+Episode make_episode(const DoubleArray& time_s, const FloatArray& pressure_kpa,
+                     const FloatArray& setpoint_kpa, const FloatArray& backbone,
+                     const py::object& motion_index, const py::object& tracked, bool setpoints_only,
+                     const std::string& physics, bool lifted, const std::string& log) {
   Episode episode;
   episode.setpoints_only = setpoints_only;
   episode.physics = physics;
   episode.log = log;
   const py::ssize_t frames = time_s.size();
   require_shape(time_s, {frames}, "time_s");
+  episode.motion_index =
+      numbers_from(motion_index, frames, "motion_index", std::numeric_limits<int>::max());
+  if (!tracked.is_none()) {
+    episode.tracked = numbers_from(tracked, frames, "tracked", std::uint8_t{1});
+  }
+  const OthersMayRun others_may_run;
   require_finite(time_s, "time_s");
   episode.time_s = Eigen::Map<const Eigen::VectorXd>(time_s.data(), frames);
   for (py::ssize_t t = 1; t < frames; ++t) {
@@ -71,20 +76,26 @@ Episode make_episode(
   }
   episode.pressure_kpa = frames_from(pressure_kpa, frames, "pressure_kpa");
   episode.setpoint_kpa = frames_from(setpoint_kpa, frames, "setpoint_kpa");
+  if (frames > 0 && (pressure_kpa.ndim() != 2 || pressure_kpa.size() == 0)) {
+    throw InputError(
+        fmt::format("pressure_kpa has shape {}; expected (T, n)", to_text(shape_of(pressure_kpa))));
+  }
+  require_shape(setpoint_kpa, shape_of(pressure_kpa), "setpoint_kpa");
+  if (setpoints_only && episode.pressure_kpa != episode.setpoint_kpa) {
+    throw InputError("pressure_kpa is not setpoint_kpa; expected that with setpoints_only");
+  }
   const bool in_space = backbone.ndim() == 3 && backbone.shape(2) == kSpacePoseSize;
-  if (backbone.ndim() != 3 || (!in_space && backbone.shape(2) != kPoseSize)) {
-    throw InputError(fmt::format("backbone has shape {}; expected (T, m, 3), in space (T, m, 7)",
-                                 to_text(shape_of(backbone))));
+  if (backbone.ndim() != 3 || (!in_space && backbone.shape(2) != kPoseSize) ||
+      (frames > 0 && backbone.shape(1) < 2)) {
+    throw InputError(
+        fmt::format("backbone has shape {}; expected (T, m, 3), in space (T, m, 7), m from 2",
+                    to_text(shape_of(backbone))));
   }
   episode.dimension = in_space ? Dimension::space : Dimension::plane;
   episode.lifted = lifted;
   episode.backbone = frames_from(backbone, frames, "backbone");
   if (in_space) {
     make_signs_continuous(episode.backbone);
-  }
-  episode.motion_index = numbers_from<int>(motion_index, frames, "motion_index");
-  if (seen) {
-    episode.tracked = numbers_from<std::uint8_t>(*seen, frames, "tracked");
   }
   return episode;
 }
@@ -104,7 +115,7 @@ py::array_t<bool> tracked_of(const Episode& episode) {
 void bind_episode(py::module_& module) {
   py::class_<Episode>(module, "Episode",
                       "One unbroken run of the arm: T frames, n segments, m plates. Its arrays "
-                      "are views of limber's own memory.")
+                      "are read-only views of limber's own memory.")
       .def(py::init(&make_episode), py::arg("time_s"), py::arg("pressure_kpa"),
            py::arg("setpoint_kpa"), py::arg("backbone"), py::arg("motion_index"),
            py::arg("tracked") = py::none(), py::arg("setpoints_only") = false,
@@ -114,7 +125,7 @@ void bind_episode(py::module_& module) {
            "tracked (T,) or None: all frames. With setpoints_only, pressure_kpa has to be "
            "setpoint_kpa. lifted: in space, rotations were made from positions. log: the "
            "file that it is of. "
-           "Raises InputError naming the array whose shape does not fit.")
+           "Raises InputError naming the array that does not fit.")
       .def_property_readonly(
           "time_s",
           [](const py::object& self) {
@@ -370,8 +381,7 @@ void bind_recordings(py::module_& module) {
         return episodes_to(std::move(copies));
       },
       py::arg("episodes"),
-      "Copies of the episodes without measured pressures: set points take their "
-      "place.");
+      "Copies of the episodes without measured pressures: set points take their place.");
   module.def(
       "read_recording", [](const std::filesystem::path& path) { return read_recording(path); },
       py::arg("path"), py::call_guard<OthersMayRun>(),

@@ -25,23 +25,13 @@ TrainingHooks hooks_for(CallerThread& caller, const py::object& on_epoch) {
   if (!on_epoch.is_none()) {
     hooks.on_epoch = [&caller, &on_epoch](const LearningCurvePoint& point) {
       caller.call([&] {
-        const py::object said = on_epoch(point);
-        if (!said.is_none() && !said.cast<bool>()) {
+        if (!asks_to_go_on(on_epoch(point), "on_epoch")) {
           caller.ask_to_stop();
         }
       });
     };
   }
   return hooks;
-}
-
-py::list copies_of(const std::vector<Episode>& episodes) {
-  std::vector<Episode> copies;
-  {
-    const OthersMayRun others_may_run;
-    copies = episodes;
-  }
-  return episodes_to(std::move(copies));
 }
 
 void bind_data(py::module_& module) {
@@ -58,20 +48,20 @@ void bind_data(py::module_& module) {
            py::arg("replay") = py::tuple(), py::arg("unseen") = py::tuple(),
            "Lists of Episode, copied; no episode belongs in two of them.")
       .def_property(
-          "training", [](const TrainingData& data) { return copies_of(data.training); },
+          "training", [](const TrainingData& data) { return episodes_to(data.training); },
           [](TrainingData& data, const EpisodeList& e) { data.training = episodes_from(e); },
           "List of Episode to learn from; a copy.")
       .def_property(
-          "validation", [](const TrainingData& data) { return copies_of(data.validation); },
+          "validation", [](const TrainingData& data) { return episodes_to(data.validation); },
           [](TrainingData& data, const EpisodeList& e) { data.validation = episodes_from(e); },
           "List of Episode that chooses the best epoch; a copy.")
       .def_property(
-          "replay", [](const TrainingData& data) { return copies_of(data.replay); },
+          "replay", [](const TrainingData& data) { return episodes_to(data.replay); },
           [](TrainingData& data, const EpisodeList& e) { data.replay = episodes_from(e); },
           "List of Episode that a model to be fine-tuned was trained on before, so that "
           "it does not forget them; a copy.")
       .def_property(
-          "unseen", [](const TrainingData& data) { return copies_of(data.unseen); },
+          "unseen", [](const TrainingData& data) { return episodes_to(data.unseen); },
           [](TrainingData& data, const EpisodeList& e) { data.unseen = episodes_from(e); },
           "List of Episode for note_unseen, which `train` never looks at; a copy.")
       .def_readwrite("arms", &TrainingData::arms,
@@ -93,12 +83,12 @@ void bind_data(py::module_& module) {
         return hold_back_validation(std::move(copies), fraction, seed);
       },
       py::arg("episodes"), py::arg("fraction"), py::arg("seed"),
-      "TrainingData of the episodes, some of which are held back for validation: "
-      "about `fraction` of the frames, in (0, 1), in whole episodes chosen by `seed`, "
-      "at least one. Of a single episode its end is held back. Raises InputError "
-      "where nothing would be left to learn from.");
+      "TrainingData of the episodes, some of which are held back for validation: about `fraction` "
+      "of the frames, in (0, 1), in whole episodes chosen by `seed`, at least one. Of a single "
+      "episode its end is held back. Raises InputError where nothing would be left to learn from.");
+  // With Python's lock, as it changes what others may read.
   module.def("hold_back_unseen", &hold_back_unseen, py::arg("data"), py::arg("fraction"),
-             py::arg("seed"), py::call_guard<OthersMayRun>(),
+             py::arg("seed"),
              "Moves about `fraction` of the frames, in [0, 1), from data.training to "
              "data.unseen, for note_unseen to measure the error on: whole episodes chosen by "
              "`seed`, or the end of the longest. `data` is changed; where it is too short, "
@@ -160,10 +150,11 @@ void bind_training_result(py::module_& module) {
           py::call_guard<OthersMayRun>());
 }
 
+// What Python may change while its lock is let go is taken by value.
 void bind_runs(py::module_& module) {
   module.def(
       "train",
-      [](const ArmDescription& arm, const TrainingData& data, const TrainingSettings& settings,
+      [](const ArmDescription& arm, TrainingData data, TrainingSettings settings,
          const py::object& on_epoch) {
         CallerThread caller;
         const TrainingHooks hooks = hooks_for(caller, on_epoch);
@@ -177,8 +168,8 @@ void bind_runs(py::module_& module) {
       "the arm, or are shorter than one window.");
   module.def(
       "fine_tune",
-      [](const ArmDescription& arm, const TrainingData& data, const TrainingSettings& settings,
-         const CompensationModel& start, const py::object& on_epoch) {
+      [](const ArmDescription& arm, TrainingData data, TrainingSettings settings,
+         CompensationModel start, const py::object& on_epoch) {
         CallerThread caller;
         const TrainingHooks hooks = hooks_for(caller, on_epoch);
         return caller.run([&] { return fine_tune(arm, data, settings, start, hooks); });
@@ -198,24 +189,27 @@ void bind_runs(py::module_& module) {
       "The bounds of a model that learnt from these episodes, for the model.bounds of an old one.");
   module.def(
       "learnt_region_of",
-      [](const TrainingData& data) {
+      [](TrainingData data) {
+        const OthersMayRun others_may_run;
         if (data.training.empty()) {
           throw InputError("learnt_region_of: no episodes to train with");
         }
         require_planar_model(data.training.front().dimension, "limber.learnt_region_of");
         return learnt_region_of(data);
       },
-      py::arg("data"), py::call_guard<OthersMayRun>(),
-      "What a model has learnt that was trained on these data, for model.learnt.");
+      py::arg("data"), "What a model has learnt that was trained on these data, for model.learnt.");
   module.def(
       "note_unseen",
       [](const ArmDescription& arm, CompensationModel& model, const EpisodeList& unseen, int jobs) {
         require_jobs(jobs);
         const std::vector<Episode> episodes = episodes_from(unseen);
+        CompensationModel measured = model;
         interruptibly([&] {
-          note_unseen(arm, model, episodes, jobs);
+          note_unseen(arm, measured, episodes, jobs);
           return true;
         });
+        model.prediction_error = std::move(measured.prediction_error);
+        model.learnt = std::move(measured.learnt);
       },
       py::arg("arm"), py::arg("model"), py::arg("unseen"), py::arg("jobs") = 0,
       "Measures the finished model's error on episodes that it has never seen, and "

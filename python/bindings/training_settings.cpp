@@ -11,37 +11,37 @@ namespace limber::python {
 namespace {
 
 void bind_choices(py::module_& module) {
-  py::enum_<BackboneLayout>(module, "BackboneLayout", "How backbones enter the network.")
+  Choice<BackboneLayout>(module, "BackboneLayout", "How backbones enter the network.")
       .value("base_poses", BackboneLayout::base_poses,
              "each plate's pose about the base, the paper's")
       .value("gap_poses", BackboneLayout::gap_poses, "each plate's pose about the one before it");
-  py::enum_<OutputForm>(module, "OutputForm", "What the network's outputs mean.")
+  Choice<OutputForm>(module, "OutputForm", "What the network's outputs mean.")
       .value("compensation", OutputForm::compensation,
              "the paper's: what is added to the no-load model's backbone, docs/model.md (5)")
       .value("gated_change", OutputForm::gated_change,
              "how much each number changes, through a gate, docs/model.md (16)");
-  py::enum_<Optimiser>(module, "Optimiser", "How weights are changed.")
+  Choice<Optimiser>(module, "Optimiser", "How weights are changed.")
       .value("sgd", Optimiser::sgd, "stochastic gradient descent, the paper's")
       .value("adam", Optimiser::adam, "Kingma and Ba, 2015")
       .value("soap", Optimiser::soap,
              "Adam in the directions in which gradients vary, Vyas et al., 2024");
-  py::enum_<LossReduction>(module, "LossReduction", "How windows' errors become one number.")
+  Choice<LossReduction>(module, "LossReduction", "How windows' errors become one number.")
       .value("sum_over_batch", LossReduction::sum_over_batch,
              "the paper's: the step grows with the batch")
       .value("mean_over_batch", LossReduction::mean_over_batch,
              "the step does not grow with the batch");
-  py::enum_<Scaling>(module, "Scaling", "What the network's numbers are scaled to.")
+  Choice<Scaling>(module, "Scaling", "What the network's numbers are scaled to.")
       .value("unit_range", Scaling::unit_range, "[0, 1], the paper's")
       .value("unit_spread", Scaling::unit_spread, "mean 0, standard deviation 1")
       .value("shared_range", Scaling::shared_range,
              "[0, 1], one range for poses and compensations: 0 is the no-load model")
       .value("range_by_unit", Scaling::range_by_unit,
              "the same with one range for all positions and one for all angles");
-  py::enum_<FirstWeights>(module, "FirstWeights", "What weights are before training.")
+  Choice<FirstWeights>(module, "FirstWeights", "What weights are before training.")
       .value("he", FirstWeights::he, "He et al., 2015, the last layer a tenth; biases zero")
       .value("torch", FirstWeights::torch,
              "weights and biases within 1 / sqrt(inputs), as PyTorch's linear layers");
-  py::enum_<TrainingStatus>(module, "TrainingStatus", "How training ended.")
+  Choice<TrainingStatus>(module, "TrainingStatus", "How training ended.")
       .value("finished", TrainingStatus::finished, "all epochs were done")
       .value("interrupted", TrainingStatus::interrupted,
              "it was stopped; the model is the best until then")

@@ -65,7 +65,9 @@ void bind_parameters(py::module_& module) {
       .def("hash", &ValveParameters::hash,
            "Hash of everything that a prediction depends on, a text; empty for ideal "
            "valves.")
-      .def("__eq__", [](const ValveParameters& a, const ValveParameters& b) { return a == b; });
+      .def(
+          "__eq__", [](const ValveParameters& a, const ValveParameters& b) { return a == b; },
+          py::is_operator());
 }
 
 void bind_valve_findings(py::module_& module) {

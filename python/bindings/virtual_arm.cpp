@@ -1,9 +1,11 @@
 #include "virtual_arm.hpp"
 
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "caller_thread.hpp"
 #include "others_may_run.hpp"
 #include "record.hpp"
 
@@ -16,24 +18,26 @@ using ArmUse = SharedVirtualArm::Use;
 void bind_state(py::module_& module) {
   py::class_<ArmState>(module, "ArmState",
                        "What is known of the arm at one frame: pressures and shape.")
-      .def(py::init([](double time_s, const FloatArray& pressure_kpa, const py::object& backbone,
-                       const py::object& setpoint_kpa, std::optional<double> tracker_t) {
+      .def(py::init([](double time_s, const FloatArray& pressure_kpa,
+                       const std::optional<FloatArray>& backbone,
+                       const std::optional<FloatArray>& setpoint_kpa,
+                       std::optional<double> tracker_t) {
              ArmState state;
              require_number("time_s", time_s, -kMaxSeconds, kMaxSeconds);
              state.time_s = time_s;
              state.pressure_kpa = pressures_from(pressure_kpa, pressure_kpa.size(), "pressure_kpa");
-             if (!backbone.is_none()) {
-               const auto rows = backbone.cast<FloatArray>();
-               if (rows.ndim() == 2 && rows.shape(1) == kSpacePoseSize) {
-                 require_finite(rows, "backbone");
-                 state.space_backbone = space_backbone_map(rows);
-               } else {
-                 state.backbone = backbone_from(rows, rows.size() / kPoseSize, "backbone");
-               }
+             if (backbone && backbone->ndim() == 2 && backbone->shape(1) == kSpacePoseSize) {
+               require_finite(*backbone, "backbone");
+               state.space_backbone = space_backbone_map(*backbone);
+             } else if (backbone) {
+               state.backbone = backbone_from(*backbone, backbone->size() / kPoseSize, "backbone");
              }
-             if (!setpoint_kpa.is_none()) {
-               state.setpoint_kpa = pressures_from(setpoint_kpa.cast<FloatArray>(),
-                                                   pressure_kpa.size(), "setpoint_kpa");
+             if (setpoint_kpa) {
+               state.setpoint_kpa =
+                   pressures_from(*setpoint_kpa, pressure_kpa.size(), "setpoint_kpa");
+             }
+             if (tracker_t) {
+               require_finite(*tracker_t, "tracker_t");
              }
              state.tracker_s = tracker_t;
              return state;
@@ -71,12 +75,13 @@ void bind_state(py::module_& module) {
       });
 }
 
-/// One call of the arm, without Python's lock.
-template <class Function>
-auto moved(SharedVirtualArm& arm, const Function& function) {
-  const ArmUse use(arm);
-  const OthersMayRun others_may_run;
-  return function(*use);
+std::string repr_of_arm(SharedVirtualArm& arm) {
+  try {
+    return fmt::format("VirtualArm(time_s={})",
+                       std::string(py::repr(py::float_(ArmUse(arm)->state().time_s))));
+  } catch (const InputError&) {  // a controller that a run asks may print it
+    return "VirtualArm(moving)";
+  }
 }
 
 void bind_virtual_arm_options(py::module_& module) {
@@ -118,7 +123,9 @@ void bind_virtual_arm(py::module_& module) {
           [](SharedVirtualArm& arm, const FloatArray& setpoint_kpa) {
             require_shape(setpoint_kpa, {setpoint_kpa.size()}, "setpoint_kpa");
             const Pressures setpoints = pressures_map(setpoint_kpa);
-            return moved(arm, [&](VirtualArm& moving) { return moving.command(setpoints); });
+            const ArmUse use(arm);
+            const OthersMayRun others_may_run;
+            return ArmState(use->command(setpoints));
           },
           py::arg("setpoint_kpa"),
           "One frame at set points (n,) [kPa]; returns the ArmState after it. Raises "
@@ -132,11 +139,12 @@ void bind_virtual_arm(py::module_& module) {
             require_shape(setpoint_kpa, {setpoint_kpa.size()}, "setpoint_kpa");
             require_number("seconds", seconds, 0.0, kMaxSeconds);
             const Pressures setpoints = pressures_map(setpoint_kpa);
-            return moved(arm,
-                         [&](VirtualArm& moving) { return moving.settle(setpoints, seconds); });
+            const ArmUse use(arm);
+            return interruptibly([&] { return use->settle(setpoints, seconds); });
           },
           py::arg("setpoint_kpa"), py::arg("seconds"),
-          "The same set points (n,) [kPa] for so long [s]; returns the ArmState after it.")
+          "The same set points (n,) [kPa] for so long [s]; returns the ArmState after it. Ctrl-C "
+          "raises KeyboardInterrupt.")
       .def(
           "true_backbone",
           [](SharedVirtualArm& arm) {
@@ -149,10 +157,7 @@ void bind_virtual_arm(py::module_& module) {
           "true_pressure_kpa",
           [](SharedVirtualArm& arm) { return vector_array(ArmUse(arm)->true_pressure_kpa()); },
           "Pressures now, float64 (n,) [kPa], without noise or latency.")
-      .def("__repr__", [](SharedVirtualArm& arm) {
-        return "VirtualArm(time_s=" +
-               std::string(py::repr(py::float_(ArmUse(arm)->state().time_s))) + ")";
-      });
+      .def("__repr__", &repr_of_arm);
 }
 
 }  // namespace limber::python

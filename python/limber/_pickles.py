@@ -1,6 +1,6 @@
 """Copies and pickles: of settings and other records by their fields; of arms, environments, models
-and plans by what their files hold; of episodes by their arrays. pickle and copy raise TypeError for
-everything else."""
+and plans by what their files hold; of episodes, polygons and starts by their arrays. pickle and copy
+raise TypeError for everything else."""
 
 from __future__ import annotations
 
@@ -15,8 +15,14 @@ _WRITERS: dict[str, Any] = {"arm": _limber.write_arm, "environment": _limber.wri
             "model": _limber.write_model, "plan": _limber.write_plan}
 _FILED = {_limber.ArmDescription: "arm", _limber.Environment: "environment",
           _limber.CompensationModel: "model", _limber.Plan: "plan"}
-_ARRAYS = ("time_s", "pressure_kpa", "setpoint_kpa", "backbone", "motion_index", "tracked",
-           "setpoints_only", "physics", "lifted", "log")
+_ARGUMENTS = {_limber.Episode: ("time_s", "pressure_kpa", "setpoint_kpa", "backbone", "motion_index",
+                               "tracked", "setpoints_only", "physics", "lifted", "log"),
+              _limber.Polygon: ("points_m",), _limber.ArmStart: ("pressures_kpa", "backbone")}
+
+
+def _of_class(self: Any, table: dict[Any, Any]) -> Any:
+    """What a table of limber's classes says of one, or of a class derived from it."""
+    return next(table[kind] for kind in type(self).__mro__ if kind in table)
 
 
 def _from_fields(kind: type, fields: dict[str, Any]) -> Any:
@@ -33,7 +39,7 @@ def _from_file(kind: str, data: bytes) -> Any:
 
 def _reduce_filed(self: Any, _protocol: int) -> tuple[Any, ...]:
     import tempfile
-    kind = _FILED[type(self)]
+    kind = _of_class(self, _FILED)
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / f"pickled {kind}"
         _WRITERS[kind](path, self)
@@ -49,8 +55,8 @@ def _reduce_record(self: Any, _protocol: int) -> tuple[Any, ...]:
                                  if value != getattr(usual, name)})
 
 
-def _reduce_episode(self: Any, _protocol: int) -> tuple[Any, ...]:
-    return type(self), tuple(getattr(self, name) for name in _ARRAYS)
+def _reduce_arguments(self: Any, _protocol: int) -> tuple[Any, ...]:
+    return type(self), tuple(getattr(self, name) for name in _of_class(self, _ARGUMENTS))
 
 
 def _reduce_enum(self: Any, _protocol: int) -> tuple[Any, ...]:
@@ -70,8 +76,8 @@ for _kind in list(vars(_limber).values()):
         _own = _reduce_record
     elif hasattr(_kind, "__members__"):
         _own = _reduce_enum
-    elif _kind is _limber.Episode:
-        _own = _reduce_episode
+    elif _kind in _ARGUMENTS:
+        _own = _reduce_arguments
     else:
         continue
     setattr(_kind, "__reduce_ex__", _own)

@@ -9,6 +9,7 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
 #include "limber/common/yaml_reader.hpp"
 
 namespace limber {
@@ -187,6 +188,11 @@ std::string to_text(const IdentifiedValves& valves, const std::string& unit, Dim
 }
 
 void write_valves(const std::filesystem::path& path, const IdentifiedValves& valves) {
+  const ValveParameters& parameters = valves.parameters;
+  const std::string fault = why_unusable(parameters, static_cast<int>(parameters.segments.size()));
+  if (!fault.empty()) {
+    throw InputError(fmt::format("{}: {}", path.string(), fault));
+  }
   write_file_atomically(path, valves_to_yaml(valves));
 }
 

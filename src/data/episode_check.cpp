@@ -25,6 +25,10 @@ void validate_episode(const Episode& episode, const EpisodeCheck& check, int cha
   validate_frames(episode, check, channel_count, point_count);
   check.length("motion_index", episode.motion_index, episode.time_s.size());
   check.motions(episode.motion_index);
+  if (!can_be_kept(episode.physics) || !can_be_kept(episode.log)) {
+    check.refuse(can_be_kept(episode.log) ? "physics" : "log",
+                 "is not UTF-8, or holds a zero byte");
+  }
   if (episode.setpoints_only && episode.pressure_kpa != episode.setpoint_kpa) {
     check.refuse("pressure_kpa",
                  "differs from setpoint_kpa, though the episode says that nothing was measured; "

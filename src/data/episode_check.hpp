@@ -9,9 +9,15 @@
 #include "episode_path.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/utf8.hpp"
 #include "limber/data/recording.hpp"
 
 namespace limber {
+
+/// What HDF5 gives back as it was written: it ends a text at a zero byte.
+inline bool can_be_kept(const std::string& text) {
+  return is_utf8(text) && text.find('\0') == std::string::npos;
+}
 
 /// Refuses one data set of one episode.
 class EpisodeCheck {

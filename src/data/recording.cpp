@@ -11,7 +11,6 @@
 #include "limber/arm/no_load_model.hpp"
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"
-#include "limber/common/utf8.hpp"
 #include "limber/data/episode_slice.hpp"
 #include "recorded_backbones.hpp"
 #include "recording_hdf5.hpp"
@@ -76,8 +75,9 @@ void validate_header(const Recording& recording, const std::string& file) {
   for (const std::string* text :
        {&recording.arm_name, &recording.arm_hash, &recording.arm_description, &recording.source,
         &recording.settings, &recording.command.name, &recording.command.unit}) {
-    if (!is_utf8(*text)) {
-      throw InputError(fmt::format("{}: a name or text of the recording is not UTF-8", file));
+    if (!can_be_kept(*text)) {
+      throw InputError(fmt::format(
+          "{}: a name or text of the recording is not UTF-8, or holds a zero byte", file));
     }
     if (text->size() > kLongestText) {
       throw InputError(fmt::format("{}: a text of the recording has {} bytes; expected up to {}",
@@ -309,6 +309,10 @@ void require_alike(const std::vector<Episode>& episodes, int channel_count, int 
                                    episode_path(0), position_size(episodes.front().dimension)));
     }
     validate_frames(episodes[e], EpisodeCheck(where, e), channel_count, point_count);
+  }
+  if (!episodes.empty() && (channel_count < 1 || point_count < 2)) {
+    throw InputError(fmt::format("{}: {} has {} commands and {} plates; expected at least 1 and 2",
+                                 where, episode_path(0), channel_count, point_count));
   }
 }
 

@@ -23,6 +23,7 @@ namespace {
 constexpr double kStillStrain = 1e-13;
 constexpr double kLongestRestS = 60.0;
 constexpr int kMinSteps = 4;
+constexpr int kMaxSteps = 1000;  // a quartic needs no more
 
 /// Of an arm on the bench: nothing depends on history, or differs from one actuator to another.
 void make_ideal(VirtualArmParameters& parameters) {
@@ -125,8 +126,9 @@ std::vector<BenchPoint> bench_test(const ArmDescription& arm, int segment, int s
     throw InputError(fmt::format("bench test: {}; arm '{}' has segments 0 to {}",
                                  segment_name(segment), arm.name, arm.segment_count() - 1));
   }
-  if (steps < kMinSteps) {
-    throw InputError(fmt::format("bench test: {} steps; expected at least {}", steps, kMinSteps));
+  if (steps < kMinSteps || steps > kMaxSteps) {
+    throw InputError(
+        fmt::format("bench test: {} steps; expected {} to {}", steps, kMinSteps, kMaxSteps));
   }
   VirtualArm bench(bench_arm(arm, segment));
   const double limit =

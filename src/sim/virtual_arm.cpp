@@ -12,6 +12,7 @@
 #include "arm_physics.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
 #include "limber/run/safety_gate.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
 #include "measurement.hpp"
@@ -295,6 +296,7 @@ const ArmState& VirtualArm::settle(const Eigen::Ref<const Pressures>& setpoint_k
                                    double seconds) {
   const auto frames = static_cast<int>(std::ceil(seconds / simulation_->frame_period_s() - 1e-9));
   for (int frame = 0; frame < frames; ++frame) {
+    throw_if_interrupted();
     command(setpoint_kpa);
   }
   return state();

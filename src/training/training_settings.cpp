@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "limber/common/error.hpp"
+#include "limber/common/jobs.hpp"
 
 namespace limber {
 
@@ -171,7 +172,8 @@ void require_usable(const TrainingSettings& settings) {
         shared ? "shared_range" : "range_by_unit", to_string(settings.form),
         to_string(settings.layout)));
   }
-  require(settings.jobs >= 0, "jobs", settings.jobs, ">= 0 (0: one per core)");
+  require(settings.jobs >= 0 && settings.jobs <= kMaxJobs, "jobs", settings.jobs,
+          fmt::format("0 (one per core) to {}", kMaxJobs).c_str());
   const double rate = settings.learning_rate;
   require(std::isfinite(rate) && rate > 0.0, "learning_rate", rate, "a finite number > 0");
   require(std::isfinite(settings.time_limit_s) && settings.time_limit_s >= 0.0, "time_limit_s",

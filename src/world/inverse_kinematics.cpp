@@ -21,6 +21,10 @@ constexpr double kMaxDamping = 1e8;     // no step this short will help: the sta
 constexpr double kMinScale = 1e-12;     // [m²]; where every segment is held
 constexpr double kStalledStep = 1e-12;  // relative to the curvature limits
 
+// Nobody can stop the search: at these it takes seconds.
+constexpr int kMaxStarts = 10'000;
+constexpr int kMaxIterations = 1000;
+
 double wrapped(double angle_rad) {
   return std::remainder(angle_rad, 2.0 * std::numbers::pi);
 }
@@ -167,10 +171,14 @@ void require_valid(const PoseGoal& goal, const InverseKinematicsSettings& settin
     throw InputError(fmt::format("goal tolerances {} m and {} rad; expected both > 0",
                                  goal.position_tolerance_m, goal.orientation_tolerance_rad));
   }
-  if (settings.starts < 1 || settings.max_solutions < 1 || settings.iterations < 1 ||
+  if (settings.starts < 1 || settings.starts > kMaxStarts || settings.max_solutions < 1 ||
+      settings.iterations < 1 || settings.iterations > kMaxIterations ||
       !(settings.convergence_m > 0.0) || !(settings.distinct_pressure_kpa >= 0.0)) {
-    throw InputError(
-        "inverse kinematics: starts, solutions, iterations, convergence must be positive");
+    throw InputError(fmt::format(
+        "inverse kinematics: {} starts, {} solutions, {} iterations, convergence of {} m, distinct "
+        "by {} kPa; all must be positive, at most {} starts and {} iterations",
+        settings.starts, settings.max_solutions, settings.iterations, settings.convergence_m,
+        settings.distinct_pressure_kpa, kMaxStarts, kMaxIterations));
   }
 }
 

@@ -273,6 +273,13 @@ class Views(unittest.TestCase):
         self.assertTrue(np.shares_memory(weight, model.layers[0].weight))
         self.assertEqual(weight.shape[0], 16)
 
+    def test_views_are_read_only(self):
+        model = limber.read_model(chain().model)
+        for view in (model.layers[0].weight, model.layers[0].bias, model.bounds.min_length_m,
+                     limber.read_recording(chain().recording).episodes[0].time_s):
+            with self.assertRaisesRegex(ValueError, "read-only"):
+                view[:] = 0
+
     def test_an_episode_holds_what_it_was_given(self):
         frames = 5
         arm = chain().arm
@@ -295,6 +302,24 @@ class Views(unittest.TestCase):
         with self.assertRaisesRegex(limber.InputError, "expected 5 frames"):
             limber.Episode(np.arange(frames) / 20, np.zeros((4, 2)), np.ones((frames, 2)),
                            backbone, np.zeros(frames, int))
+
+    def test_arrays_that_no_episode_can_have(self):
+        good = {"time_s": [0, 1], "pressure_kpa": np.zeros((2, 2)), "setpoint_kpa": np.zeros((2, 2)),
+                "backbone": np.zeros((2, 3, 3)), "motion_index": [0, 0]}
+        self.assertEqual(len(limber.Episode(**good, tracked=[True, False])), 2)
+        for name, wrong, told in (
+                ("pressure_kpa", np.zeros(2), r"pressure_kpa has shape \(2,\); expected \(T, n\)"),
+                ("pressure_kpa", np.zeros((2, 2, 2)), r"pressure_kpa has shape \(2, 2, 2\)"),
+                ("setpoint_kpa", np.zeros((2, 3)), r"setpoint_kpa has shape \(2, 3\); expected \(2, 2\)"),
+                ("motion_index", [0, 2**40], r"motion_index = 1\.\S+; expected 0 to 2147483647"),
+                ("tracked", [1, 256], "tracked = 256; expected 0 to 1")):
+            with self.subTest(told), self.assertRaisesRegex(limber.InputError, told):
+                limber.Episode(**{**good, name: wrong})
+        for name, wrong in (("motion_index", [0, np.nan]), ("motion_index", [0, 1j]), ("tracked", [1, 0.5])):
+            with self.assertRaisesRegex(TypeError, f"{name}: expected whole numbers, found"):
+                limber.Episode(**{**good, name: wrong})
+        with self.assertRaisesRegex(limber.InputError, "expected that with setpoints_only"):
+            limber.Episode(**{**good, "setpoint_kpa": np.ones((2, 2))}, setpoints_only=True)
 
 
 if __name__ == "__main__":

@@ -39,6 +39,10 @@ class Help(unittest.TestCase):
         for owner, name, _, text in members():
             self.assertGreater(len(text), SHORTEST - 1, f"{owner}.{name}: {text!r}")
 
+    def test_all_names_everything_public(self):
+        public = {name for name in vars(limber._limber) if not name.startswith("_")}
+        self.assertEqual(sorted(limber.__all__), sorted(public | {"ArmDriver", "Controller", "data_folder"}))
+
     def test_every_number_with_a_unit_names_it(self):
         for owner, name, is_property, text in members():
             if is_property and unit_of(name):

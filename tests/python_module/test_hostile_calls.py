@@ -51,6 +51,24 @@ class ReachingPastTheEnd(InFolder):
             with self.assertRaises(limber.InputError):
                 wrong()
 
+    def test_arms_of_less_than_two_plates(self):
+        for plates in (0, 1):
+            with self.assertRaisesRegex(limber.InputError, rf"backbone has shape \(2, {plates}, 3\); .* m from 2"):
+                limber.Episode([0, 1], np.zeros((2, 2)), np.zeros((2, 2)), np.zeros((2, plates, 3)), [0, 0])
+        empty = limber.Episode([], np.zeros((0, 2)), np.zeros((0, 2)), np.zeros((0, 1, 3)), [])
+        for function in (lambda: limber.gap_bounds_of([empty]),
+                         lambda: limber.learnt_region_of(limber.TrainingData([empty]))):
+            with self.assertRaises(limber.InputError):
+                function()
+
+    def test_a_fit_of_another_arm(self):
+        episodes = limber.read_recording(chain().recording).episodes
+        fit = limber.fit_simple_model(chain().arm, episodes)
+        other = limber.load_arm(ROOT / "arms" / "three_segment.yaml")
+        for function in (lambda: fit.describe(other), lambda: limber.fitted_arm(other, fit, episodes)):
+            with self.assertRaisesRegex(limber.InputError, "a fit of 2 segments; arm 'three_segment' has 3"):
+                function()
+
     def test_a_region_of_another_arm(self):
         region = limber.RecordedRegion(limber.read_model(chain().model).learnt, 20.0)
         other = limber.load_arm(ROOT / "arms" / "three_segment.yaml")
@@ -168,8 +186,9 @@ class WrongEpisodes(InFolder):
             limber.learnt_region_of(limber.TrainingData(mixed))
 
 
-class WrongNumbers(unittest.TestCase):
+class WrongNumbers(InFolder):
     def setUp(self):
+        super().setUp()
         self.episodes = limber.read_recording(chain().recording).episodes
 
     def test_shares_threads_and_times(self):
@@ -192,6 +211,68 @@ class WrongNumbers(unittest.TestCase):
         with self.assertRaisesRegex(limber.InputError, "expected times to increase"):
             with_values(self.episodes[0], time_s=self.episodes[0].time_s[::-1])
 
+    def test_more_threads_than_there_are(self):
+        data = limber.hold_back_validation(self.episodes, 0.1, 1)
+        settings = limber.best_preset()
+        settings.jobs = 100000
+        for function in (lambda: limber.ParallelForward(2**31 - 1),
+                         lambda: limber.train(chain().arm, data, settings)):
+            with self.assertRaisesRegex(limber.InputError, r"jobs = \d+; expected .* 1024"):
+                function()
+
+    def test_texts_with_zero_bytes(self):
+        for episodes, source in ((self.episodes, "a\0b"), ([with_values(self.episodes[0], log="a\0b")], "a")):
+            with self.assertRaisesRegex(limber.InputError, "zero byte"):
+                limber.make_recording(chain().arm, episodes, source=source)
+
+    def test_choices_have_no_other_values(self):
+        choices = [one for name in limber.__all__ if hasattr(one := getattr(limber, name), "__members__")]
+        self.assertGreater(len(choices), 10)
+        for choice in choices:
+            for one in choice.__members__.values():
+                self.assertEqual(choice(int(one)), one)
+            with self.assertRaisesRegex(limber.InputError, rf"{choice.__name__}\(300\): expected \d+ \("):
+                choice(300)
+
+    def test_what_is_not_finite_or_out_of_range(self):
+        arm = chain().arm
+        model, forward = limber.NoLoadModel(arm), limber.ForwardModel(arm)
+        settings = limber.virtual_collection(arm, limber.ScheduleSettings())
+        settings.hold_limit_s = np.nan
+        for wrong in (lambda bad: model.segment_shape(0, bad), lambda bad: model.pressure_for_curvature(0, bad),
+                      lambda bad: limber.RandomStream(1).uniform(0, bad),
+                      lambda bad: limber.error_room(forward, margin_m=bad),
+                      lambda bad: limber.ArmState(0.0, [0, 0], tracker_t=bad)):
+            for bad in (np.nan, np.inf):
+                with self.assertRaises(limber.InputError):
+                    wrong(bad)
+        for wrong in (lambda: limber.RandomStream(1).uniform(5, 1), lambda: limber.error_room(forward, margin_m=-1),
+                      lambda: limber.collect(arm, settings, limber.virtual_arm_factory(arm), self.folder / "a.h5"),
+                      lambda: limber.bench_test_all(arm, 10**9),
+                      lambda: limber.solve_inverse_kinematics(
+                          model, limber.PoseGoal(x_m=0.3), limber.InverseKinematicsSettings(starts=10**6),
+                          limber.RandomStream(1))):
+            with self.assertRaises(limber.InputError):
+                wrong()
+
+    def test_valves_that_no_file_can_have(self):
+        never = limber.ValveParameters(segments=[limber.SegmentValves()])
+        with self.assertRaisesRegex(limber.InputError, "rate_limit_kpa_per_s = 0"):
+            limber.write_valves(self.folder / "v.yaml", limber.IdentifiedValves(parameters=never))
+        self.assertFalse((self.folder / "v.yaml").exists())
+
+    def test_a_field_of_another_type_is_named(self):
+        with self.assertRaisesRegex(TypeError, r"PlannerLimits\(iterations=100\.0\): expected Optional\[int\]"):
+            limber.PlannerLimits(iterations=100.0)
+
+    def test_nothing_equals_what_is_of_another_kind(self):
+        arm = chain().arm
+        state = limber.MotionModel(limber.ForwardModel(arm)).settled_state(
+            [0, 0], limber.NoLoadModel(arm).backbone([0, 0]))
+        for one in (limber.ValveParameters(), state):
+            self.assertTrue(one == one and one != None)  # noqa: E711
+            self.assertNotIn(one, [1])
+
     def test_a_goal_in_millimetres(self):
         arm = chain().arm
         environment = limber.Environment("far", [], limber.PoseGoal(x_m=550.0, y_m=0.0))
@@ -201,10 +282,11 @@ class WrongNumbers(unittest.TestCase):
         self.assertEqual(result.status, limber.PlanStatus.goal_unreachable)
         self.assertRegex(result.reason, r"goal.x_m = 550 .* Is it in millimetres\?")
 
-    def test_complex_numbers(self):
+    def test_complex_numbers_dates_and_texts(self):
         model = limber.NoLoadModel(chain().arm)
-        with self.assertRaises(TypeError):
-            model.backbone(np.zeros(2, complex))
+        for wrong in (np.zeros(2, complex), np.zeros(2, "datetime64[s]"), ["1", "2"]):
+            with self.assertRaises(TypeError):
+                model.backbone(wrong)
         with self.assertRaises(TypeError):
             limber.Polygon(np.zeros((4, 2), complex))
 
@@ -278,8 +360,22 @@ class LostAssignments(unittest.TestCase):
                            (model.parameters.segments[1], "dead_band_kpa")])
         with self.assertRaises(AttributeError):
             model.parameters.has_sides = False
+        network = limber.read_model(chain().model)
+        network.valves = parameters
+        with self.assertRaises(AttributeError):
+            network.valves.has_sides = False
+        self.assertEqual(network.valves, parameters)
         parameters.segments = []
         self.assertEqual(valves.venting.rate_limit_kpa_per_s, 100.0)
+
+    def test_what_a_forward_model_and_a_problem_hold_does_not_change(self):
+        forward = limber.ForwardModel(chain().arm, limber.read_model(chain().model))
+        forward.compensation.bounds = None
+        self.assertIsNotNone(forward.compensation.bounds)
+        room = limber.error_room(forward)
+        problem = limber.PlanningProblem(chain().arm, limber.MotionModel(forward), chain().environment,
+                                         goal_margin=room.goal_margin)
+        self.assert_fixed([(room.goal_margin, "position_m"), (problem.goal_margin, "orientation_rad")])
 
     def test_stages_do_not_change_and_outlive_their_list(self):
         settings = limber.best_preset()

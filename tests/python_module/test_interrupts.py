@@ -176,6 +176,12 @@ class Interrupts(InFolder):
         waypoints = np.tile(there, (20000, 1))
         self.interrupted_early(lambda: limber.plan_along(self.problem, waypoints, "mine"))
 
+    def test_settle(self):
+        self.interrupted(lambda _: limber.VirtualArm(self.chain.arm).settle([50, 0], 1e6))
+
+    def test_bench_test_all(self):
+        self.interrupted(lambda _: limber.bench_test_all(self.chain.arm, 1000))
+
     def test_fit_simple_model(self):
         many = limber.read_recording(self.chain.recording).episodes * 2000
         self.interrupted_early(lambda: limber.fit_simple_model(self.chain.arm, many))
@@ -238,6 +244,17 @@ class Interrupts(InFolder):
         self.assertEqual(driver.commands, 3)
         self.assertGreaterEqual(driver.vents, 1)
 
+    def test_a_controller_may_print_its_driver(self):
+        driver, said = limber.VirtualArm(self.chain.arm), []
+
+        class Printing(limber.Controller):
+            model = None
+
+            def step(self, arm):
+                said.append(repr(driver))
+        limber.execute(self.chain.arm, self.chain.environment, self.plan(), driver, controller=Printing())
+        self.assertEqual(set(said), {"VirtualArm(moving)"})
+
     def test_no_signal_handler_is_installed(self):
         self.assertIs(signal.getsignal(signal.SIGINT), signal.default_int_handler)
         self.assertIs(signal.getsignal(signal.SIGTERM), signal.SIG_DFL)
@@ -270,6 +287,15 @@ class Callbacks(unittest.TestCase):
         result = limber.make_planner().plan(self.problem, limber.PlannerLimits(iterations=200), 5,
                                             lambda progress: None)
         self.assertEqual(result.status, limber.PlanStatus.solved)
+
+    def test_what_is_no_answer_is_named(self):
+        with self.assertRaisesRegex(TypeError, "callback returned str; expected True, False or None"):
+            limber.make_planner().plan(self.problem, limber.PlannerLimits(time_s=60.0), 1,
+                                       lambda progress: "stop")
+        data = limber.hold_back_validation(
+            limber.read_recording(self.chain.recording).episodes, 0.1, 1)
+        with self.assertRaisesRegex(TypeError, "on_epoch returned list"):
+            limber.train(self.chain.arm, data, limber.best_preset(), lambda point: [])
 
     def test_an_exception_comes_out(self):
         def callback(progress):

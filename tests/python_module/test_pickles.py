@@ -62,6 +62,15 @@ class Pickles(InFolder):
                              number)
         for other in ways(environment):
             self.assertEqual(limber.environment_hash(other), limber.environment_hash(environment))
+        class Derived(limber.Environment):
+            pass
+        for other in ways(Derived("derived", [], environment.goal)):
+            self.assertEqual(other.name, "derived")
+        for other in ways(limber.Polygon([[0.1, 0.2], [0.3, 0.2], [0.2, 0.4]])):
+            np.testing.assert_array_equal(other.points_m, [[0.1, 0.2], [0.3, 0.2], [0.2, 0.4]])
+        start = limber.start_state(environment, chain().arm)
+        for other in ways(start):
+            np.testing.assert_array_equal(other.backbone, start.backbone)
         episode = limber.read_recording(chain().recording).episodes[0]
         for other in ways(episode):
             np.testing.assert_array_equal(other.backbone, episode.backbone)

@@ -33,6 +33,16 @@ class Training(InFolder):
         self.assertEqual(result.long_rollout.bounded, result.long_rollout.held_share <= 0.1)
         self.assertIsInstance(result.passed_over_epochs, list)
 
+    def test_what_is_changed_meanwhile_changes_no_run(self):
+        data, settings = self.data(), settings_of(6)
+        alone = limber.train(self.chain.arm, data, settings).model
+
+        def on_epoch(_):
+            data.validation, settings.hidden_units = [], [4]
+        other = limber.train(self.chain.arm, data, settings, on_epoch).model
+        for one, same in zip(alone.layers, other.layers, strict=True):
+            np.testing.assert_array_equal(one.weight, same.weight)
+
     def test_the_fitted_arm_is_the_programs(self):
         theirs = run_json("characterize", "--arm", TWO_SEGMENT, "--recording",
                           self.chain.recording, "--out", "fitted.yaml", folder=self.folder)

@@ -14,6 +14,16 @@ from chain import EXAMPLES, ROOT, InFolder
 HAS_MYPY = importlib.util.find_spec("mypy") is not None
 
 
+class Stubs(unittest.TestCase):
+    def test_results_that_pybind11_does_not_know(self):
+        stub = (pathlib.Path(limber.__file__).parent / "_limber.pyi").read_text(encoding="utf-8")
+        for line in ("def compensation(self) -> CompensationModel | None:",
+                     "def rest(self) -> npt.NDArray[np.float32] | None:",
+                     "def with_setpoints_only(episodes: Iterable[Episode]) -> list[Episode]:"):
+            self.assertIn(line, stub)
+        self.assertRegex(stub, r"def export_csv\(.*\) -> list\[pathlib\.Path\]:")
+
+
 @unittest.skipUnless(HAS_MYPY, "mypy is not installed: no type was checked")
 class Types(InFolder):
     def checked(self, *arguments):

@@ -8,6 +8,7 @@
 
 #include "default_planner.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/jobs.hpp"
 
 namespace limber {
 
@@ -65,7 +66,7 @@ void require_valid(const DefaultPlannerSettings& settings) {
   }
   require_between("goal_bias + goal_steering_share",
                   settings.goal_bias + settings.goal_steering_share, 0.0, 1.0);
-  require_between("jobs", settings.jobs, 0, 1024);
+  require_between("jobs", settings.jobs, 0, kMaxJobs);
 }
 
 DefaultPlannerSettings default_settings_of(PlannerName name) {

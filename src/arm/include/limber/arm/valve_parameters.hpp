@@ -87,6 +87,7 @@ std::string valves_to_yaml(const IdentifiedValves& valves);
 std::string to_text(const IdentifiedValves& valves, const std::string& unit = "kPa",
                     Dimension dimension = Dimension::plane);
 
+/// @throws InputError if no valve model can use the parameters.
 void write_valves(const std::filesystem::path& path, const IdentifiedValves& valves);
 /// YAML, or JSON, which is YAML too. @throws InputError naming file, line and key.
 IdentifiedValves read_valves(const std::filesystem::path& path);

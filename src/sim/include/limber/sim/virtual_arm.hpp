@@ -98,6 +98,7 @@ class VirtualArm final : public ArmDriver {
   void vent() noexcept override;
 
   /// Commands the same set points for at least `seconds`; returns the state at the end.
+  /// @throws Interrupted if a signal comes.
   const ArmState& settle(const Eigen::Ref<const Pressures>& setpoint_kpa, double seconds);
 
   VirtualArmState save() const;
@@ -153,7 +154,7 @@ CollectionSettings virtual_collection(const ArmDescription& arm, const ScheduleS
 /// alone on a frictionless table, without braid hysteresis, with every actuator of nominal
 /// strength. One side is pressurised from 0 to the segment's limit in `steps` equal steps, each
 /// held until the segment stands still. So the strain includes the segment's own elasticity.
-/// @param steps  ≥ 4, so that a quartic can be fitted; `steps` + 1 points come back.
+/// @param steps  4, so that a quartic can be fitted, to 1000; `steps` + 1 points come back.
 /// @throws InputError if `segment` or `steps` is out of range, SystemFault if the simulation
 /// blows up or does not come to rest.
 std::vector<BenchPoint> bench_test(const ArmDescription& arm, int segment, int steps = 20);
