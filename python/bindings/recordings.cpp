@@ -1,5 +1,6 @@
 #include "limber/data/recording.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
@@ -31,13 +32,12 @@ FrameMatrix frames_from(const FloatArray& array, py::ssize_t frames, const char*
   return Eigen::Map<const FrameMatrix>(array.data(), frames, columns);
 }
 
-/// One whole number for each frame. @throws TypeError for anything but integers and bools.
+/// One whole number for each frame.
 template <class Number>
 std::vector<Number> numbers_from(const py::object& given, py::ssize_t frames, const char* name,
                                  Number highest) {
   const auto array = py::array::ensure(given);
-  if (!array || (array.size() > 0 &&
-                 std::string_view("biu").find(array.dtype().kind()) == std::string_view::npos)) {
+  if (!array || (array.size() > 0 && !has_numbers(array))) {
     throw py::type_error(
         fmt::format("{}: expected whole numbers, found {}", name,
                     array ? std::string(py::str(array.dtype())) : type_name(given)));
@@ -45,7 +45,11 @@ std::vector<Number> numbers_from(const py::object& given, py::ssize_t frames, co
   require_shape(array, {frames}, name);
   const DoubleArray values = DoubleArray::Base::ensure(array);
   for (py::ssize_t t = 0; t < frames; ++t) {
-    require_number(name, values.data()[t], 0.0, highest);
+    const double value = values.data()[t];
+    require_number(name, value, 0.0, highest);
+    if (value != std::floor(value)) {
+      throw InputError(fmt::format("{} = {}; expected whole numbers", name, value));
+    }
   }
   return {values.data(), values.data() + frames};
 }
