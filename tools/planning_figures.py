@@ -17,7 +17,7 @@ import statistics
 import subprocess
 import sys
 
-FIRST = ["--cost-threshold-kpa", "1000000"]  # stops at the first plan
+FIRST = ["--cost-threshold", "1000000"]  # stops at the first plan
 BOTH_CORES = ["--jobs", "1", "--planner-jobs", "2"]  # one plan after another; else two at a time
 BOTH_MODELS = "both models"  # the no-load model too, which elsewhere is left out
 RANDOM = "random_environments"

@@ -48,6 +48,17 @@ std::string check_finite(std::string& text) {
                            kMax);
 }
 
+/// @param words  what is allowed. @param in_help  the same, as help texts have it
+CLI::Validator number_check(bool (*holds)(double), const char* words, const char* in_help) {
+  return {[=](std::string& text) {
+            double value = 0.0;
+            return parse_number(text, value) && holds(value)
+                       ? std::string()
+                       : fmt::format("'{}' found; expected {}", shortened(text), words);
+          },
+          in_help};
+}
+
 std::string check_blanks(std::string& text) {
   return text.find(',') == std::string::npos
              ? ""
@@ -116,8 +127,8 @@ constexpr std::array<std::string_view, 2> kWritersOfCsv = {"plan", "export"};
 // With --force, this verb fills in the arm file that it reads.
 constexpr std::string_view kRewriter = "characterize";
 
-// Verbs that fill a folder with results, and remove those of the last run.
-constexpr std::array<std::string_view, 2> kFillers = {"demo", "experiment"};
+// Verbs that fill a folder with results, and remove or replace those of the last run.
+constexpr std::array<std::string_view, 3> kFillers = {"demo", "experiment", "improve"};
 
 struct NamedPath {
   std::string option;
@@ -164,10 +175,10 @@ void require_outside_of_results(const CLI::App& command, const fs::path& folder)
 }
 
 /// Refuses a command line if a file to be written is also read or is written twice, or if a file to
-/// be read lies in the folder that `demo` or `experiment` fill: the
-/// work or its input would be lost. Files to be written are the values of the
-/// options named in the source; any other value that names an existing file is
-/// read. Paths are compared as files, so links and detours don't hide them.
+/// be read lies in the folder that a verb of kFillers fills: the work or its input would be lost.
+/// Files to be written are the values of the options named in the source; any other value that
+/// names an existing file is read. Paths are compared as files, so links and detours don't hide
+/// them.
 /// @throws InputError naming both options and the file.
 void require_distinct_files(const CLI::App& command) {
   std::vector<NamedPath> inputs;
@@ -278,7 +289,7 @@ void add_common_flags(CLI::App& app, CommonFlags& flags) {
   app.add_option("--jobs", flags.jobs, "Threads to use, 0 for one per core; never changes a result")
       ->check(CLI::Range(0, 1024));
   app.add_option("--seed", flags.seed, "Seed of everything that is random")
-      ->check(CLI::NonNegativeNumber)
+      ->check(at_least_zero())
       ->capture_default_str();
 }
 
@@ -304,6 +315,15 @@ int run_command_line(int argc, char** argv) {
     verb->add_flags(*command);
     require_plain_numbers(*command);
   }
+  const std::string first = argc > 1 ? argv[1] : "";
+  const auto is_first = [&](const auto& verb) { return verb->name() == first; };
+  if (argc > 1 && !app.get_option_no_throw(first) && std::ranges::none_of(verbs, is_first)) {
+    return report(
+        kExitBadInput,
+        fmt::format("'{}': no verb, and no flag that comes before one; limber --help lists "
+                    "the verbs",
+                    first));
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -316,6 +336,14 @@ int run_command_line(int argc, char** argv) {
     }
   }
   return kExitBadInput;
+}
+
+CLI::Validator more_than_zero() {
+  return number_check([](double value) { return value > 0.0; }, "more than 0", "POSITIVE");
+}
+
+CLI::Validator at_least_zero() {
+  return number_check([](double value) { return value >= 0.0; }, "at least 0", "NONNEGATIVE");
 }
 
 void print_error(const std::string& message) {

@@ -20,12 +20,15 @@ namespace limber {
 
 namespace {
 
-/// Stands in for a driver in a dry run: hands every line that would be sent to `print`, and is
-/// where it was told to be.
+/// Stands in for a driver in a dry run: hands every line that would be sent to `print`, as the wire
+/// has it, and is where it was told to be.
 class DryRunDriver final : public ArmDriver {
  public:
-  DryRunDriver(const ArmDescription& arm, std::function<void(const std::string& line)> print)
-      : period_s_(arm.frame_period_s()), print_(std::move(print)) {
+  DryRunDriver(const ArmDescription& arm, std::optional<WireCalibration> calibration,
+               std::function<void(const std::string& line)> print)
+      : period_s_(arm.frame_period_s()),
+        calibration_(std::move(calibration)),
+        print_(std::move(print)) {
     state_.pressure_kpa = Pressures::Zero(arm.channel_count());
     if (arm.is_spatial()) {
       state_.space_backbone = SpaceBackbone::Zero(arm.point_count(), kSpacePoseSize);
@@ -36,7 +39,11 @@ class DryRunDriver final : public ArmDriver {
                                 Eigen::Ref<Backbone>(straight));
       state_.backbone = straight;
     }
-    print_(to_line(host_hello(arm)));
+    HostHello hello = host_hello(arm);
+    if (calibration_) {
+      hello.limit_kpa = calibration_->to_wire(hello.limit_kpa);
+    }
+    print_(to_line(hello));
   }
 
   ~DryRunDriver() override { print_(bye_line()); }
@@ -44,9 +51,10 @@ class DryRunDriver final : public ArmDriver {
   const ArmState& state() const override { return state_; }
   const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) override {
     state_.time_s = static_cast<double>(seq_) * period_s_;
-    print_(set_line(seq_, state_.time_s, setpoint_kpa));
-    ++seq_;
     state_.pressure_kpa = setpoint_kpa;
+    print_(set_line(seq_, state_.time_s,
+                    calibration_ ? calibration_->to_wire(setpoint_kpa) : state_.pressure_kpa));
+    ++seq_;
     resting_ = false;
     return state_;
   }
@@ -61,6 +69,7 @@ class DryRunDriver final : public ArmDriver {
 
  private:
   double period_s_;
+  std::optional<WireCalibration> calibration_;
   std::function<void(const std::string&)> print_;
   ArmState state_;
   std::int64_t seq_ = 0;
@@ -94,11 +103,17 @@ ProcessDriverSettings WireFlags::settings(const std::string& driver, const ArmDe
   settings.command = driver.substr(kExec.size());
   settings.simulated = simulated_;
   settings.safety = load_safety(arm_file);
-  if (is_calibrated()) {
-    settings.calibration = read_wire_calibration(calibration_);
-    require_calibration_of(*settings.calibration, arm, calibration_);
-  }
+  settings.calibration = calibration(arm);
   return settings;
+}
+
+std::optional<WireCalibration> WireFlags::calibration(const ArmDescription& arm) const {
+  if (!is_calibrated()) {
+    return std::nullopt;
+  }
+  WireCalibration calibration = read_wire_calibration(calibration_);
+  require_calibration_of(calibration, arm, calibration_);
+  return calibration;
 }
 
 std::function<void(const std::string&)> tell_of_arm(bool all) {
@@ -110,6 +125,7 @@ std::function<void(const std::string&)> tell_of_arm(bool all) {
 }
 
 void DriverFlags::add_to(CLI::App& app, bool may_be_model) {
+  command_ = &app;
   may_be_model_ = may_be_model;
   std::string help =
       "What moves: virtual; exec:COMMAND, a program that speaks limber's protocol "
@@ -134,7 +150,7 @@ void require_limit_scale(double scale) {
   }
 }
 
-void DriverFlags::check() const {
+void DriverFlags::check(std::initializer_list<const char*> unused) const {
   if (is_program() && !driver_.starts_with(kExec)) {
     throw InputError(
         fmt::format("--driver {}: expected virtual{} or exec:COMMAND, as in "
@@ -150,6 +166,13 @@ void DriverFlags::check() const {
   }
   if (!is_program() && !log_.empty()) {
     throw InputError("--driver-log: the virtual arm has none; it goes with --driver exec:COMMAND");
+  }
+  std::vector<const char*> without_use(unused);
+  without_use.push_back("--driver-log");
+  for (const char* flag : without_use) {
+    if (dry_run_ && command_->count(flag) > 0) {
+      throw InputError(fmt::format("{}: --dry-run moves nothing, and has no use for it", flag));
+    }
   }
 }
 
@@ -189,10 +212,11 @@ std::unique_ptr<ProcessDriver> DriverFlags::start(const ArmDescription& arm,
 }
 
 int DriverFlags::print_dry_run(const ArmDescription& arm, const CommonFlags& flags,
-                               const std::function<void(ArmDriver&)>& move) {
+                               const std::function<void(ArmDriver&)>& move) const {
   std::vector<std::string> lines;
   {
-    DryRunDriver driver(arm, [&](const std::string& line) { lines.push_back(line); });
+    DryRunDriver driver(arm, wire_.calibration(arm),
+                        [&](const std::string& line) { lines.push_back(line); });
     move(driver);
   }
   Json json = {{"dry_run", true}, {"requests", Json::array()}};

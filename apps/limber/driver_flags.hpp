@@ -1,12 +1,15 @@
 #pragma once
 
 #include <functional>
+#include <initializer_list>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "limber/driver/driver_run.hpp"
 #include "limber/driver/process_driver.hpp"
+#include "limber/driver/wire_calibration.hpp"
 #include "limber/world/environment.hpp"
 #include "limber/world/plan.hpp"
 #include "verb.hpp"
@@ -25,6 +28,8 @@ class WireFlags {
  public:
   void add_to(CLI::App& app);
   bool is_calibrated() const { return !calibration_.empty(); }
+  /// None without --calibration. @throws InputError if it is another arm's.
+  std::optional<WireCalibration> calibration(const ArmDescription& arm) const;
   bool may_be_simulated() const { return simulated_; }
 
   /// For the program of `exec:COMMAND`. @param driver  that whole text
@@ -47,8 +52,9 @@ class DriverFlags {
   /// @param may_be_model  whether --driver model:FILE is understood too
   void add_to(CLI::App& app, bool may_be_model = false);
 
+  /// @param unused  the verb's own flags that --dry-run has no use for
   /// @throws InputError if --driver is none of those, or a flag does not fit.
-  void check() const;
+  void check(std::initializer_list<const char*> unused = {}) const;
   bool is_virtual() const { return driver_ == "virtual"; }
   bool is_model() const;
   /// @pre is_model()
@@ -67,11 +73,12 @@ class DriverFlags {
                                        const std::string& out, bool check_rate,
                                        const CommonFlags& flags) const;
 
-  /// Prints every line that `move` would send.
-  static int print_dry_run(const ArmDescription& arm, const CommonFlags& flags,
-                           const std::function<void(ArmDriver&)>& move);
+  /// Prints every line that `move` would send, through --calibration if there is one.
+  int print_dry_run(const ArmDescription& arm, const CommonFlags& flags,
+                    const std::function<void(ArmDriver&)>& move) const;
 
  private:
+  const CLI::App* command_ = nullptr;
   std::string driver_ = "virtual";
   WireFlags wire_;
   std::string log_;

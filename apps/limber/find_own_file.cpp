@@ -1,9 +1,11 @@
 #include <filesystem>
 #include <string_view>
+#include <utility>
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/data_folder.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/file_format.hpp"
 #include "limber/common/utf8.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
 #include "verb.hpp"
@@ -12,19 +14,26 @@ namespace limber {
 
 namespace {
 
-/// The file given, or limber's own file of this name in `folder`.
-std::string find_own_file(const std::string& name_or_path, const char* folder, const char* ending,
-                          const char* complaint) {
+/// The file given, or limber's own file of this name in `folder`; empty if there is none.
+std::string own_file(const std::string& name_or_path, const char* folder, const char* ending) {
   namespace fs = std::filesystem;
   std::error_code error;  // of a name that is too long, or in a folder that is closed to us
   if (fs::is_regular_file(name_or_path, error)) {
     return name_or_path;
   }
   const fs::path own = data_folder() / folder / (name_or_path + ending);
-  if (name_or_path.find('/') == std::string::npos && fs::exists(own, error)) {
-    return own.string();
+  const bool is_own = name_or_path.find('/') == std::string::npos && fs::exists(own, error);
+  return is_own ? own.string() : "";
+}
+
+/// @throws InputError if there is none.
+std::string find_own_file(const std::string& name_or_path, const char* folder, const char* ending,
+                          const char* complaint) {
+  const std::string found = own_file(name_or_path, folder, ending);
+  if (found.empty()) {
+    throw InputError(fmt::format(fmt::runtime(complaint), name_or_path));
   }
-  throw InputError(fmt::format(fmt::runtime(complaint), name_or_path));
+  return found;
 }
 
 }  // namespace
@@ -71,15 +80,25 @@ std::string find_family_file(const std::string& name_or_path) {
                        "(three_segment, three_segment_small, two_segment)");
 }
 
-FileKind kind_of(const fs::path& file) {
-  constexpr std::size_t kSafetensorsHeader = 8;  // its length, then JSON
-  constexpr std::size_t kHeaderLooked = 65536;   // a forest's: four tensors, and its arm's keys
+std::string find_any_file(const std::string& name_or_path) {
+  for (const auto& [folder, ending] :
+       {std::pair{"arms", ".yaml"}, std::pair{"environments", ".yaml"},
+        std::pair{"families", ".safetensors"}}) {
+    if (std::string found = own_file(name_or_path, folder, ending); !found.empty()) {
+      return found;
+    }
+  }
+  return name_or_path;  // what reads it says what is wrong
+}
+
+FileKind kind_of(const std::filesystem::path& file) {
+  constexpr std::size_t kHeaderLooked = 65536;  // a forest's: four tensors, and its arm's keys
   const std::string head = read_head(file, kHeaderLooked);
-  if (head.starts_with("\x89HDF\r\n")) {
+  const std::string_view format = binary_format(head);
+  if (format == kHdf5Format) {
     return FileKind::recording;
   }
-  if (head.size() > kSafetensorsHeader && head[kSafetensorsHeader] == '{' &&
-      head[kSafetensorsHeader - 1] == '\0') {
+  if (format == kSafetensorsFormat) {
     return head.find("limber/forest/") == head.npos ? FileKind::model : FileKind::forest;
   }
   const std::string content = read_file(file);

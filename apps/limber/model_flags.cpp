@@ -33,7 +33,7 @@ ForwardModel ModelFlags::planning_model(const ArmDescription& arm) const {
   if (model_.empty()) {
     return ForwardModel(arm);
   }
-  CompensationModel network = read_model_of_one_arm(model_);
+  CompensationModel network = read_model_of_one_arm(model_, arm);
   require_bounded(network, model_);
   return ForwardModel(arm, std::move(network));
 }

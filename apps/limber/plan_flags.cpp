@@ -1,5 +1,6 @@
 #include "plan_flags.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 
@@ -82,6 +83,13 @@ void RoomFlags::add_to(CLI::App& app) {
       ->check(CLI::Range(0.0, kMaxMarginM));
 }
 
+void RoomFlags::require_use(const Environment& environment) const {
+  if (asked_.goal_margin_rad.value_or(0.0) > 0.0 && !environment.goal.theta_rad) {
+    throw InputError(fmt::format("--goal-margin-rad {}: the goal of '{}' asks for no heading",
+                                 *asked_.goal_margin_rad, environment.name));
+  }
+}
+
 ErrorRoom RoomFlags::room(const ForwardModel& model, const CommonFlags& flags) const {
   ErrorRoom room = error_room(model, asked_);
   if (!room.note.empty()) {
@@ -115,19 +123,22 @@ std::vector<PressureLimits> LimitFlags::limits(const ArmDescription& arm) const 
     }
     limits[segment] = asked.limits;
   };
-  std::vector<Narrowing> of_one;
+  std::vector<Narrowing> all;
   for (const std::string& value : values_) {
     const Narrowing asked = narrowing_in(value, arm);
-    if (asked.segment) {
-      of_one.push_back(asked);
-      continue;
+    if (std::ranges::count(all, asked.segment, &Narrowing::segment) > 0) {
+      refuse(value, asked.segment ? "the segment has a range already"
+                                  : "another range for all segments is there already");
     }
-    for (std::size_t s = 0; s < limits.size(); ++s) {
+    all.push_back(asked);
+  }
+  std::ranges::stable_partition(all, [](const Narrowing& asked) { return !asked.segment; });
+  for (const Narrowing& asked : all) {  // those of one segment last
+    const std::size_t first = asked.segment.value_or(0);
+    const std::size_t end = asked.segment ? first + 1 : limits.size();
+    for (std::size_t s = first; s < end; ++s) {
       narrow(asked, s);
     }
-  }
-  for (const Narrowing& asked : of_one) {
-    narrow(asked, *asked.segment);
   }
   return limits;
 }
@@ -216,7 +227,7 @@ void ReplanFlags::add_settings_to(CLI::App& app) {
                      "say how many that were: pass it on to repeat a run",
                      1e3 * kMotionSearchS))
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1'000'000}));
-  app.add_flag(
+  adapt_flag_ = app.add_flag(
       "--adapt,!--no-adapt", settings_.adapts,
       "With --replan and a model that limber adapt made: which arm this is, is fitted again "
       "while it moves (by default) or left as it is");

@@ -26,6 +26,8 @@ class RoomFlags {
   void add_to(CLI::App& app);
 
   const AskedRoom& asked() const { return asked_; }
+  /// @throws InputError where --goal-margin-rad is for a goal without heading.
+  void require_use(const Environment& environment) const;
   /// The amounts asked for; the model's own where no flag asks. Says on standard error if those are
   /// not measured.
   ErrorRoom room(const ForwardModel& model, const CommonFlags& flags) const;
@@ -77,13 +79,12 @@ class ForestFlags {
   const CLI::Option* nodes_flag_ = nullptr;
 };
 
-/// --cost-threshold, and its former name, which help texts leave out. @param target  kept by CLI11
+/// --cost-threshold. @param target  kept by CLI11
 inline void add_cost_threshold(CLI::App& app, std::optional<double>& target) {
-  CLI::Option* option =
-      app.add_option("--cost-threshold", target,
-                     "Stop at a plan this cheap, in the unit of the arm's command (kPa of "
-                     "pressures); with a large number, stop at the first plan");
-  app.add_option("--cost-threshold-kpa", target)->group("")->excludes(option);
+  app.add_option("--cost-threshold", target,
+                 "Stop at a plan this cheap, in the unit of the arm's command (kPa of pressures); "
+                 "with a large number, stop at the first plan")
+      ->check(more_than_zero());
 }
 
 /// --replan, and how a plan is then replaced while it is executed.
@@ -95,6 +96,8 @@ class ReplanFlags {
   void add_settings_to(CLI::App& app);
 
   bool is_asked_for() const { return replan_; }
+  /// Whether --adapt or --no-adapt is given.
+  bool says_adapt() const { return adapt_flag_->count() > 0; }
   ClosedLoopSettings& settings() { return settings_; }
   const ClosedLoopSettings& settings() const { return settings_; }
 
@@ -106,6 +109,7 @@ class ReplanFlags {
 
  private:
   bool replan_ = false;
+  const CLI::Option* adapt_flag_ = nullptr;
   std::optional<std::uint64_t> motion_queries_;
   ClosedLoopSettings settings_;
 };

@@ -220,7 +220,11 @@ void say_little(const CommonFlags& flags, const ArmDescription& arm,
 void say_episodes(const CommonFlags& flags, const EpisodeChoice& choice) {
   say_broken(flags, choice);
   warn_of_few_levels(flags, choice.data.training);
-  say(flags, "validating on {}", fmt::join(choice.validation, "; "));
+  if (choice.validation.empty()) {
+    say(flags, "nothing is held back to validate on: there is too little");
+  } else {
+    say(flags, "validating on {}", fmt::join(choice.validation, "; "));
+  }
 }
 
 void say_training(const CommonFlags& flags, const TrainingData& data,

@@ -64,6 +64,11 @@ void say(const CommonFlags& flags, fmt::format_string<Arguments...> format,
   }
 }
 
+/// Checks of numbers in place of CLI::PositiveNumber and CLI::NonNegativeNumber, whose messages
+/// name the largest number that there is, in 300 digits.
+CLI::Validator more_than_zero();
+CLI::Validator at_least_zero();
+
 /// Gives a verb's settings those of these flags that they have.
 template <class Settings>
 void take_common(const CommonFlags& flags, Settings& settings) {
@@ -120,6 +125,8 @@ FileKind kind_of(const std::filesystem::path& file);
 /// Path of an environment file, found the same way ("01_pillar" in environments/).
 std::string find_environment_file(const std::string& name_or_path);
 std::string find_family_file(const std::string& name_or_path);
+/// The file given, or limber's own arm, environment or family of this name; else the name.
+std::string find_any_file(const std::string& name_or_path);
 
 /// Adds "FILE HASH" to what a model says that it learnt from.
 void add_source(std::string& sources, const std::filesystem::path& path, const std::string& hash);

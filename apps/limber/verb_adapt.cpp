@@ -32,21 +32,22 @@ class AdaptVerb final : public Verb {
            "own; or a model of adapt's, whose family it is then")
         ->required();
     app.add_option("--recording", recordings_, "Motions of the arm; repeat for more")->required();
-    app.add_option("--weights", settings_.weights,
+    app.add_option("--weights", weights_,
                    "auto: where the family does not contain the arm, weights are trained too, and "
                    "kept if that is better on the seconds held back; never: e alone")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, AdaptWeights>{
-            {"auto", AdaptWeights::automatic}, {"never", AdaptWeights::never}}))
-        ->default_str("auto");
+        ->check(CLI::IsMember({"auto", "never"}))
+        ->capture_default_str();
     app.add_option("--out", out_, "Model of this arm to write")->required();
   }
 
   int run(const CommonFlags& flags) override {
     refuse_to_overwrite(out_, flags.force);
     family_file_ = find_family_file(family_file_);
+    settings_.weights = weights_ == "auto" ? AdaptWeights::automatic : AdaptWeights::never;
     const ArmDescription arm = load_any_arm(arm_);
     const CompensationModel family = read_model(family_file_);
     require_family(family, family_file_);
+    require_model_of(family, arm, family_file_);
     EpisodeReader reader(flags, arm, family.learnt_from_setpoints);
     const std::vector<Episode> episodes = reader.read_all(recordings_).episodes;
     take_common(flags, settings_);
@@ -151,6 +152,7 @@ class AdaptVerb final : public Verb {
   std::string arm_ = "three_segment";
   std::string family_file_;
   std::vector<std::string> recordings_;
+  std::string weights_ = "auto";
   std::string out_;
   AdaptationSettings settings_;
 };

@@ -66,8 +66,7 @@ class BenchVerb final : public Verb {
     }
     std::optional<CompensationModel> model;
     if (!model_.empty()) {
-      model = read_model_of_one_arm(model_);
-      require_model_of(*model, arm, model_);
+      model = read_model_of_one_arm(model_, arm);
     }
     SpeedSettings settings;
     settings.queries = quick_ ? kQuickQueries : queries_;

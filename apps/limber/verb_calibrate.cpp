@@ -48,10 +48,10 @@ class CalibrateVerb final : public Verb {
         ->capture_default_str();
     app.add_option("--max-queries", limits_.queries,
                    fmt::format("For each plan; {} where no limit is given", kCalibrationQueries))
-        ->check(CLI::PositiveNumber);
+        ->check(more_than_zero());
     app.add_option("--time-limit-s", limits_.time_s,
                    "For each plan; with it, runs can't be repeated exactly")
-        ->check(CLI::PositiveNumber);
+        ->check(more_than_zero());
     app.add_option("--folder", folder_,
                    "Folder of finished runs and evidence; by default OUT.calibration");
     app.add_flag("--resume", settings_.resume, "Go on with the finished runs in --folder");

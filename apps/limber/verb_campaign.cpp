@@ -45,6 +45,7 @@ class CampaignVerb final : public Verb {
              "  limber campaign sweep.yaml --collect") {}
 
   void add_flags(CLI::App& app) override {
+    seed_flag_ = app.get_option("--seed");
     app.add_option("campaign", file_, "Campaign file (docs/cluster.md)")->required();
     app.add_option("--out", out_, "Folder of the units; else the file's name without extension");
     auto* shard = app.add_option("--shard", shard_,
@@ -65,6 +66,9 @@ class CampaignVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
+    if (seed_flag_->count() > 0) {
+      throw InputError("--seed: is a key of the campaign's file, of which the units' seeds come");
+    }
     const Campaign campaign = read_campaign(file_);
     const std::size_t count = unit_count(campaign);
     require_known_flags(campaign, campaign_unit(campaign, 0));
@@ -301,6 +305,7 @@ class CampaignVerb final : public Verb {
     return code;
   }
 
+  const CLI::Option* seed_flag_ = nullptr;
   std::string file_;
   std::string out_;
   std::string shard_;

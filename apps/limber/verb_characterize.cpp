@@ -80,22 +80,25 @@ class CharacterizeVerb final : public Verb {
     add_arm_flag(app, arm_);
     auto* csv = app.add_option("--csv", csv_, kCsvHelp);
     driver_.add_to(app);
-    app.add_option("--steps", steps_, "Pressure steps of the bench test, of each side")
-        ->capture_default_str()
-        ->check(CLI::Range(4, 1000));
+    auto* steps =
+        app.add_option("--steps", steps_, "Pressure steps of the bench test, of each side")
+            ->capture_default_str()
+            ->check(CLI::Range(4, 1000));
     auto* plot = app.add_option("--plot", plot_, "Draw points and curves to this SVG file");
     auto* valves = app.add_option("--valves", valves_,
                                   "Identify the valves between this recording's set points and "
                                   "measured pressures instead (docs/valves.md)")
                        ->excludes(csv)
                        ->excludes(plot);
-    app.add_option("--recording", recordings_,
-                   "Fit gains, offsets, lengths and lag of the simple model to these recordings "
-                   "instead: for those who have logs and no bench test (docs/model.md)")
-        ->allow_extra_args(false)
-        ->excludes(csv)
-        ->excludes(plot)
-        ->excludes(valves);
+    auto* recordings =
+        app.add_option(
+               "--recording", recordings_,
+               "Fit gains, offsets, lengths and lag of the simple model to these recordings "
+               "instead: for those who have logs and no bench test (docs/model.md)")
+            ->allow_extra_args(false)
+            ->excludes(csv)
+            ->excludes(plot)
+            ->excludes(valves);
     auto* mapping = app.add_option("--mapping", mapping_,
                                    "Of --commands: which columns are what; its command columns are "
                                    "the arm's own (docs/importing.md)");
@@ -109,6 +112,9 @@ class CharacterizeVerb final : public Verb {
             ->excludes(plot)
             ->excludes(valves);
     mapping->needs(commands);
+    for (auto* other : {csv, valves, recordings, commands}) {
+      steps->excludes(other);
+    }
     app.add_option("--plots", plots_, "Folder for valves.svg: a motion that was not fitted to")
         ->needs(valves);
     app.add_option("--out", out_,
@@ -120,8 +126,9 @@ class CharacterizeVerb final : public Verb {
     const bool fits_files =
         !csv_.empty() || !valves_.empty() || !recordings_.empty() || !command_logs_.empty();
     if (fits_files && (driver_.is_program() || driver_.is_dry_run())) {
-      throw InputError(
-          "--driver: does a bench test; --csv, --valves, --recording and --commands need none");
+      throw InputError(fmt::format(
+          "{}: is for a bench test; --csv, --valves, --recording and --commands need none",
+          driver_.is_program() ? "--driver" : "--dry-run"));
     }
     if (driver_.limit_scale() != 1.0 && !driver_.is_program() && !driver_.is_dry_run()) {
       throw InputError(
@@ -143,10 +150,13 @@ class CharacterizeVerb final : public Verb {
     const ArmDescription arm =
         load_asked_arm(arm_file, "characterize's bench test", PolynomialsOf::characterisation);
     require_characterisable(arm);
+    if (driver_.is_program() || driver_.is_dry_run()) {
+      require_one_segment(arm);
+    }
     refuse_to_overwrite_given({out_, plot_}, flags);
     if (driver_.is_dry_run()) {
       const ArmDescription lines = with_lines_for_missing_polynomials(arm);
-      return DriverFlags::print_dry_run(lines, flags, [&](ArmDriver& driver) {
+      return driver_.print_dry_run(lines, flags, [&](ArmDriver& driver) {
         Episode episode;
         (void)measure_segment(arm, in_force(arm), steps_, driver, episode);
       });
@@ -301,7 +311,12 @@ class CharacterizeVerb final : public Verb {
       text += fmt::format("\nvalves written to {}", out_);
     }
     print_result(flags, json, text);
-    return valves.parameters.is_ideal() ? kExitNoSolution : kExitDone;
+    if (valves.parameters.is_ideal()) {
+      print_error(fmt::format("{}: no valves were found{}", valves_,
+                              out_.empty() ? "" : "; " + out_ + " was not written"));
+      return kExitNoSolution;
+    }
+    return kExitDone;
   }
 
   CharacterisedArm fit(const ArmDescription& arm, const BenchData& bench) const {

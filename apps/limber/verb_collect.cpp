@@ -27,6 +27,7 @@ class CollectVerb final : public Verb {
              "limber collect --arm three_segment --schedule random --count 20 --out random.h5") {}
 
   void add_flags(CLI::App& app) override {
+    command_ = &app;
     add_arm_flag(app, arm_);
     app.add_option(
            "--schedule", schedule_name_,
@@ -41,12 +42,11 @@ class CollectVerb final : public Verb {
                    "Motions per random episode; plans per episode, else 10; or how many "
                    "transitions, all by default");
     app.add_option("--episodes", schedule_.episodes, "Unbroken runs: 16 for transitions, else 1");
-    app.add_option("--approach", schedule_.approach,
+    app.add_option("--approach", approach_,
                    "step: set points jump; straight: they move together along a straight line at "
                    "the arm's rate limit, as those of a plan do")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, Approach>{
-            {"step", Approach::step}, {"straight", Approach::straight}}))
-        ->default_str("step");
+        ->check(CLI::IsMember({"step", "straight"}))
+        ->capture_default_str();
     app.add_option(
            "--hold-s", schedule_.hold_s,
            "Seconds that a motion's final set point is commanded, or longer until it is reached")
@@ -55,7 +55,7 @@ class CollectVerb final : public Verb {
                    "Draw each hold between this and --hold-s, reached or not");
     app.add_option("--model", model_file_, "Of --schedule plans: the network that plans them");
     app.add_option("--max-queries", plans_.queries, "Of --schedule plans: model queries of each")
-        ->check(CLI::PositiveNumber)
+        ->check(more_than_zero())
         ->capture_default_str()
         ->needs(app.get_option("--model"));
     driver_.add_to(app);
@@ -75,7 +75,8 @@ class CollectVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
-    driver_.check();
+    driver_.check({"--noise-m", "--noise-rad", "--noise-kpa", "--drop-rate", "--latency-s",
+                   "--vary-physics"});
     const std::string arm_file = find_arm_file(arm_);
     const ArmDescription arm = load_any_arm(arm_file, PolynomialsOf::characterisation);
     if (schedule_name_ == kPlans) {
@@ -121,10 +122,12 @@ class CollectVerb final : public Verb {
     if (schedule_name_ == "random" || schedule_name_ == "transitions") {
       schedule_.kind =
           schedule_name_ == "random" ? ScheduleKind::random : ScheduleKind::transitions;
+      schedule_.approach = approach_ == "step" ? Approach::step : Approach::straight;
       return;
     }
-    if (schedule_.hold_s != ScheduleSettings().hold_s || schedule_.hold_min_s ||
-        schedule_.approach != ScheduleSettings().approach) {
+    if (command_->count("--hold-s") + command_->count("--hold-min-s") +
+            command_->count("--approach") >
+        0) {
       throw InputError(
           fmt::format("--schedule {} has its own holds, and goes straight: leave --hold-s, "
                       "--hold-min-s and --approach out, or take --schedule random",
@@ -142,8 +145,7 @@ class CollectVerb final : public Verb {
 
   void add_plans(const ArmDescription& arm, CollectionSettings& settings,
                  const CommonFlags& flags) {
-    const CompensationModel network = read_model_of_one_arm(model_file_);
-    require_model_of(network, arm, model_file_);
+    const CompensationModel network = read_model_of_one_arm(model_file_, arm);
     const ForwardModel forward(arm, network);
     const MotionModel model(forward, ValveModel(arm, network.identified_valves().parameters));
     plans_.count = schedule_.count != 0 ? schedule_.count : plans_.count;
@@ -165,9 +167,9 @@ class CollectVerb final : public Verb {
     return kExitDone;
   }
 
-  static int print_dry_run(const ArmDescription& arm, const CollectionSettings& settings,
-                           const CommonFlags& flags) {
-    return DriverFlags::print_dry_run(arm, flags, [&](ArmDriver& driver) {
+  int print_dry_run(const ArmDescription& arm, const CollectionSettings& settings,
+                    const CommonFlags& flags) const {
+    return driver_.print_dry_run(arm, flags, [&](ArmDriver& driver) {
       for (const EpisodeSchedule& schedule :
            settings.episodes.empty() ? make_schedule(arm, settings.schedule, settings.seed)
                                      : settings.episodes) {
@@ -233,10 +235,12 @@ class CollectVerb final : public Verb {
                              result.wall_time_s, to_text(valves, arm.command.unit, arm.dimension)));
   }
 
+  const CLI::App* command_ = nullptr;
   std::string arm_ = "three_segment";
   DriverFlags driver_;
   std::string out_;
   std::string schedule_name_ = "transitions";
+  std::string approach_ = "step";
   ScheduleSettings schedule_;
   PlanScheduleSettings plans_;
   std::string model_file_;

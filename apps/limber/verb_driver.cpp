@@ -132,11 +132,11 @@ class DriverCalibrate {
             ->expected(2),
         app.add_option("--tolerance-m", tolerance_.position_m,
                        "calibrate: refuse a base known less well than that")
-            ->check(CLI::PositiveNumber)
+            ->check(more_than_zero())
             ->capture_default_str(),
         app.add_option("--tolerance-rad", tolerance_.heading_rad,
                        "calibrate: the same of its heading")
-            ->check(CLI::PositiveNumber)
+            ->check(more_than_zero())
             ->capture_default_str()};
   }
 

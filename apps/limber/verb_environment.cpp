@@ -77,7 +77,7 @@ class EnvironmentVerb final : public Verb {
       return run_random(arm, virtual_witness(arm), flags);
     }
     const ForwardModel forward =
-        model_.empty() ? ForwardModel(arm) : ForwardModel(arm, read_model_of_one_arm(model_));
+        model_.empty() ? ForwardModel(arm) : ForwardModel(arm, read_model_of_one_arm(model_, arm));
     const MotionModel model = valves_.motion_model(arm, forward);
     return check ? run_check(arm, model, flags) : run_random(arm, model_witness(arm, model), flags);
   }

@@ -53,7 +53,7 @@ class EvaluateVerb final : public Verb {
     const ForwardModel no_load(arm);
     std::optional<ForwardModel> network;
     if (!model_.empty()) {
-      network.emplace(arm, read_model_of_one_arm(model_));
+      network.emplace(arm, read_model_of_one_arm(model_, arm));
     }
     const std::string data_hash = file_hash(data_);  // names why it can't be read
     const Recording recording = asked_with(read_recording_of(arm, data_), network, data_);

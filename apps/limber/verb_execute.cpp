@@ -23,8 +23,7 @@ class ExecuteVerb final : public Verb {
  public:
   ExecuteVerb()
       : Verb("execute", "Run a plan on an arm, open or closed loop, or follow a path with its tip",
-             "limber execute --plan plan.json --environment environments/01_pillar.yaml --out "
-             "run.h5") {}
+             "limber execute --plan plan.json --environment 01_pillar --out run.h5") {}
 
   void add_flags(CLI::App& app) override {
     app.add_option("--plan", plan_, "Plan to run, as `limber plan` wrote it");
@@ -40,14 +39,15 @@ class ExecuteVerb final : public Verb {
     app.add_option("--max-start-error-m", max_start_error_m_,
                    "Largest distance of a plate from where the plan starts; by default with exec: "
                    "the plan's margin, which is its model's error, or 1 cm if that is more")
-        ->check(CLI::NonNegativeNumber)
+        ->check(at_least_zero())
         ->excludes(app.get_option("--track"));
     replan_.add_to(app);
     app.add_option("--disturbance", disturbance_,
                    "The virtual arm is not as it was: " + disturbance_kinds() +
                        "; several at once with commas between; sampled from --seed. A program "
                        "(exec:) can have the obstacle, which exists for limber alone");
-    model_.add_to(app, " that the plan was made with; for --replan");
+    model_.add_to(app, ": the one that the plan was made with, for --replan; any, for --track");
+    app.get_option("--no-load")->description("The no-load model alone, for --track");
     room_.add_to(app);
     for (const char* name : {"--margin-m", "--tube", "--goal-margin-m", "--goal-margin-rad"}) {
       app.get_option(name)->needs(app.get_option("--replan"));
@@ -68,7 +68,13 @@ class ExecuteVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
-    driver_.check();
+    if (driver_.is_dry_run() && (replan_.is_asked_for() || track_.is_asked())) {
+      throw InputError(fmt::format("--dry-run: what {} commands depends on what is measured",
+                                   track_.is_asked() ? "--track" : "--replan"));
+    }
+    driver_.check({"--disturbance", "--model", "--no-load", "--valves", "--no-valves",
+                   "--adapted-out", "--plans-out", "--svg", "--pressures-svg", "--times-svg",
+                   "--animation"});
     const std::vector<Disturbance> disturbances = parse_disturbances(disturbance_);
     refuse_what_cannot_be_disturbed(disturbances);
     const std::string arm_file = find_arm_file(arm_);
@@ -86,10 +92,8 @@ class ExecuteVerb final : public Verb {
     if (replan_.is_asked_for() && !model_.names_model()) {
       throw InputError("--replan: needs a network to plan with; give --model MODEL.safetensors");
     }
-    if (replan_.is_asked_for() && driver_.is_dry_run()) {
-      throw InputError("--dry-run: what --replan commands depends on what is measured");
-    }
     const Environment environment = load_environment(find_environment_file(environment_), arm);
+    room_.require_use(environment);
     const Plan plan = read_plan(plan_);
     require_plan_of(plan, arm, plan_);
     // A plan that was asked to be slow is corrected slowly, too.
@@ -102,7 +106,7 @@ class ExecuteVerb final : public Verb {
     require_within(plan, replan_.settings().corrections.limits, plan_,
                    fmt::format("--limit-scale {}", driver_.limit_scale()));
     if (driver_.is_dry_run()) {
-      return DriverFlags::print_dry_run(arm, flags, [&](ArmDriver& driver) {
+      return driver_.print_dry_run(arm, flags, [&](ArmDriver& driver) {
         (void)execute(arm, environment, plan, driver, settings_);
       });
     }
@@ -134,7 +138,7 @@ class ExecuteVerb final : public Verb {
       return use(*driver, driver.get());
     }
     if (driver_.is_model()) {
-      CompensationModel network = read_model_of_one_arm(driver_.model_file());
+      CompensationModel network = read_model_of_one_arm(driver_.model_file(), arm);
       const ValveParameters valves = network.valves.value_or(ValveParameters{});
       ModelArm driver(arm, std::move(network), valves);
       return use(driver, nullptr);
@@ -161,23 +165,26 @@ class ExecuteVerb final : public Verb {
     if (further_plans_.are_asked_for() && !replan_.is_asked_for()) {
       throw InputError("--plans-out: plans after the first are made by --replan; give that too");
     }
-    if (!adapted_out_.empty()) {
-      require_something_adapts();
-    }
+    require_something_adapts();
     const bool names_model = model_.names_model() || model_.asks_no_load() || model_.says_valves();
     if (names_model && !replan_.is_asked_for() && !track_.is_asked()) {
       throw InputError(
           "--model, --no-load, --valves and --no-valves: in open loop nothing is predicted; they "
-          "go with --replan or --track");
+          "go with --track, and all but --no-load with --replan");
     }
   }
 
   void require_something_adapts() const {
-    if (!replan_.is_asked_for() || !replan_.settings().adapts ||
-        !read_model_of_one_arm(model_.model_file()).member_of_family) {
-      throw InputError(
-          "--adapted-out: nothing would be adapted; expected --replan, a model that limber adapt "
-          "made, and no --no-adapt");
+    if (adapted_out_.empty() && !replan_.says_adapt()) {
+      return;
+    }
+    const bool can_adapt = replan_.is_asked_for() &&
+                           read_model_of_one_arm(model_.model_file()).member_of_family.has_value();
+    if (!can_adapt || (!adapted_out_.empty() && !replan_.settings().adapts)) {
+      throw InputError(fmt::format(
+          "{}: nothing would be adapted; expected --replan, a model that limber adapt made{}",
+          adapted_out_.empty() ? "--adapt and --no-adapt" : "--adapted-out",
+          adapted_out_.empty() ? "" : ", and no --no-adapt"));
     }
   }
 
@@ -200,9 +207,6 @@ class ExecuteVerb final : public Verb {
         throw InputError(fmt::format("--disturbance {}: is sampled for a plan; not with --track",
                                      to_string(one.kind)));
       }
-    }
-    if (driver_.is_dry_run()) {
-      throw InputError("--dry-run: what --track commands depends on what is measured");
     }
     const Environment environment =
         environment_.empty() ? Environment{}

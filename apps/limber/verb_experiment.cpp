@@ -127,14 +127,14 @@ class ExperimentVerb final : public Verb {
     app.add_flag("--network-only", network_only_, "Leave the no-load model out");
     app.add_option("--time-limit-s", settings_.limits.time_s,
                    fmt::format("For each plan; {} where no limit is given", kDefaultTimeLimitS))
-        ->check(CLI::PositiveNumber);
+        ->check(more_than_zero());
     app.add_option("--max-iterations", settings_.limits.iterations,
                    "For each plan; with this limit alone the table can be repeated")
-        ->check(CLI::PositiveNumber);
+        ->check(more_than_zero());
     app.add_option("--max-queries", settings_.limits.queries, "For each plan")
-        ->check(CLI::PositiveNumber);
+        ->check(more_than_zero());
     app.add_option("--max-memory-mb", settings_.limits.memory_mb, "For each plan")
-        ->check(CLI::PositiveNumber);
+        ->check(more_than_zero());
     add_cost_threshold(app, settings_.limits.cost_threshold_kpa);
     runs_.add_to(app);
     replan_.add_settings_to(app);
@@ -165,7 +165,8 @@ class ExperimentVerb final : public Verb {
     settings_.disturbances = runs_.disturbances();
     settings_.with_no_load = !network_only_;
     require_writable_folder(settings_.folder);
-    const ForwardModel network(settings_.arm, read_model_of_one_arm(settings_.model_file.string()));
+    const ForwardModel network(settings_.arm,
+                               read_model_of_one_arm(settings_.model_file, settings_.arm));
     require_bounded(network.compensation(), settings_.model_file.string());
     const MotionModel model = valves_.motion_model(settings_.arm, network);
     valves_.warn_without_valves(model, flags);

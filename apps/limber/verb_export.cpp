@@ -24,13 +24,15 @@ class ExportVerb final : public Verb {
   ExportVerb()
       : Verb("export",
              "What a file holds, for other programs: CSV, Motive's CSV, ONNX, MuJoCo's XML",
-             "limber export arms/three_segment.yaml --mjcf arm.xml\n"
+             "limber export three_segment --mjcf arm.xml\n"
              "  limber export train.h5 --motive logs --time-offset-s "
              "12.5 --noise-m 0.0005 --occlusions 20\n"
              "  limber export model.safetensors --onnx model.onnx") {}
 
   void add_flags(CLI::App& app) override {
-    app.add_option("file", file_, "Recording, model, plan or arm")->required();
+    app.add_option("file", file_,
+                   "Recording, model, plan or arm; or the name of one of limber's own")
+        ->required();
     app.add_option("--csv", csv_,
                    "Folder for tables: a recording's episodes, a plan's set points and shapes, a "
                    "model's reference queries");
@@ -44,7 +46,8 @@ class ExportVerb final : public Verb {
                    "needed for a plan without a certificate");
     for (CLI::Option* option :
          {app.add_option("--rate-hz", settings_.rate_hz,
-                         "Rows per second; the recording's by default"),
+                         "Rows per second; the recording's by default")
+              ->check(more_than_zero()),
           app.add_option("--time-offset-s", settings_.time_offset_s,
                          "What import has to add to the pressure log's times"),
           app.add_option("--noise-m", settings_.noise_m, "Noise of positions, standard deviation"),
@@ -57,6 +60,7 @@ class ExportVerb final : public Verb {
                        "Two markers per plate instead of rigid bodies")}) {
       option->group("With --motive")->needs(motive);
     }
+    app.get_option("--occlusion-s")->needs("--occlusions");
   }
 
   int run(const CommonFlags& flags) override {
@@ -65,6 +69,7 @@ class ExportVerb final : public Verb {
           "expected at least one of --csv DIR, --motive DIR, --onnx FILE, --mjcf FILE");
     }
     settings_.seed = flags.seed;
+    file_ = find_any_file(file_);
     refuse_to_overwrite_given({onnx_, mjcf_}, flags);
     for (const std::string& folder : {csv_, motive_}) {
       if (!folder.empty()) {
@@ -112,6 +117,10 @@ class ExportVerb final : public Verb {
         throw InputError(
             fmt::format("{}: a forest; any reader of safetensors opens it as it is", file_));
       default:
+        if (read_file(file_).find("limber/arm/") == std::string::npos) {
+          throw InputError(fmt::format(
+              "{}: not a recording, model, plan or arm; nothing else can be exported", file_));
+        }
         require_only(mjcf_, mjcf_, "an arm", "--mjcf");
         require_no_arm("an arm");
         export_arm();

@@ -11,6 +11,7 @@
 #include "limber/lab/family_traits.hpp"
 #include "limber/lab/tube_calibration.hpp"
 #include "limber/sim/related_arms.hpp"
+#include "limber/sim/virtual_arm.hpp"
 #include "limber/training/trainer.hpp"
 #include "limber/training/unseen_error.hpp"
 #include "verbs.hpp"
@@ -89,10 +90,14 @@ class FamilyVerb final : public Verb {
     if (arm.is_spatial() && tube_runs_.value_or(0) != 0) {
       require_planar(arm, "limber family --tube-runs");
     }
-    if (wants_tube(arm)) {
-      require_usable(calibration());
+    const int tube_runs = calibration().test_runs;
+    if (const int needed = min_test_runs(calibration()); wants_tube(arm) && tube_runs < needed) {
+      throw InputError(
+          fmt::format("--tube-runs {}: so few can't show a level of {}; expected 0, or at least {}",
+                      tube_runs, Tube::kDefaultLevel, needed));
     }
     const PhysicsVariation variation = parse_physics_variation(variation_);
+    (void)VirtualArm(arm, noisy());  // refuses arm and noise before anything is left
     const FolderLock lock(folder(), "limber family");
     std::vector<Episode> episodes;
     std::vector<int> arms;
@@ -161,9 +166,7 @@ class FamilyVerb final : public Verb {
     schedule.hold_s = share.hold_s;
     schedule.episodes = std::max(
         1, static_cast<int>(std::lround(hours_ * kSecondsPerHour * share.share / share.arm_s)));
-    VirtualArmOptions options;
-    options.noise_m = noise_m_;
-    options.noise_rad = kNoiseRadPerM * noise_m_;
+    VirtualArmOptions options = noisy();
     options.seed = flags.seed + static_cast<std::uint64_t>(&share - kShares);
     CollectionSettings settings = related_collection(arm, schedule, options, variation);
     take_common(flags, settings);
@@ -172,6 +175,13 @@ class FamilyVerb final : public Verb {
     return collect(arm, settings, related_arm_factory(arm, options, variation),
                    recording_path(share))
         .recording;
+  }
+
+  VirtualArmOptions noisy() const {
+    VirtualArmOptions options;
+    options.noise_m = noise_m_;
+    options.noise_rad = kNoiseRadPerM * noise_m_;
+    return options;
   }
 
   TrainingSettings settings(const CommonFlags& flags) const {

@@ -37,7 +37,8 @@ class ImportVerb final : public Verb {
     add_arm_flag(app, arm_);
     app.add_option("--time-offset-s", time_offset_s_,
                    "What to add to the pressure log's times; by default found by correlation")
-        ->check(CLI::Range(-kMaxOffsetS, kMaxOffsetS));
+        ->check(CLI::Range(-kMaxOffsetS, kMaxOffsetS))
+        ->needs("--pressures");
     app.add_option("--out", out_, "Recording to write");
     app.add_flag("--dry-run", dry_run_, "Report what would be dropped and changed; write nothing");
   }

@@ -24,6 +24,11 @@ void append(Words& to, const Words& more) {
   to.insert(to.end(), more.begin(), more.end());
 }
 
+template <class Number>
+Json or_null(const std::optional<Number>& number) {
+  return number ? Json(*number) : Json(nullptr);
+}
+
 /// Rounds of two other verbs, in this process: `collect --schedule plans`, then `train --from`.
 class ImproveVerb final : public Verb {
  public:
@@ -47,15 +52,14 @@ class ImproveVerb final : public Verb {
         ->check(CLI::Range(1, 100'000))
         ->capture_default_str();
     app.add_option("--max-queries", queries_, "Model queries of each plan; else those of collect")
-        ->check(CLI::PositiveNumber);
+        ->check(more_than_zero());
     app.add_option("--epochs", epochs_, "Epochs of each round's training; else those of train")
         ->check(CLI::Range(1, kMaxEpochs));
     app.add_option("--driver", driver_, "What moves: virtual, or exec:COMMAND as of limber collect")
         ->capture_default_str();
     app.add_option("--calibration", calibration_, "Of the driver, as of limber collect");
     app.add_option("--limit-scale", limit_scale_,
-                   "Factor on the arm's pressure limits, over 0 and at most 1")
-        ->check(CLI::PositiveNumber);
+                   "Factor on the arm's pressure limits, over 0 and at most 1");
     app.add_flag("--simulated", simulated_, "The driver need not be in real time");
     app.add_option("--out", out_, "Folder for the rounds' recordings and models")
         ->capture_default_str();
@@ -116,9 +120,9 @@ class ImproveVerb final : public Verb {
                  {"model", file_hash(model_)},
                  {"data", Json::array()},
                  {"plans", plans_},
-                 {"max_queries", queries_},
-                 {"epochs", epochs_ ? Json(*epochs_) : Json(nullptr)},
-                 {"limit_scale", limit_scale_},
+                 {"max_queries", or_null(queries_)},
+                 {"epochs", or_null(epochs_)},
+                 {"limit_scale", or_null(limit_scale_)},
                  {"driver", driver_},
                  {"seed", flags.seed}};
     for (const std::string& data : data_) {
@@ -131,11 +135,6 @@ class ImproveVerb final : public Verb {
   void begin(const fs::path& folder, const CommonFlags& flags) const {
     const fs::path made_of = folder / "improve.json";
     const fs::path result = result_of(folder);
-    std::error_code none;
-    if (fs::equivalent(result, model_, none)) {
-      throw InputError(
-          fmt::format("--model {}: the result would replace it; give another --out", model_));
-    }
     if (resume_ && fs::exists(made_of)) {
       if (read_json_object(made_of) != nlohmann::json(identity(flags))) {
         throw InputError(fmt::format(
@@ -183,12 +182,14 @@ class ImproveVerb final : public Verb {
                    "--driver",   driver_,
                    "--seed",     seed,
                    "--out",      plans};
-    for (const auto& [flag, value] :
-         {std::pair{"--max-queries", queries_}, std::pair{"--calibration", calibration_},
-          std::pair{"--limit-scale", limit_scale_}}) {
-      if (!value.empty()) {
-        append(words, {flag, value});
-      }
+    if (queries_) {
+      append(words, {"--max-queries", std::to_string(*queries_)});
+    }
+    if (limit_scale_) {
+      append(words, {"--limit-scale", fmt::format("{}", *limit_scale_)});
+    }
+    if (!calibration_.empty()) {
+      append(words, {"--calibration", calibration_});
     }
     if (simulated_) {
       words.emplace_back("--simulated");
@@ -246,11 +247,11 @@ class ImproveVerb final : public Verb {
   Words data_;
   int rounds_ = 2;
   int plans_ = 100;
-  std::string queries_;
+  std::optional<std::uint64_t> queries_;
   std::optional<int> epochs_;
   std::string driver_ = "virtual";
   std::string calibration_;
-  std::string limit_scale_;
+  std::optional<double> limit_scale_;
   bool simulated_ = false;
   std::string out_ = "improved";
   bool resume_ = false;

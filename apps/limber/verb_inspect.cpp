@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "inspect_arm.hpp"
+#include "limber/arm/arm_identity.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/arm/no_load_model.hpp"
 #include "limber/arm/pressure_limits.hpp"
@@ -95,6 +96,11 @@ Finding inspect_yaml(const std::string& file, const std::string& content,
   const YamlReader root = YamlReader::from_file(file);
   const YamlReader schema = root.at("schema");
   if (schema.text() == "limber/arm/1") {
+    const std::string why =
+        arm ? why_another_arm(identity_of(read_arm(root)), *arm, file) : std::string();
+    if (!why.empty()) {
+      throw InputError(fmt::format("{}: not the arm of --arm, '{}': {}", file, arm->name, why));
+    }
     return inspect_arm(root);
   }
   if (schema.text() == "limber/environment/1") {
@@ -298,10 +304,13 @@ class InspectVerb final : public Verb {
  public:
   InspectVerb()
       : Verb("inspect", "What a file holds, and what is wrong with it",
-             "limber inspect arms/three_segment.yaml") {}
+             "limber inspect three_segment") {}
 
   void add_flags(CLI::App& app) override {
-    app.add_option("file", file_, "Recording, model, plan, arm, environment or valves")->required();
+    app.add_option("file", file_,
+                   "Recording, model, forest, plan, arm, environment or valves; or the name of one "
+                   "of limber's own")
+        ->required();
     app.add_option("--arm", arm_, "Arm that the file has to fit; its limits are used");
   }
 
@@ -310,6 +319,7 @@ class InspectVerb final : public Verb {
     if (!arm_.empty()) {
       arm = load_any_arm(arm_);
     }
+    file_ = find_any_file(file_);
     Finding finding = inspect_file(file_, arm);
     nlohmann::ordered_json json = {{"file", file_}};
     json.update(finding.json);

@@ -101,17 +101,17 @@ class PlanVerb final : public Verb {
     app.add_option(
            "--time-limit-s", limits_.time_s,
            fmt::format("Stop after so many seconds; {} if no limit is given", kDefaultTimeLimitS))
-        ->check(CLI::PositiveNumber);
+        ->check(more_than_zero());
     app.add_option("--max-iterations", limits_.iterations,
                    "Stop after so many samples; with only this limit, a run can be repeated")
-        ->check(CLI::PositiveNumber);
+        ->check(more_than_zero());
     app.add_option("--max-queries", limits_.queries,
                    "Stop after so many queries of the model by the search. 'queries' of --json are "
                    "more: they count the plan's last simulation and an ensemble's other networks")
-        ->check(CLI::PositiveNumber);
+        ->check(more_than_zero());
     app.add_option("--max-memory-mb", limits_.memory_mb,
                    "Stop when the tree takes so many megabytes")
-        ->check(CLI::PositiveNumber);
+        ->check(more_than_zero());
     add_cost_threshold(app, limits_.cost_threshold_kpa);
     narrower_.add_to(app);
     room_.add_to(app);
@@ -151,6 +151,7 @@ class PlanVerb final : public Verb {
       return build_forest_alone(arm, model, flags);
     }
     const Environment environment = environment_from(arm, arm_file, flags);
+    room_.require_use(environment);
     refuse_to_overwrite_given({out_, csv_, svg_, pressures_svg_, animation_}, flags);
     PlanResult result = search(arm, model, environment, flags);
     for (const std::string& warning : result.warnings) {
@@ -166,13 +167,10 @@ class PlanVerb final : public Verb {
     std::string text = result.plan ? to_text(result, arm.command) : "";
     add_spread(forward, arm, environment, result, json, text);
     print_result(flags, json, text);
-    const int code = exit_code(result.status);
-    if (code == kExitBadInput) {
+    if (!result.plan) {
       print_error(to_text(result, arm.command));
-    } else if (!result.plan) {
-      say(flags, "{}", to_text(result, arm.command));
     }
-    return code;
+    return exit_code(result.status);
   }
 
  private:

@@ -4,6 +4,8 @@
 
 #include "driver_flags.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/network/compensation_model.hpp"
+#include "limber/network/gap_bounds.hpp"
 #include "limber/studio/studio.hpp"
 #include "verbs.hpp"
 
@@ -55,6 +57,11 @@ class StudioVerb final : public Verb {
     const ArmDescription arm = load_asked_arm(arm_file, "limber studio");
     settings_.arm = arm_file;
     settings_.model = model_;
+    if (!model_.empty()) {
+      const CompensationModel model = read_model(model_);
+      require_model_of(model, arm, model_);
+      require_bounded(model, model_);
+    }
     if (!driver_.empty()) {
       require_limit_scale(limit_scale_);
       settings_.driver = wire_.settings(driver_, arm, arm_file);

@@ -55,13 +55,13 @@ class TrainVerb final : public Verb {
         ->check(CLI::Range(0, kMaxEpochs));
     app.add_option("--time-limit-s", time_limit_s_,
                    "Fix the number of epochs, at the start, to what fits in this time")
-        ->check(CLI::PositiveNumber)
+        ->check(more_than_zero())
         ->excludes("--epochs");
     app.add_option("--windows", windows_,
                    "Frames per window of each stage, instead of the preset's 32")
         ->check(CLI::Range(1, 1000));
     app.add_option("--learning-rate", learning_rate_, "Learning rate, instead of the preset's")
-        ->check(CLI::PositiveNumber);
+        ->check(more_than_zero());
     app.add_option("--hidden", hidden_, "Units of each hidden layer, such as --hidden 100 100 100")
         ->check(CLI::Range(1, 4096));
     app.add_flag_function(
@@ -87,7 +87,7 @@ class TrainVerb final : public Verb {
         ->capture_default_str();
     app.add_option("--checkpoint-interval-s", checkpoint_interval_s_,
                    "Seconds between checkpoints: the most that a killed run loses, but for folds")
-        ->check(CLI::NonNegativeNumber)
+        ->check(at_least_zero())
         ->capture_default_str();
     app.add_flag("--resume", resume_,
                  "Go on from the checkpoint that a stopped run left beside --out");

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <nlohmann/json_fwd.hpp>
 
@@ -60,7 +61,7 @@ bool has_failed(const Certificate& certificate, const char* check) {
 /// @throws InputError where the network or the plan is of another arm.
 OtherJudgement judge_by(const std::string& model_file, const Plan& plan, const ArmDescription& arm,
                         const ValveParameters* valves, const Environment& environment) {
-  const CompensationModel network = read_model_of_one_arm(model_file);
+  const CompensationModel network = read_model_of_one_arm(model_file, arm);
   const ValveParameters own = network.valves.value_or(ValveParameters{});
   const ValveParameters& used = valves == nullptr || network.learnt_from_setpoints ? own : *valves;
   Plan same_commands = plan;
@@ -152,7 +153,7 @@ class VerifyVerb final : public Verb {
         text += "\n" + to_text(*spread, "this model", arm, environment);
       }
     }
-    bool agreed = true;
+    std::vector<std::string> disagreeing;
     const bool setpoints = used != nullptr && used->learnt_from_setpoints;
     // What is no plan says nothing of a network.
     for (const std::string& other : is_plan ? also_ : std::vector<std::string>()) {
@@ -164,10 +165,20 @@ class VerifyVerb final : public Verb {
         json["also"].back()["spread"] = to_json(*judgement.spread);
         text += "; " + to_text(*judgement.spread, other, arm, environment);
       }
-      agreed = agreed && judgement.agrees();
+      if (!judgement.agrees()) {
+        disagreeing.push_back(other);
+      }
     }
     print_result(flags, json, text);
-    return certificate.certified() && agreed ? kExitDone : kExitNoSolution;
+    if (!certificate.certified()) {
+      print_error(
+          fmt::format("{}: not certified: {}", plan_, certificate.failures.front().message));
+    }
+    if (!disagreeing.empty()) {
+      print_error(fmt::format("{}: misses its goal or touches something by {}", plan_,
+                              fmt::join(disagreeing, ", ")));
+    }
+    return certificate.certified() && disagreeing.empty() ? kExitDone : kExitNoSolution;
   }
 
  private:
@@ -188,7 +199,7 @@ class VerifyVerb final : public Verb {
   }
 
   std::optional<CompensationModel> read_network(const Plan& plan) const {
-    if (!model_.names_model() && !model_.asks_no_load()) {
+    if (plan.model == "network" ? !model_.names_model() : !model_.asks_no_load()) {
       throw InputError(
           fmt::format("{} was made with {}: give {}", plan_,
                       plan.model == "network" ? "a network" : "the no-load model",
@@ -200,7 +211,7 @@ class VerifyVerb final : public Verb {
     const std::string hash = file_hash(model_.model_file());
     // Plans made through the library may not say which file their model came from. The certificate
     // finds out whether they hold with this one.
-    if (plan.model == "network" && !plan.model_hash.empty() && plan.model_hash != hash) {
+    if (!plan.model_hash.empty() && plan.model_hash != hash) {
       throw InputError(fmt::format("{}: made with another model (hash {}; {} has {})", plan_,
                                    plan.model_hash, model_.model_file(), hash));
     }

@@ -28,7 +28,7 @@ class VirtualArmVerb final : public Verb {
     app.add_option("--sampled", settings_.sampled_s,
                    "At once, with the newest sample of a tracker that takes one every so many "
                    "seconds: a request that overtakes it gets the last one again")
-        ->check(CLI::PositiveNumber);
+        ->check(more_than_zero());
     app.add_option("--fault", fault_,
                    "Go wrong from a frame on, as in die@12; an unknown kind lists all of them");
     app.add_option("--misassembled", misassembled_,

@@ -10,6 +10,7 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/file_format.hpp"
 #include "limber/common/utf8.hpp"
 
 namespace limber {
@@ -69,7 +70,9 @@ Json parse_json_object(std::string_view text, const std::string& where) {
 }
 
 Json read_json_object(const std::filesystem::path& path) {
-  return parse_json_object(read_file(path), path.string());
+  const std::string text = read_file(path);
+  refuse_other_format(text, "JSON", path.string());
+  return parse_json_object(text, path.string());
 }
 
 std::string in_few_words(const Json& value) {

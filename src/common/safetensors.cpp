@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/common/error.hpp"
+#include "limber/common/file_format.hpp"
 #include "limber/common/json_reader.hpp"
 #include "limber/common/utf8.hpp"
 
@@ -187,6 +188,7 @@ std::string safetensors_bytes(const Safetensors& content) {
 }
 
 Safetensors parse_safetensors(std::string_view bytes, const std::string& where) {
+  refuse_other_format(bytes, kSafetensorsFormat, where);
   const std::string_view text = header_of(bytes, where);
   const std::string_view data = bytes.substr(kLengthBytes + text.size());
   const Json header = parse_json_object(text, where + ": header");

@@ -11,6 +11,7 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/file_format.hpp"
 #include "limber/common/number_text.hpp"
 #include "limber/common/utf8.hpp"
 
@@ -96,6 +97,7 @@ YamlReader YamlReader::from_file(const std::filesystem::path& path) {
 }
 
 YamlReader YamlReader::from_text(const std::string& text, const std::string& name) {
+  refuse_other_format(text, "YAML", name);
   if (const std::size_t at = find_invalid_utf8(text); at != std::string::npos) {
     throw InputError(fmt::format("{}:{}: a byte that is not UTF-8; save the file as UTF-8", name,
                                  1 + std::count(text.begin(), text.begin() + long(at), '\n')));

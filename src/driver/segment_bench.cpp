@@ -113,8 +113,7 @@ double side_strain(const Backbone& rest, const Backbone& bent, double width_m, d
   return (side_m - rest_m) / rest_m;
 }
 
-std::vector<BenchPoint> measure_segment(const ArmDescription& arm, const PressureLimits& limits,
-                                        int steps, ArmDriver& driver, Episode& episode) {
+void require_one_segment(const ArmDescription& arm) {
   if (arm.segment_count() != 1) {
     throw InputError(
         fmt::format("arm '{}' has {} segments; on a driver, one mounted free segment "
@@ -122,6 +121,11 @@ std::vector<BenchPoint> measure_segment(const ArmDescription& arm, const Pressur
                     "characterised from recordings: limber characterize --recording",
                     arm.name, arm.segment_count()));
   }
+}
+
+std::vector<BenchPoint> measure_segment(const ArmDescription& arm, const PressureLimits& limits,
+                                        int steps, ArmDriver& driver, Episode& episode) {
+  require_one_segment(arm);
   if (steps < kMinBenchSteps) {
     throw InputError(
         fmt::format("bench test: {} steps; expected at least {}", steps, kMinBenchSteps));

@@ -50,13 +50,13 @@ const TubeLevel* level_of(const ForwardModel& model, const AskedRoom& asked) {
   }
   if (tube == nullptr) {
     throw InputError(
-        fmt::format("a tube of {} is asked for; the model carries none: limber "
+        fmt::format("a tube of {} is asked for (--tube); the model carries none: limber "
                     "calibrate measures one",
                     *asked.tube_level));
   }
   const TubeLevel* level = tube->find(*asked.tube_level);
   if (level == nullptr) {
-    throw InputError(fmt::format("a tube of {} is asked for; the model carries {}",
+    throw InputError(fmt::format("a tube of {} is asked for (--tube); the model carries {}",
                                  *asked.tube_level, names_of_levels(*tube)));
   }
   return level;

@@ -160,4 +160,11 @@ CompensationModel read_model_of_one_arm(const std::filesystem::path& path) {
   return model;
 }
 
+CompensationModel read_model_of_one_arm(const std::filesystem::path& path,
+                                        const ArmDescription& arm) {
+  CompensationModel model = read_model_of_one_arm(path);
+  require_model_of(model, arm, path.string());
+  return model;
+}
+
 }  // namespace limber

@@ -65,8 +65,9 @@ ArmDescription slowed(ArmDescription arm, const PlanSettings& settings) {
     const double rate = *settings.rate_limit_kpa_per_s;
     if (!(rate > 0.0 && rate <= arm.pressure_rate_limit_kpa_per_s)) {
       throw InputError(fmt::format(
-          "a rate limit of {0} {1}/s; expected more than 0, and at most the arm's {2} {1}/s", rate,
-          arm.command.unit, arm.pressure_rate_limit_kpa_per_s));
+          "a rate limit of {0} {1}/s (--rate-limit); expected more than 0, and at most the arm's "
+          "{2} {1}/s",
+          rate, arm.command.unit, arm.pressure_rate_limit_kpa_per_s));
     }
     if (settings.forest != nullptr) {
       throw InputError("a rate limit of its own and a forest, which was grown with the arm's");

@@ -16,6 +16,7 @@
 #include "limber/common/json_reader.hpp"
 #include "limber/common/version.hpp"
 #include "limber/report/page_bytes.hpp"
+#include "limber/report/scene_json.hpp"
 #include "project_folder.hpp"
 #include "scene_json.hpp"
 #include "tabs.hpp"
@@ -122,9 +123,11 @@ class Studio::Server {
     }
     if (port_ <= 0) {
       throw InputError(
-          fmt::format("can't listen at {} port {}: it is taken, or not this machine's; "
-                      "--port 0 finds a free port",
-                      listen_, settings.port));
+          settings.port == 0
+              ? fmt::format("--listen {}: can't listen there; is it this machine's?", listen_)
+              : fmt::format("can't listen at {} port {}: it is taken, or not this machine's; "
+                            "--port 0 finds a free port",
+                            listen_, settings.port));
     }
   }
 

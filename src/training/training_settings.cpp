@@ -186,8 +186,9 @@ void require_usable(const TrainingSettings& settings) {
           "first_frames_power", settings.first_frames_power, "a finite number >= 0 (0: all alike)");
   require(settings.keep_epoch >= 0 && settings.keep_epoch <= settings.epoch_count(), "keep_epoch",
           settings.keep_epoch, "0 (the best one) to the number of epochs");
-  require(settings.weight_decay >= 0.0 && settings.weight_decay * rate < 1.0, "weight_decay",
-          settings.weight_decay, ">= 0, and below 1 / learning_rate (0: none)");
+  require(settings.weight_decay >= 0.0, "weight_decay", settings.weight_decay, ">= 0 (0: none)");
+  require(settings.weight_decay * rate < 1.0, "learning_rate", rate,
+          fmt::format("below 1 / weight_decay ({:g})", settings.weight_decay).c_str());
   require(settings.average_decay >= 0.0 && settings.average_decay < 1.0, "average_decay",
           settings.average_decay, "[0, 1)");
   require(settings.ensemble >= 1 && settings.ensemble <= 64, "ensemble", settings.ensemble,

@@ -87,7 +87,7 @@ TEST(TubeRoom, OfALevelThatIsNotThereNamesThoseThatAre) {
   AskedRoom asked;
   asked.tube_level = 0.99;
   EXPECT_THAT([&] { (void)error_room(setting().model, asked); },
-              ThrowsMessage<InputError>(HasSubstr("a tube of 0.99 is asked for; "
+              ThrowsMessage<InputError>(HasSubstr("a tube of 0.99 is asked for (--tube); "
                                                   "the model carries 0.9, 0.95")));
   EXPECT_THAT([&] { (void)error_room(ForwardModel(three_segment_arm()), asked); },
               ThrowsMessage<InputError>(HasSubstr("the model carries none: limber calibrate")));

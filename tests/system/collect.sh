@@ -49,7 +49,7 @@ expect 2 "'five_segment' has 5 segments, so 59049 ordered transitions, 49.2 h at
 expect 2 "--count N is missing" collect --schedule random --out none.h5
 expect 2 "--hold-s -1: expected seconds" collect --hold-s=-1 --out none.h5
 expect 2 "--driver hose: expected virtual" collect --driver hose --out none.h5
-expect 2 "drop_rate = 2; expected a number from 0 to 1" collect --drop-rate 2 --out none.h5
+expect 2 "--drop-rate: Value 2 not in range 0" collect --drop-rate 2 --out none.h5
 expect 2 "--out is required" collect
 expect 2 "--arm nowhere.yaml: no such file" collect --arm nowhere.yaml --out none.h5
 head -c 5000 one.h5 >cut.h5

@@ -142,6 +142,7 @@ class Campaigns(InFolder):
 
     def test_budgets_in_seconds_and_unknown_flags_are_refused(self):
         for flag, wanted in (("time-limit-s: 3", "budgets are"), ("jobs: 3", "limber campaign"),
+                             ("dry-run: true", "give --dry-run to limber campaign"),
                              ("nonsense: 3", "nonsense")):
             self.write("c.yaml", COLLECT.replace("count: 6", f"count: 6, {flag}"))
             message = self.campaign(code=2).stderr

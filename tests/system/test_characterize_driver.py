@@ -68,8 +68,13 @@ class Characterizing(InFolder):
     def test_refusals(self):
         whole = self.on_driver("--out", "f.yaml", arm="two_segment", code=2)
         self.assertIn("limber characterize --recording", whole.stderr)
-        csv = self.on_driver("--csv", "points.csv", code=2)
-        self.assertIn("--csv, --valves, --recording and --commands need none", csv.stderr)
+        self.assertFalse((self.folder / "f.bench.h5.driver.jsonl").exists())
+        for flag, value in (("--driver", "exec:none"), ("--dry-run", None)):
+            csv = self.run_limber("characterize", "--csv", "points.csv", flag, *([value] if value else []), code=2)
+            self.assertIn(f"{flag}: is for a bench test; --csv, --valves, --recording and --commands need none",
+                          csv.stderr)
+        steps = self.run_limber("characterize", "--csv", "points.csv", "--steps", 7, code=2)
+        self.assertIn("--steps", steps.stderr)
 
     def test_a_dry_run_prints_what_would_be_sent(self):
         lines = self.run_limber("characterize", "--arm", "one.yaml", "--steps", 4, "--dry-run", "--limit-scale", 0.5)

@@ -6,7 +6,7 @@ import signal
 import subprocess
 import unittest
 
-from program import PROGRAM, InFolder, limber, numeric_flags, verbs
+from program import PROGRAM, ROOT, InFolder, limber, numeric_flags, verbs
 
 COMMON_FLAGS = ["--json", "--quiet", "--force", "--jobs", "--seed"]
 
@@ -38,6 +38,17 @@ class CommandLine(InFolder):
             with self.subTest(arguments=arguments):
                 result = self.run_limber(*arguments, code=2)
                 self.assertEqual(result.stdout, "")
+        for wrong in ("plann", "--jsn"):
+            self.assertIn(f"error: '{wrong}': no verb", self.run_limber(wrong, code=2).stderr)
+
+    def test_no_help_shows_a_number_for_a_word_or_a_flag_without_name(self):
+        for verb in verbs():
+            self.assertNotRegex(self.run_limber(verb, "--help").stdout, r"(?m)ENUM:|Excludes: *$")
+
+    def test_a_number_out_of_range_is_told_in_words(self):
+        for flag, value in (("--time-limit-s", 0), ("--max-queries", 0), ("--cost-threshold", -5)):
+            said = self.run_limber("plan", "--no-load", "--environment", "01_pillar", flag, value, code=2).stderr
+            self.assertIn(f"{flag}: '{value}' found; expected more than 0", said)
 
     def test_every_numeric_flag_refuses_what_is_no_plain_finite_number(self):
         flags = [(verb, *flag) for verb in verbs() for flag in numeric_flags(verb)]
@@ -79,6 +90,24 @@ class CommandLine(InFolder):
             ((*run, "--model", "m.safetensors", "--dry-run"), "--dry-run: what --replan commands"),
             (("campaign", "c.yaml", "--status", "--shard", "0/2"), "--shard"),
             (("bench", "--training", "r.h5", "--quick"), "--quick"),
+            (("campaign", "c.yaml", "--seed", 3), "--seed: is a key of the campaign's file"),
+            (("execute", "--plan", "p.json", "--environment", "01_pillar", "--dry-run", "--svg", "x.svg"),
+             "--svg: --dry-run moves nothing"),
+            (("collect", "--dry-run", "--noise-m", 0.1, "--out", "x.h5"), "--noise-m: --dry-run moves nothing"),
+            (("collect", "--schedule", "identify", "--hold-s", 3, "--out", "x.h5"), "has its own holds"),
+            (("inspect", "three_segment", "--arm", "two_segment"), "not the arm of --arm, 'two_segment'"),
+            (("export", "r.h5", "--motive", "d", "--occlusion-s", 2), "--occlusions"),
+            (("export", "r.h5", "--motive", "d", "--rate-hz", 0), "expected more than 0"),
+            (("export", "01_pillar", "--csv", "d"), "nothing else can be exported"),
+            (("import", "csv", "one.csv", "--time-offset-s", 3, "--dry-run"), "--pressures"),
+            (("plan", *planned, "--goal-margin-rad", 0.1), "--goal-margin-rad 0.1: the goal of"),
+            (("plan", *planned, "--limit", "0:-50,50", "--limit", "0:-20,20"), "the segment has a range already"),
+            (("studio", "--arm", "two_segment", "--model", ROOT / "families/three_segment.safetensors"),
+             "three_segment.safetensors: trained for arm"),
+            # What is refused leaves nothing that blocks the corrected command.
+            (("family", "--arm", "motor_driven", "--out", "f.safetensors"), "driven by pressures"),
+            (("family", "--noise-m", -1, "--out", "f.safetensors"), "noise_m = -1"),
+            (("family", "--tube-runs", 10, "--out", "f.safetensors"), "--tube-runs 10: so few can't show"),
         ):
             with self.subTest(arguments=arguments):
                 self.assertIn(said, self.run_limber(*arguments, code=2).stderr)

@@ -15,7 +15,7 @@ from program import ROOT, InFolder, cpu_levels, limber
 SHORTER = {
     "bench": {"--queries": 1000},
     "experiment": {"--trials": 1, "--time-limit-s": 0.2},
-    "plan": {"--max-queries": 100_000, "--cost-threshold-kpa": 1e6},
+    "plan": {"--max-queries": 100_000, "--cost-threshold": 1e6},
 }
 
 FILES = ("train.h5", "test.h5", "model.safetensors", "report.html", "summary.json")

@@ -14,6 +14,7 @@ import time
 import unittest
 
 import h5py
+import yaml
 
 from program import PROGRAM, ROOT, InFolder, limber
 
@@ -155,6 +156,16 @@ class Collecting(Driver):
             self.assertLessEqual(step, 5.001)  # 100 kPa/s at 20 Hz
         self.assertEqual(self.run_json(*arguments)["requests"], lines)
         self.assertEqual(list(self.folder.iterdir()), [])
+        through = (*arguments, "--driver", "exec:none", "--calibration", "wire.yaml", "--json")
+        self.assertIn("wire.yaml", self.run_limber(*through, code=2).stderr)
+        # What a wrongly assembled arm would get.
+        self.run_limber("virtual-arm", "--serve", *ARM, "--misassembled", 3, "--truth", "wire.yaml")
+        valves = yaml.safe_load((self.folder / "wire.yaml").read_text())["valves"]
+        self.assertNotEqual([(v["channel"], v["sign"]) for v in valves], [(0, 1), (1, 1)])
+        sent = json.loads(self.run_limber(*through).stdout)["requests"]
+        for plain, line in zip(sets, [line for line in sent if line["type"] == "set"], strict=True):
+            for kpa, valve in zip(plain["pressure_kpa"], valves):
+                self.assertAlmostEqual(line["pressure_kpa"][valve["channel"]], valve["sign"] * kpa, places=4)
 
 
 class Checking(Driver):

@@ -86,6 +86,9 @@ class Execute(InFolder):
         message = self.run_limber("execute", *ARM, "--plan", "p.json", "--environment", "e.yaml", "--no-load",
                                   code=2).stderr
         self.assertIn("in open loop nothing is predicted", message)
+        message = self.run_limber("execute", "--plan", RUNS / "arm_019.plan.json", "--environment",
+                                  RUNS / "arm_019.yaml", *REPLAN, "--no-adapt", code=2).stderr
+        self.assertIn("--adapt and --no-adapt: nothing would be adapted", message)
 
     def test_without_queries_in_motion_it_plans_at_rest_alone(self):
         open_loop = self.execute_with_a_network()

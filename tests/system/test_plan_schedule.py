@@ -35,6 +35,8 @@ class PlanSchedule(InFolder):
                           self.error(*arguments, "--out", "x.h5"))
         self.assertIn("--schedule plans has its own holds",
                       self.error("--schedule", "plans", "--model", "m.safetensors", "--hold-s", 1, "--out", "x.h5"))
+        self.assertIn("m.safetensors: trained for arm 'two_segment'", self.run_limber(
+            "plan", "--model", "m.safetensors", "--environment", "01_pillar", code=2).stderr)
 
     def test_what_cannot_be_is_refused_before_any_planning(self):
         self.write("x.h5", "mine")
@@ -70,14 +72,17 @@ class PlanSchedule(InFolder):
                                       "--resume", "--out", "rounds", code=2).stderr)
 
     def test_nothing_of_the_users_is_replaced(self):
-        model = self.folder / "m.safetensors"
-        model.rename(self.folder / "model.safetensors")
-        before = (self.folder / "model.safetensors").read_bytes()
-        for model, told in (("model.safetensors", "would replace it"), ("other.safetensors", "exists already")):
-            (self.folder / "other.safetensors").write_bytes(before)
-            self.assertIn(told, self.run_limber("improve", *ARM, "--model", model, "--data", "t.h5", "--out", ".",
-                                                code=2).stderr)
-            self.assertEqual((self.folder / "model.safetensors").read_bytes(), before)
+        plans, model = self.folder / "out/round_1/plans.h5", self.folder / "out/model.safetensors"
+        plans.parent.mkdir(parents=True)
+        plans.write_bytes((self.folder / "t.h5").read_bytes())
+        model.write_bytes((self.folder / "m.safetensors").read_bytes())
+        before = plans.read_bytes(), model.read_bytes()
+        for inputs, told in ((("m.safetensors", "t.h5"), "exists already"),
+                             (("m.safetensors", plans, "--force"), "plans.h5 lies in out, the folder for results"),
+                             ((model, "t.h5", "--force"), "model.safetensors lies in out, the folder for results")):
+            command = ("improve", *ARM, "--out", "out", "--model", inputs[0], "--data", *inputs[1:])
+            self.assertIn(told, self.run_limber(*command, code=2).stderr)
+            self.assertEqual((plans.read_bytes(), model.read_bytes()), before)
 
 
 if __name__ == "__main__":

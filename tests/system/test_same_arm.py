@@ -9,7 +9,7 @@ import unittest
 from program import ROOT, InFolder, cpu_levels, limber
 
 ARM = "two_segment"
-BUDGET = ("--max-queries", 30000, "--cost-threshold-kpa", 1e6)
+BUDGET = ("--max-queries", 30000, "--cost-threshold", 1e6)
 CODES = {"execute": 1}  # it runs, and misses: the no-load model is wrong
 ENVIRONMENT = {
     "schema": "limber/environment/1",

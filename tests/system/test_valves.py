@@ -86,6 +86,8 @@ class Valves(InFolder):
         self.run_json("collect", *ARM, "--schedule", "random", "--count", 2, "--out", "little.h5")
         found = self.run_json("characterize", *ARM, "--valves", "little.h5", code=1)
         self.assertEqual(found["segments"], [])
+        self.assertIn("error: little.h5: no valves were found; v.yaml was not written", self.run_limber(
+            "characterize", *ARM, "--valves", "little.h5", "--out", "v.yaml", "--quiet", code=1).stderr)
         self.assertIn("set points change in", found["identified"]["reason"])
 
     def test_other_peoples_valves_are_recovered(self):

@@ -61,6 +61,9 @@ class Verify(InFolder):
                 self.rewrite(plan)
                 found = self.verify(code=1)
                 self.assertEqual(found["status"], "refused")
+                quiet = self.run_limber("verify", *ARM, "--plan", "p.json", "--environment",
+                                        self.environment, "--quiet", code=1)
+                self.assertIn("error: p.json: not certified: ", quiet.stderr)
                 checks = {failure["check"] for failure in found["failures"]}
                 self.assertTrue(checks - {"seal"}, change.__name__)
                 self.assertEqual("seal" in checks, sealed)
@@ -78,6 +81,9 @@ class Verify(InFolder):
             "--environment", self.environment,
         )
         self.assertIn("give --no-load", error)
+        error = self.error("verify", "--arm", "two_segment", "--plan", "p.json", "--environment",
+                           self.environment, "--model", "any.safetensors")
+        self.assertIn("p.json was made with the no-load model: give --no-load", error)
 
     def test_execution_refuses_what_was_changed(self):
         self.plan["frames"][3]["setpoint_kpa"][0] += 0.01

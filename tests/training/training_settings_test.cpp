@@ -78,7 +78,8 @@ TEST(RequireUsable, NamesTheSettingAndWhatIsAllowed) {
           "shared_range with output_form gated_change and layout gap_poses");
   refusal([](auto& s) { s.scaling = Scaling::range_by_unit; },
           "range_by_unit with output_form gated_change and layout gap_poses");
-  refusal([](auto& s) { s.weight_decay = 400.0; }, "weight_decay = 400; expected >= 0");
+  refusal([](auto& s) { s.weight_decay = -1.0; }, "weight_decay = -1; expected >= 0");
+  refusal([](auto& s) { s.weight_decay = 400.0; }, "expected below 1 / weight_decay (400)");
   refusal([](auto& s) { s.learning_rate = 0.0; },
           "learning_rate = 0; expected a finite number > 0");
   refusal([](auto& s) { s.learning_rate = std::nan(""); }, "learning_rate = nan");

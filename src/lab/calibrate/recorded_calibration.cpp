@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -108,9 +109,12 @@ void require_usable_levels(const std::vector<double>& levels, double confidence)
       std::adjacent_find(levels.begin(), levels.end(), std::greater_equal<>()) != levels.end()) {
     throw InputError("--levels: expected rising shares, such as 0.9 0.95");
   }
-  for (const double share : {levels.front(), levels.back(), confidence}) {
+  for (const auto& [flag, share] :
+       {std::pair{"--levels", levels.front()}, std::pair{"--levels", levels.back()},
+        std::pair{"--confidence", confidence}}) {
     if (!(share > 0.0 && share < 1.0)) {
-      throw InputError(fmt::format("a share of {}: expected more than 0 and less than 1", share));
+      throw InputError(
+          fmt::format("{}: a share of {}: expected more than 0 and less than 1", flag, share));
     }
   }
 }

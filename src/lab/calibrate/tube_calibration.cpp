@@ -348,16 +348,19 @@ std::vector<double> tube_factors() {
   return factors;
 }
 
+int min_test_runs(const CalibrationSettings& settings) {
+  return min_runs(settings.levels.back(), 1.0 - (1.0 - settings.confidence) / kMaxTests);
+}
+
 void require_usable(const CalibrationSettings& settings) {
   require_runs("--shape-runs", settings.scale_runs, 1);
   require_runs("--audit-runs", settings.audit_runs, 0);
   require_usable_levels(settings.levels, settings.confidence);
   const double highest = settings.levels.back();
-  const double confidence = 1.0 - (1.0 - settings.confidence) / kMaxTests;
-  for (const auto& [flag, runs, sure] :
-       {std::tuple{"--screen-runs", settings.screen_runs, kScreenConfidence},
-        std::tuple{"--test-runs", settings.test_runs, confidence}}) {
-    if (const int needed = min_runs(highest, sure); runs < needed) {
+  for (const auto& [flag, runs, needed] :
+       {std::tuple{"--screen-runs", settings.screen_runs, min_runs(highest, kScreenConfidence)},
+        std::tuple{"--test-runs", settings.test_runs, min_test_runs(settings)}}) {
+    if (runs < needed) {
       throw InputError(
           fmt::format("{} {}: so few can't show a level of {}: at least {}, or lower --levels",
                       flag, runs, highest, needed));

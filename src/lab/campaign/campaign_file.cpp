@@ -37,6 +37,7 @@ constexpr KeptFlag kKeptFlags[] = {
     {"force", "the campaign starts over what was cut short"},
     {"resume", "the campaign starts over what was cut short"},
     {"jobs", "give --jobs to limber campaign"},
+    {"dry-run", "give --dry-run to limber campaign"},
     {"driver", "units run on the virtual arm"},
     {"time-limit-s", "budgets are iterations, queries or epochs, so that units can be repeated"},
 };

@@ -41,11 +41,11 @@ TEST(CalibrationSettings, ThoseThatCanGiveNothingAreRefused) {
        [](CalibrationSettings& s) {
          s.levels = {0.9, 0.9};
        }},
-      {"a share of 1: expected",
+      {"--levels: a share of 1: expected",
        [](CalibrationSettings& s) {
          s.levels = {0.9, 1.0};
        }},
-      {"a share of 0: expected", [](CalibrationSettings& s) { s.confidence = 0.0; }},
+      {"--confidence: a share of 0: expected", [](CalibrationSettings& s) { s.confidence = 0.0; }},
       {"--test-runs 79: so few can't show a level of 0.95: at least 80",
        [](CalibrationSettings& s) { s.test_runs = 79; }},
       {"--screen-runs 13: so few can't show a level of 0.95: at least 14",

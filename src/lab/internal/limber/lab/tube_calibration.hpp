@@ -39,6 +39,9 @@ struct CalibrationResult {
 /// The factors that are tried, the largest first.
 std::vector<double> tube_factors();
 
+/// Test runs that can show the highest of the levels, if none of them is outside.
+int min_test_runs(const CalibrationSettings& settings);
+
 /// Refuses levels, confidence and numbers of runs that can't give what is asked for.
 /// @throws InputError
 void require_usable(const CalibrationSettings& settings);

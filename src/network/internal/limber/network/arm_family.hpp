@@ -47,5 +47,8 @@ void require_one_arm(const CompensationModel& model, const std::string& where);
 
 /// For whoever predicts, plans or moves: `read_model`, and `require_one_arm`.
 CompensationModel read_model_of_one_arm(const std::filesystem::path& path);
+/// The same, and `require_model_of` in the file's name.
+CompensationModel read_model_of_one_arm(const std::filesystem::path& path,
+                                        const ArmDescription& arm);
 
 }  // namespace limber
