@@ -79,9 +79,9 @@ class ForestFlags {
   const CLI::Option* nodes_flag_ = nullptr;
 };
 
-/// --cost-threshold. @param target  kept by CLI11
+/// --cost-threshold, also by its name for arms that pressures drive. @param target  kept by CLI11
 inline void add_cost_threshold(CLI::App& app, std::optional<double>& target) {
-  app.add_option("--cost-threshold", target,
+  app.add_option("--cost-threshold,--cost-threshold-kpa", target,
                  "Stop at a plan this cheap, in the unit of the arm's command (kPa of pressures); "
                  "with a large number, stop at the first plan")
       ->check(more_than_zero());
