@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
@@ -34,21 +35,13 @@ FrameMatrix frames_from(const FloatArray& array, py::ssize_t frames, const char*
 
 /// One whole number for each frame.
 template <class Number>
-std::vector<Number> numbers_from(const py::object& given, py::ssize_t frames, const char* name,
+std::vector<Number> numbers_from(const DoubleArray& values, py::ssize_t frames, const char* name,
                                  Number highest) {
-  const auto array = py::array::ensure(given);
-  if (!array || (array.size() > 0 && !has_numbers(array))) {
-    throw py::type_error(
-        fmt::format("{}: expected whole numbers, found {}", name,
-                    array ? std::string(py::str(array.dtype())) : type_name(given)));
-  }
-  require_shape(array, {frames}, name);
-  const DoubleArray values = DoubleArray::Base::ensure(array);
+  require_shape(values, {frames}, name);
   for (py::ssize_t t = 0; t < frames; ++t) {
-    const double value = values.data()[t];
-    require_number(name, value, 0.0, highest);
-    if (value != std::floor(value)) {
-      throw InputError(fmt::format("{} = {}; expected whole numbers", name, value));
+    require_number(name, values.data()[t], 0.0, highest);
+    if (values.data()[t] != std::floor(values.data()[t])) {
+      throw InputError(fmt::format("{} = {}; expected whole numbers", name, values.data()[t]));
     }
   }
   return {values.data(), values.data() + frames};
@@ -56,8 +49,9 @@ std::vector<Number> numbers_from(const py::object& given, py::ssize_t frames, co
 
 Episode make_episode(const DoubleArray& time_s, const FloatArray& pressure_kpa,
                      const FloatArray& setpoint_kpa, const FloatArray& backbone,
-                     const py::object& motion_index, const py::object& tracked, bool setpoints_only,
-                     const std::string& physics, bool lifted, const std::string& log) {
+                     const DoubleArray& motion_index, const std::optional<DoubleArray>& tracked,
+                     bool setpoints_only, const std::string& physics, bool lifted,
+                     const std::string& log) {
   Episode episode;
   episode.setpoints_only = setpoints_only;
   episode.physics = physics;
@@ -66,8 +60,8 @@ Episode make_episode(const DoubleArray& time_s, const FloatArray& pressure_kpa,
   require_shape(time_s, {frames}, "time_s");
   episode.motion_index =
       numbers_from(motion_index, frames, "motion_index", std::numeric_limits<int>::max());
-  if (!tracked.is_none()) {
-    episode.tracked = numbers_from(tracked, frames, "tracked", std::uint8_t{1});
+  if (tracked) {
+    episode.tracked = numbers_from(*tracked, frames, "tracked", std::uint8_t{1});
   }
   const OthersMayRun others_may_run;
   require_finite(time_s, "time_s");

@@ -177,8 +177,8 @@ class Identification {
         result.findings.from_setpoints.mean_kpa + kChange * scale()) {
       result.parameters.segments.clear();
       result.findings.reason = fmt::format(
-          "valves that fit one part are {:.3g} {unit} off on the rest, more than none at all ({:.3g} "
-          "{unit})",
+          "valves that fit one part are {:.3g} {unit} off on the rest, more than none at all "
+          "({:.3g} {unit})",
           result.findings.held_back.mean_kpa, result.findings.from_setpoints.mean_kpa,
           fmt::arg("unit", recording_.command.unit));
     }

@@ -37,7 +37,8 @@ struct CommandColumns {
   bool setpoint_optional = false;     ///< left out if the log has no such columns
   std::string unit = "kPa";
   double factor = 1.0;  ///< to the arm's unit
-  /// Added to what the log holds, in its own unit, its sign turned where a column asks for that: one for all columns, one for each, or none.
+  /// Added to what the log holds, in its own unit, after a column's '-': one for all columns, one
+  /// for each, or none.
   std::vector<double> offsets;
 
   double offset_of(Eigen::Index column) const {
