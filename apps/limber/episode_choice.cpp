@@ -158,9 +158,10 @@ EpisodeChoice choose_episodes(NamedEpisodes all, NamedEpisodes validation,
   EpisodeChoice choice;
   if (validation.episodes.empty()) {
     choice.data = hold_back_validation(std::move(all.episodes), shares.validation, seed);
+    const char* part = choice.data.training.size() == all.names.size() ? "the end of " : "";
     hold_back_unseen(choice.data, shares.unseen, seed);
     for (const int number : choice.data.held_back) {
-      choice.validation.push_back(all.names[static_cast<std::size_t>(number)]);
+      choice.validation.push_back(part + all.names[static_cast<std::size_t>(number)]);
     }
   } else {
     choice.data.training = std::move(all.episodes);

@@ -96,8 +96,8 @@ class ReplanFlags {
   void add_settings_to(CLI::App& app);
 
   bool is_asked_for() const { return replan_; }
-  /// Whether --adapt or --no-adapt is given.
-  bool says_adapt() const { return adapt_flag_->count() > 0; }
+  /// Whether --adapt is given.
+  bool says_adapt() const { return adapt_flag_->count() > 0 && settings_.adapts; }
   ClosedLoopSettings& settings() { return settings_; }
   const ClosedLoopSettings& settings() const { return settings_; }
 

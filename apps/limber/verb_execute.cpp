@@ -183,7 +183,7 @@ class ExecuteVerb final : public Verb {
     if (!can_adapt || (!adapted_out_.empty() && !replan_.settings().adapts)) {
       throw InputError(fmt::format(
           "{}: nothing would be adapted; expected --replan, a model that limber adapt made{}",
-          adapted_out_.empty() ? "--adapt and --no-adapt" : "--adapted-out",
+          adapted_out_.empty() ? "--adapt" : "--adapted-out",
           adapted_out_.empty() ? "" : ", and no --no-adapt"));
     }
   }

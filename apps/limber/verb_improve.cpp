@@ -160,9 +160,9 @@ class ImproveVerb final : public Verb {
 
   /// What was asked for was refused: the same folder serves once that is mended.
   static void forget_if_nothing_was_made(const fs::path& folder) {
-    std::error_code holds_something;
-    if (fs::remove(folder_of(folder, 1), holds_something)) {
-      fs::remove(folder / "improve.json", holds_something);
+    const fs::path first = folder_of(folder, 1) / "plans.h5";
+    if (!fs::exists(first) && !fs::exists(first.string() + ".parts")) {
+      fs::remove(folder / "improve.json");
     }
   }
 

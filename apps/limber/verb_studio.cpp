@@ -2,6 +2,8 @@
 #include <cstdio>
 #include <thread>
 
+#include <fmt/format.h>
+
 #include "driver_flags.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/network/compensation_model.hpp"
@@ -15,6 +17,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kSignalPoll{100};
 constexpr int kMaxPort = 65535;
+constexpr double kFirstLimitScale = 0.1;  // web/src/arm_panel.ts
 
 class StudioVerb final : public Verb {
  public:
@@ -37,8 +40,8 @@ class StudioVerb final : public Verb {
                    "plans on it");
     wire_.add_to(app);
     app.add_option("--limit-scale", limit_scale_,
-                   "Largest factor on the driver's arm's pressure limits that a page may set, over "
-                   "0 and at most 1")
+                   "Largest factor on the driver's arm's pressure limits that a page may set, 0.1 "
+                   "to 1")
         ->capture_default_str();
     for (const char* name : {"--calibration", "--simulated", "--limit-scale"}) {
       app.get_option(name)->needs("--driver");
@@ -64,6 +67,11 @@ class StudioVerb final : public Verb {
     }
     if (!driver_.empty()) {
       require_limit_scale(limit_scale_);
+      if (limit_scale_ < kFirstLimitScale) {
+        throw InputError(
+            fmt::format("--limit-scale {}: expected at least {}, with which pages begin",
+                        limit_scale_, kFirstLimitScale));
+      }
       settings_.driver = wire_.settings(driver_, arm, arm_file);
       settings_.driver->limit_scale = limit_scale_;
       settings_.driver->say = [](const std::string& message) {

@@ -86,7 +86,7 @@ void require_planar_model(Dimension dimension, const char* name) {
 }
 
 bool has_numbers(const py::array& array) {
-  return std::string_view("biufO").find(array.dtype().kind()) != std::string_view::npos;
+  return std::string_view("biuf").find(array.dtype().kind()) != std::string_view::npos;
 }
 
 std::string to_text(const Shape& shape) {

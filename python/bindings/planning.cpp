@@ -50,7 +50,8 @@ class OnePlanner {
 
   const char* name() const { return planner_->name(); }
 
-  PlanResult plan(const PlanningProblem& problem, const PlannerLimits& limits, std::uint64_t seed,
+  /// @param limits  a copy: Python may change its own meanwhile
+  PlanResult plan(const PlanningProblem& problem, PlannerLimits limits, std::uint64_t seed,
                   const py::object& callback) {
     if (problem.model.has_network()) {
       require_bounded(problem.model.compensation(), "the model");
@@ -270,8 +271,8 @@ void bind_plan_result(py::module_& module) {
 using AnyModel = std::variant<std::filesystem::path, CompensationModel, const MotionModel*>;
 
 PlanResult plan_with(const ArmDescription& arm, const AnyModel& model,
-                     const Environment& environment, const PlannerLimits& limits,
-                     std::uint64_t seed, const py::object& callback, PlanSettings settings) {
+                     const Environment& environment, PlannerLimits limits, std::uint64_t seed,
+                     const py::object& callback, PlanSettings settings) {
   require_jobs(settings.jobs);
   require_planar(arm, "limber.plan");
   CallerThread caller;

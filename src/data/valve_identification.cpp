@@ -203,6 +203,9 @@ class Identification {
           "writes them so, or the recording holds no lag",
           what);
     }
+    if (split_.fitted.empty() || split_.held_back.empty()) {
+      return "the episodes are too short to fit valves to one part and check them on the rest";
+    }
     int changes = 0;
     for (int i = 0; i < recording_.channel_count(); ++i) {
       const int count = change_count(recording_, split_.fitted, i, limits_[std::size_t(i)]);
@@ -219,9 +222,6 @@ class Identification {
           "set points change in {} frames at most, of four fifths to fit to; "
           "expected {} or more",
           changes, kMinChanges);
-    }
-    if (split_.fitted.empty() || split_.held_back.empty()) {
-      return "the episodes are too short to fit valves to one part and check them on the rest";
     }
     return {};
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ranges>
 #include <utility>
 
 #include <fmt/format.h>
@@ -24,6 +25,7 @@ constexpr double kTurn = 2.0 * M_PI;
 constexpr double kLongestChord = 1.2;  // over the length at rest; noise and stretch leave less
 constexpr double kNotedLength = 0.03;
 constexpr double kMaxHeadingOff_rad = 0.3;  // of the mean one; bodies are defined to a few degrees
+constexpr double kMaxHeadingOffWithoutArcs_rad = 1.5;  // of points that lie segments apart
 constexpr double kShortestArc = 0.05;  // chord over length; beyond, the points are no neighbours
 
 // ---- missing points
@@ -126,13 +128,15 @@ void chord_directions(const PointTracks& tracks, Eigen::Index t, std::vector<dou
 /// far an arc turns, its chord has the heading of its middle.
 void require_headings_along(const std::string& log, const std::vector<bool>& tracked,
                             const PointTracks& tracks, const ArmDescription& arm) {
+  const auto is_arc = [&](Eigen::Index i) {
+    return arm.segment_of_gap(tracks.plates[std::size_t(i)]) ==
+           arm.segment_of_gap(tracks.plates[std::size_t(i + 1)] - 1);
+  };
+  const auto gaps = std::views::iota(Eigen::Index{0}, Eigen::Index(tracks.point_count() - 1));
+  const bool has_arcs = std::ranges::any_of(gaps, is_arc);
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-  for (Eigen::Index i = 0; i + 1 < tracks.point_count(); ++i) {
-    const int from = tracks.plates[std::size_t(i)];
-    if (arm.segment_of_gap(from) != arm.segment_of_gap(tracks.plates[std::size_t(i + 1)] - 1)) {
-      continue;  // no arc
-    }
-    for (Eigen::Index t = 0; t < tracks.row_count(); ++t) {
+  for (const Eigen::Index i : gaps) {
+    for (Eigen::Index t = 0; (is_arc(i) || !has_arcs) && t < tracks.row_count(); ++t) {
       if (tracked[std::size_t(t)]) {
         const double theta_rad = tracks.theta_rad(t, i);
         const double turn_rad = std::remainder(tracks.theta_rad(t, i + 1) - theta_rad, kTurn);
@@ -144,7 +148,7 @@ void require_headings_along(const std::string& log, const std::vector<bool>& tra
     }
   }
   if (const double usual_rad = std::atan2(sum.y(), sum.x());
-      std::abs(usual_rad) > kMaxHeadingOff_rad) {
+      std::abs(usual_rad) > (has_arcs ? kMaxHeadingOff_rad : kMaxHeadingOffWithoutArcs_rad)) {
     throw InputError(fmt::format(
         "{}: the headings are {:.0f} degrees off the line from each point to the next, in the "
         "mean; expected along it, from base to tip. Turn the tracked bodies, say with 'straight_s' "

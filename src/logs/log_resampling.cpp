@@ -45,7 +45,9 @@ class RowFinder {
 
   /// Invalid outside of the track and within long gaps.
   Bracket at(double time_s) {
-    if (time_s < time_s_.front() - kRounding_s || time_s > time_s_.back() + kRounding_s) {
+    const bool holds = std::isinf(longest_gap_s_);
+    if (time_s < time_s_.front() - kRounding_s ||
+        (!holds && time_s > time_s_.back() + kRounding_s)) {
       return {};
     }
     while (next_ + 1 < time_s_.size() && time_s_[next_ + 1] <= time_s + kRounding_s) {
@@ -110,13 +112,15 @@ FrameMatrix stacked(const std::vector<Eigen::RowVectorXd>& rows) {
 }
 
 /// Standard deviation of a column's noise, from second differences, which steady motion leaves out.
+/// Neighbouring frames share rows where logs are hardly faster than the arm; three apart do not.
 double noise_of(const FrameMatrix& values, Eigen::Index column) {
   constexpr double kPerMedian = 1.4826;                   // of a normal deviate's size
   constexpr double kOfSecondDifference = 2.449489742783;  // √6
+  constexpr Eigen::Index kApart = 3;
   std::vector<double> sizes;
-  for (Eigen::Index t = 2; t < values.rows(); ++t) {
-    sizes.push_back(
-        std::abs(double(values(t, column)) - 2.0 * values(t - 1, column) + values(t - 2, column)));
+  for (Eigen::Index t = 2 * kApart; t < values.rows(); ++t) {
+    sizes.push_back(std::abs(double(values(t, column)) - 2.0 * values(t - kApart, column) +
+                             values(t - 2 * kApart, column)));
   }
   return sizes.empty() ? 0.0 : kPerMedian * median(std::move(sizes)) / kOfSecondDifference;
 }
@@ -181,7 +185,8 @@ class Resampler {
   std::vector<Episode> run() {
     const double period_s = arm_.frame_period_s();
     const double from = std::max(motion_.time_s.front(), commands_.time_s.front());
-    const double to = std::min(motion_.time_s.back(), commands_.time_s.back());
+    const double to = commands_.measured ? std::min(motion_.time_s.back(), commands_.time_s.back())
+                                         : motion_.time_s.back();  // the last set point holds
     const double begin = std::ceil((from - kRounding_s) / period_s);
     const double end = std::floor((to + kRounding_s) / period_s);
     if (!(begin <= end && -begin <= kMaxFrameNumber && end <= kMaxFrameNumber)) {

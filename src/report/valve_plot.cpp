@@ -79,8 +79,12 @@ Chart bench_chart(const CharacterisedArm& result, const BenchData& bench) {
 }
 
 std::string valve_plot_svg(const ValveParameters& valves, const Recording& recording) {
-  const FrameRange range = liveliest(recording);
-  const Episode& episode = recording.episodes[std::size_t(range.episode)];
+  Recording told = recording;
+  if (!setpoints_are_measured(told.episodes)) {
+    leave_out_measured_setpoints(told.episodes);  // as the fit does
+  }
+  const FrameRange range = liveliest(told);
+  const Episode& episode = told.episodes[std::size_t(range.episode)];
   const FrameMatrix modelled =
       simulate_valves(valves, recording.rate_hz, episode, range.first, range.count);
   const Eigen::VectorXd time_s = episode.time_s.segment(range.first, range.count);

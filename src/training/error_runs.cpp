@@ -31,11 +31,10 @@ std::vector<RolloutPiece> cut_motions(const std::vector<Episode>& unseen, int ma
   return pieces;
 }
 
-/// Whether anything is commanded to move: standing still is easily predicted. Where set points are
-/// what was measured, a sensor's noise is no command.
-bool moves(const ArmDescription& arm, const Episode& episode, const RolloutPiece& piece) {
-  constexpr double kNoise = 0.02;  // of half the range
-  const double noise = setpoints_are_measured(episode) ? kNoise : 0.0;
+/// Whether anything is commanded to move: standing still is easily predicted.
+/// @param noise  of commands, as a share of half their range
+bool moves(const ArmDescription& arm, const Episode& episode, const RolloutPiece& piece,
+           double noise) {
   for (int i = 0; i < arm.channel_count(); ++i) {
     const auto commands = episode.setpoint_kpa.col(i).segment(piece.first, piece.frames + 1);
     if (double((commands.array() - commands[0]).abs().maxCoeff()) >
@@ -65,11 +64,16 @@ bool stands_still(const Episode& episode, int frame) {
 std::vector<RolloutPiece> error_runs(const ArmDescription& arm,
                                      const std::vector<Episode>& unseen) {
   const int max_frames = static_cast<int>(std::lround(kLongestErrorRun_s * arm.frame_rate_hz));
+  constexpr double kNoise = 0.02;  // of a sensor, where set points are what was measured
+  std::vector<double> noise;
+  for (const Episode& episode : unseen) {
+    noise.push_back(!episode.setpoints_only && setpoints_are_measured(episode) ? kNoise : 0.0);
+  }
   std::vector<RolloutPiece> moving;
   std::vector<RolloutPiece> from_rest;
   for (const RolloutPiece& piece : cut_motions(unseen, max_frames)) {
     const Episode& episode = unseen[static_cast<std::size_t>(piece.episode)];
-    if (moves(arm, episode, piece)) {
+    if (moves(arm, episode, piece, noise[static_cast<std::size_t>(piece.episode)])) {
       moving.push_back(piece);
       if (stands_still(episode, piece.first)) {
         from_rest.push_back(piece);

@@ -29,6 +29,10 @@ std::vector<Episode> runs_of(const ArmDescription& arm, const CompensationModel&
                              const std::vector<Episode>& unseen,
                              const std::vector<RolloutPiece>& pieces, std::vector<int>& leads) {
   const ValveParameters valves = model.valves.value_or(ValveParameters{});
+  std::vector<bool> measured;
+  for (const Episode& episode : unseen) {
+    measured.push_back(setpoints_are_measured(episode));
+  }
   std::vector<Episode> runs;
   for (const RolloutPiece& piece : pieces) {
     const Episode& episode = unseen[static_cast<std::size_t>(piece.episode)];
@@ -37,7 +41,7 @@ std::vector<Episode> runs_of(const ArmDescription& arm, const CompensationModel&
     leads.push_back(piece.first - first);
     const int count = leads.back() + piece.frames + 1;
     Episode run = slice(episode, first, count);
-    if (!setpoints_are_measured(episode)) {
+    if (!measured[static_cast<std::size_t>(piece.episode)]) {
       run.pressure_kpa = simulate_valves(valves, arm.frame_rate_hz, episode, first, count);
     }
     runs.push_back(std::move(run));

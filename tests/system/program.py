@@ -48,7 +48,7 @@ def verbs():
 def numeric_flags(verb):
     """Every flag of a verb that takes numbers, with its kind: [("--seed", "UINT"), …]."""
     text = limber(verb, "--help").stdout
-    return re.findall(r"^  (?:-\w,)?(--[a-z-]+) (INT|UINT|FLOAT)\b", text, flags=re.M)
+    return re.findall(r"^  (?:-\w,)?(--[a-z-]+)(?:,--[a-z-]+)* (INT|UINT|FLOAT)\b", text, flags=re.M)
 
 
 class InFolder(unittest.TestCase):

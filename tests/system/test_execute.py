@@ -87,8 +87,8 @@ class Execute(InFolder):
                                   code=2).stderr
         self.assertIn("in open loop nothing is predicted", message)
         message = self.run_limber("execute", "--plan", RUNS / "arm_019.plan.json", "--environment",
-                                  RUNS / "arm_019.yaml", *REPLAN, "--no-adapt", code=2).stderr
-        self.assertIn("--adapt and --no-adapt: nothing would be adapted", message)
+                                  RUNS / "arm_019.yaml", *REPLAN, "--adapt", code=2).stderr
+        self.assertIn("--adapt: nothing would be adapted", message)
 
     def test_without_queries_in_motion_it_plans_at_rest_alone(self):
         open_loop = self.execute_with_a_network()
