@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "driver_flags.hpp"
+#include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/network/compensation_model.hpp"
 #include "limber/network/gap_bounds.hpp"

@@ -197,7 +197,7 @@ TEST_F(StudioServer, PathsDoNotLeadOut) {
                            "//etc/passwd", "/etc/passwd"}) {
     EXPECT_THAT(get(path), StartsWith("HTTP/1.1 404")) << path;
   }
-  const std::string unknown = ask("PUT /api/stop", own_headers());
+  const std::string unknown = post("/api/nothing", "{}");
   EXPECT_THAT(unknown, StartsWith("HTTP/1.1 404"));
   EXPECT_THAT(unknown, HasSubstr(R"({"error":"nothing is there"})"));
 }
