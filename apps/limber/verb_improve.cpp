@@ -5,6 +5,7 @@
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/json_reader.hpp"
+#include "limber/training/training_settings.hpp"
 #include "verbs.hpp"
 
 namespace limber {

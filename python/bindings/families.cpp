@@ -7,6 +7,7 @@
 #include "limber/common/error.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/training/adaptation.hpp"
+#include "limber/training/trainer.hpp"
 #include "record.hpp"
 
 namespace limber::python {

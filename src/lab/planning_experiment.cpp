@@ -71,7 +71,7 @@ class Experiment {
       : settings_(settings),
         model_bytes_hash_(file_hash(settings.model_file)),
         no_load_forward_(settings.arm),
-        network_forward_(settings.arm, read_model_of_one_arm(settings.model_file)),
+        network_forward_(settings.arm, read_model_of_one_arm(settings.model_file, settings.arm)),
         no_load_(no_load_forward_, ValveModel(settings.arm, settings.valves)),
         network_(network_forward_, ValveModel(settings.arm, settings.valves)),
         identity_(experiment_identity(settings, model_bytes_hash_)),

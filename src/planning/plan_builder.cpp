@@ -1,5 +1,6 @@
 #include "limber/planning/plan_builder.hpp"
 
+#include "limber/common/interrupt.hpp"
 #include "limber/common/version.hpp"
 #include "limber/world/pose_goal.hpp"
 #include "limber/world/straight_motion.hpp"
@@ -52,7 +53,11 @@ Plan build_partial_plan(const PlanningProblem& problem, MotionSimulator& simulat
   plan.waypoints_kpa = waypoints_kpa;
   const ArmStart start = start_state(problem.environment, problem.arm);
   plan.frames.push_back({waypoints_kpa.front(), start.pressures_kpa, start.backbone});
+  const bool was_interrupted = interrupt_requested();  // then this is what is left to be done
   for (std::size_t w = 1; w < waypoints_kpa.size(); ++w) {
+    if (!was_interrupted) {
+      throw_if_interrupted();
+    }
     simulator.append_motion(waypoints_kpa[w], plan.frames, &start);
   }
   plan.hold_frame_count = simulator.append_hold(plan.frames, &start);

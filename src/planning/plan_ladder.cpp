@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "limber/common/error.hpp"
 #include "limber/common/units.hpp"
 #include "limber/planning/plan_builder.hpp"
 #include "limber/planning/problem_check.hpp"
@@ -125,11 +126,16 @@ PlanJudge::Verdict PlanLadder::judge(const Rung& rung, const Found& found) {
   const double begin_s = budget_.elapsed_s();
   const auto give_up = [this] { return budget_.is_overdue(); };
   PlanJudge* const judge = problem_.judge;
-  // If time runs out during the measurement, the judge will say so.
-  Plan plan = build_plan(problem_, simulator_, rung.waypoints_kpa, planner_, seed_,
-                         judge != nullptr ? give_up : std::function<bool()>());
-  const PlanJudge::Verdict verdict =
-      judge == nullptr ? PlanJudge::Verdict::holds : judge->judge(plan, give_up);
+  Plan plan;
+  PlanJudge::Verdict verdict = PlanJudge::Verdict::holds;
+  try {
+    // If time runs out during the measurement, the judge will say so.
+    plan = build_plan(problem_, simulator_, rung.waypoints_kpa, planner_, seed_,
+                      judge != nullptr ? give_up : std::function<bool()>());
+    verdict = judge == nullptr ? verdict : judge->judge(plan, give_up);
+  } catch (const Interrupted&) {
+    verdict = PlanJudge::Verdict::unfinished;  // what stands already is kept
+  }
   const double end_s = budget_.elapsed_s();
   budget_.keep_for_the_end(end_s - begin_s);
   switch (verdict) {

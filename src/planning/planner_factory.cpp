@@ -151,7 +151,7 @@ PlanResult plan(const ArmDescription& arm, const CompensationModel& network,
 PlanResult plan(const ArmDescription& arm, const std::filesystem::path& model_file,
                 const Environment& environment, const PlannerLimits& limits, std::uint64_t seed,
                 const PlanSettings& settings) {
-  const CompensationModel network = read_model_of_one_arm(model_file);
+  const CompensationModel network = read_model_of_one_arm(model_file, arm);
   require_bounded(network, model_file.string());
   PlanResult result = plan(arm, network, environment, limits, seed, settings);
   if (result.plan) {

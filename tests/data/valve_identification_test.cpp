@@ -231,7 +231,7 @@ TEST(ValveIdentificationOf, SetpointsThatHardlyChangeTellNothing) {
     episode.setpoint_kpa.bottomRows(100).setConstant(20.0F);
   }
   EXPECT_EQ(identify_valves(recording).findings.reason,
-            "set points change in 5 frames at most, of four fifths to fit to; expected 20 or more");
+            "set points change in 6 frames at most; expected 20 or more");
 }
 
 TEST(ValveIdentificationOf, ASegmentThatRestsTakesTheValvesOfTheOthers) {

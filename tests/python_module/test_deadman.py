@@ -88,7 +88,7 @@ class OnAProcess(InFolder):
                                  exec_of(self.log), calibration=swapped)
 
     def test_a_driver_is_not_believed_to_be_a_simulation(self):
-        with self.assertRaisesRegex(limber.SystemFault, "simulated=True in Python"):
+        with self.assertRaisesRegex(limber.InputError, "simulated=True in Python"):
             limber.ProcessDriver(self.arm, exec_of(self.log))
         self.assertEqual(set(told(self.log)), {"vent"})
 

@@ -229,7 +229,7 @@ class SameAsProgram(InFolder):
                     (("train", "--arm", "three_segment", "--data", "two.h5", "--out", "x"),
                      lambda: limber.require_recording_of(recording, three, "two.h5")),
                     (("plan", "--arm", "three_segment", "--environment", "01_pillar", *model),
-                     lambda: limber.require_model_of(self.network, three, "compensation model"))]:
+                     lambda: limber.require_model_of(self.network, three, str(self.chain.model)))]:
                 message = run_program(*arguments, folder=self.folder, code=2).stderr
                 with self.assertRaises(limber.InputError) as refused:
                     function()
