@@ -84,8 +84,9 @@ void bind_data(py::module_& module) {
       },
       py::arg("episodes"), py::arg("fraction"), py::arg("seed"),
       "TrainingData of the episodes, some of which are held back for validation: about `fraction` "
-      "of the frames, in (0, 1), in whole episodes chosen by `seed`, at least one. Of a single "
-      "episode its end is held back. Raises InputError where nothing would be left to learn from.");
+      "of the frames, in (0, 1), in whole episodes chosen by `seed`, at least one. Of one that has "
+      "over 40 % of all frames its end is held back. Raises InputError where nothing would be left "
+      "to learn from.");
   // With Python's lock, as it changes what others may read.
   module.def("hold_back_unseen", &hold_back_unseen, py::arg("data"), py::arg("fraction"),
              py::arg("seed"),

@@ -94,6 +94,12 @@ std::vector<ValveRun> runs_of(const std::vector<Episode>& episodes,
   return chosen;
 }
 
+/// Whether it moves, and its set points are merely what was measured.
+bool is_without_setpoints(const Episode& episode) {
+  return setpoints_are_measured(episode) &&
+         (episode.pressure_kpa.rowwise() - episode.pressure_kpa.row(0)).any();
+}
+
 /// Errors of one recording's valves, or of part of its segments.
 class ErrorCollector {
  public:
@@ -206,11 +212,16 @@ class Identification {
     if (split_.fitted.empty() || split_.held_back.empty()) {
       return "the episodes are too short to fit valves to one part and check them on the rest";
     }
+    std::vector<FrameRange> whole;
+    for (const Episode& episode : recording_.episodes) {
+      whole.push_back({int(whole.size()), 0, episode.frame_count()});
+    }
     int changes = 0;
     for (int i = 0; i < recording_.channel_count(); ++i) {
-      const int fitted = change_count(recording_, split_.fitted, i, limits_[std::size_t(i)]);
-      const int held_back = change_count(recording_, split_.held_back, i, limits_[std::size_t(i)]);
-      const int count = std::min(fitted + held_back, 2 * fitted);
+      const double limit = limits_[std::size_t(i)];
+      // Not all of them in what is held back.
+      const int count = std::min(change_count(recording_, whole, i, limit),
+                                 4 * change_count(recording_, split_.fitted, i, limit));
       changes = std::max(changes, count);
       if (count >= kMinChanges) {
         told_.push_back(i);
@@ -310,16 +321,6 @@ class Identification {
   ErrorCollector collector_;
   std::vector<int> told_;  // segments whose set points change enough
 };
-
-}  // namespace
-
-namespace {
-
-/// Whether it moves, and its set points are merely what was measured.
-bool is_without_setpoints(const Episode& episode) {
-  return setpoints_are_measured(episode) &&
-         (episode.pressure_kpa.rowwise() - episode.pressure_kpa.row(0)).any();
-}
 
 }  // namespace
 

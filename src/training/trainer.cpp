@@ -25,7 +25,7 @@ namespace {
 constexpr std::uint64_t kValidationStream = 0;
 constexpr std::uint64_t kUnseenStream = 0x756e7365656e;
 // Of all frames: a drawn episode that is longer would leave too little to learn from.
-constexpr double kTooMuch = 0.3;
+constexpr double kTooMuch = 0.4;
 constexpr int kMinUnseenFrames = 20;  // of an episode's end: less says nothing about a prediction
 
 /// Moves whole episodes from `from` to `to`, in an order sampled by (seed, stream), until `frames`

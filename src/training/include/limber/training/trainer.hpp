@@ -50,7 +50,7 @@ struct TrainingData {
 };
 
 /// Holds back whole episodes for validation, chosen by `seed`: about `fraction` of the frames, at
-/// least one episode. Where the longest has over 30 % of all frames, and twice what is wanted, its
+/// least one episode. Where the longest has over 40 % of all frames, and twice what is wanted, its
 /// end alone is held back.
 /// @throws InputError if nothing would be left to learn from.
 TrainingData hold_back_validation(std::vector<Episode> episodes, double fraction,
