@@ -19,9 +19,6 @@ class GiveUp {
     return is_given_up_;
   }
 
-  /// Whether anybody says when.
-  bool is_asked() const { return static_cast<bool>(ask_); }
-
   void give_up() { is_given_up_ = true; }
   bool is_given_up() const { return is_given_up_; }
 

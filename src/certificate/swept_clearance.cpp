@@ -202,7 +202,7 @@ class SweptClearance::Search {
 
   /// @return whether to go on
   bool begin_frame() {
-    if (!give_up_.is_asked() && !was_interrupted_) {
+    if (!was_interrupted_) {
       throw_if_interrupted();
     }
     return !give_up_.now();

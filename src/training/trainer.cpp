@@ -77,29 +77,22 @@ TrainingData hold_back_validation(std::vector<Episode> episodes, double fraction
                     fraction, episodes.size()));
   }
   TrainingData data;
-  if (episodes.size() == 1) {
-    const Episode& whole = episodes.front();
-    const int held = static_cast<int>(std::lround(fraction * whole.frame_count()));
-    if (held < 1 || held >= whole.frame_count()) {
-      throw InputError(fmt::format(
-          "{} frames are too few to hold some of them back for validation; give more with --data, "
-          "or a recording of its own with --validation",
-          whole.frame_count()));
-    }
-    data.training = std::move(episodes);
-    hold_back_end(data.training.front(), held, data.validation);
-    data.held_back = {0};
-    return data;
-  }
-  const double frames = fraction * static_cast<double>(frame_count(episodes));
   data.training = std::move(episodes);
-  const auto longest = std::ranges::max_element(data.training, {}, &Episode::frame_count);
+  const double all = static_cast<double>(frame_count(data.training));
+  const double frames = fraction * all;
   const int wanted = static_cast<int>(std::lround(frames));
-  const double too_much =
-      std::max(2.0 * frames, kTooMuch * static_cast<double>(frame_count(data.training)));
-  if (wanted > 0 && longest->frame_count() > too_much) {
-    hold_back_end(*longest, wanted, data.validation);
+  const auto longest = std::ranges::max_element(data.training, {}, &Episode::frame_count);
+  const bool is_alone = data.training.size() == 1;
+  if (is_alone && (wanted < 1 || wanted >= longest->frame_count())) {
+    throw InputError(fmt::format(
+        "{} frames are too few to hold some of them back for validation; give more with --data, "
+        "or a recording of its own with --validation",
+        longest->frame_count()));
+  }
+  const double too_much = std::max(2.0 * frames, kTooMuch * all);
+  if (is_alone || (wanted > 0 && longest->frame_count() > too_much)) {
     data.held_back = {static_cast<int>(longest - data.training.begin())};
+    hold_back_end(*longest, wanted, data.validation);
     return data;
   }
   data.held_back = hold_back(data.training, data.validation, frames, seed, kValidationStream);

@@ -83,10 +83,10 @@ class DriverServer {
   /// While it moves: until the deadman. Then, in real time, frame by frame: the arm goes on.
   Clock::time_point next_deadline() const {
     if (settings_.fast) {
-      return (resting_ ? Clock::now() : last_request_) + duration(kFastSilenceS);
+      return (resting_ ? Clock::now() : last_set_) + duration(kFastSilenceS);
     }
     return resting_ ? Clock::now() + duration(period_s())
-                    : last_request_ + duration(kSilentFrames * period_s());
+                    : last_set_ + duration(kSilentFrames * period_s());
   }
 
   void tick() {
@@ -153,11 +153,10 @@ class DriverServer {
           say_hello();
           break;
         case RequestKind::set:
-          last_request_ = Clock::now();
+          last_set_ = Clock::now();
           set(request);
           break;
         case RequestKind::vent:
-          last_request_ = Clock::now();
           vent("command");
           reply(request.seq, next_frame());
           break;
@@ -337,7 +336,7 @@ class DriverServer {
   Clock::time_point start_ = Clock::now();
   Pressures in_force_;
   std::deque<Pressures> were_in_force_;  // in the last frames, the one that is measured first
-  Clock::time_point last_request_ = Clock::now();
+  Clock::time_point last_set_ = Clock::now();
   ArmState last_;
   int frame_ = -1;  // of the last `set`
   bool resting_ = true;
