@@ -264,8 +264,8 @@ class FamilyVerb final : public Verb {
   std::string arm_ = "three_segment";
   std::string out_;
   double hours_ = 18.0;
-  int size_ = 16;
-  std::vector<int> hidden_ = {160, 160, 160};  // an arm that varies in 20 ways takes more than one
+  int size_ = 24;
+  std::vector<int> hidden_ = {200, 200};  // an arm that varies in 20 ways takes more than one
   int epochs_ = 250;
   std::string variation_ = "wide";
   double noise_m_ = 0.0002;

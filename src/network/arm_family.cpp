@@ -18,8 +18,34 @@ namespace {
 constexpr const char* kTubeErrorKey = "tube_error_cm";
 constexpr std::size_t kMaxTraitName = 40;
 
-void add_share(CompensationModel& model, const Eigen::VectorXf& e, float sign) {
-  model.layers.front().bias += sign * (model.family->columns * e);
+/// Makes the hidden layers those of arm e, or of the family again.
+void change_arm(CompensationModel& model, const Eigen::VectorXf& e, bool to_arm) {
+  const Eigen::VectorXf shift = model.family->shifts * e;
+  const Eigen::VectorXf log_gain = model.family->log_gains * e;
+  const Eigen::VectorXf gain = (to_arm ? log_gain : -log_gain).array().exp();
+  Eigen::Index row = 0;
+  for (std::size_t i = 0; i + 1 < model.layers.size(); ++i) {
+    auto& [weight, bias] = model.layers[i];
+    const auto own = gain.segment(row, bias.size()).array();
+    const auto own_shift = shift.segment(row, bias.size()).array();
+    weight.array().colwise() *= own;
+    bias = to_arm ? (own * (bias.array() + own_shift)).matrix().eval()
+                  : (own * bias.array() - own_shift).matrix().eval();
+    row += bias.size();
+  }
+}
+
+void validate(const Eigen::MatrixXf& columns, const char* name, Eigen::Index units,
+              Eigen::Index size, const std::string& where) {
+  if (size < 1 || size > ArmFamily::kMaxSize || columns.rows() != units || columns.cols() != size) {
+    refuse(where, fmt::format("tensor {} is {} by {}; expected {}, the units of the hidden layers, "
+                              "by {}",
+                              name, columns.rows(), columns.cols(), units,
+                              size < 1 || size > ArmFamily::kMaxSize
+                                  ? fmt::format("1 to {}", ArmFamily::kMaxSize)
+                                  : fmt::format("{}", size)));
+  }
+  require_finite(where, name, columns);
 }
 
 bool is_trait_name(const std::string& name) {
@@ -49,18 +75,22 @@ void validate(const PhysicalTrait& trait, int size, const std::string& where) {
 
 }  // namespace
 
-void validate(const ArmFamily& family, Eigen::Index units, const std::string& where) {
-  if (family.size() < 1 || family.size() > ArmFamily::kMaxSize || family.columns.rows() != units) {
-    refuse(where, fmt::format("tensor family.columns is {} by {}; expected {}, the units of the "
-                              "first layer, by 1 to {}",
-                              family.columns.rows(), family.size(), units, ArmFamily::kMaxSize));
+Eigen::Index hidden_units(const std::vector<Layer>& layers) {
+  Eigen::Index units = 0;
+  for (std::size_t i = 0; i + 1 < layers.size(); ++i) {
+    units += layers[i].weight.rows();
   }
+  return units;
+}
+
+void validate(const ArmFamily& family, const std::vector<Layer>& layers, const std::string& where) {
+  validate(family.shifts, "family.columns", hidden_units(layers), family.size(), where);
+  validate(family.log_gains, "family.gains", hidden_units(layers), family.size(), where);
   if (family.arms.rows() != family.size() || family.arms.cols() < 1) {
     refuse(where, fmt::format("tensor family.arms is {} by {}; expected {}, the columns of "
                               "family.columns, by at least 1",
                               family.arms.rows(), family.arms.cols(), family.size()));
   }
-  require_finite(where, "family.columns", family.columns);
   require_finite(where, "family.arms", family.arms);
   for (const PhysicalTrait& trait : family.traits) {
     validate(trait, family.size(), where);
@@ -85,7 +115,7 @@ bool is_family(const CompensationModel& model) {
 
 CompensationModel model_of_arm(CompensationModel model, const FamilyMember& member) {
   model = family_of(std::move(model));
-  add_share(model, member.e, 1.0F);
+  change_arm(model, member.e, true);
   model.member_of_family = member;
   return model;
 }
@@ -103,7 +133,7 @@ CompensationModel model_of_followed_arm(CompensationModel model, const Eigen::Ve
 
 CompensationModel family_of(CompensationModel model) {
   if (model.member_of_family) {
-    add_share(model, model.member_of_family->e, -1.0F);
+    change_arm(model, model.member_of_family->e, false);
     model.member_of_family.reset();
     model.prediction_error.reset();
     model.tube.reset();

@@ -238,7 +238,7 @@ void validate(const CompensationModel& model, const std::string& where) {
     }
   }
   if (model.family) {
-    validate(*model.family, model.layers.front().weight.rows(), where);
+    validate(*model.family, model.layers, where);
     if (model.member_count() > 1) {
       refuse(where, "holds several networks and a family; a family has one");
     }

@@ -2,9 +2,12 @@
 
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/ranges.h>
+
+#include "limber/network/arm_family.hpp"
 
 namespace limber {
 
@@ -61,7 +64,8 @@ std::vector<PhysicalTrait> read_traits(const Safetensors& content, TensorReader&
 
 void add_family(Safetensors& content, const CompensationModel& model) {
   const std::string prefix = kFamilyTensors;
-  content.tensors[prefix + "columns"] = matrix_tensor(model.family->columns);
+  content.tensors[prefix + "columns"] = matrix_tensor(model.family->shifts);
+  content.tensors[prefix + "gains"] = matrix_tensor(model.family->log_gains);
   content.tensors[prefix + "arms"] = matrix_tensor(model.family->arms);
   if (!model.family->traits.empty()) {
     add_traits(content, model.family->traits);
@@ -78,7 +82,18 @@ void add_family(Safetensors& content, const CompensationModel& model) {
 void read_family_into(CompensationModel& model, const Safetensors& content, TensorReader& tensors,
                       const std::string& where) {
   const std::string prefix = kFamilyTensors;
-  model.family = {tensors.matrix(prefix + "columns"), tensors.matrix(prefix + "arms"),
+  Eigen::MatrixXf shifts = tensors.matrix(prefix + "columns");
+  Eigen::MatrixXf log_gains;
+  if (tensors.has(prefix + "gains")) {
+    log_gains = tensors.matrix(prefix + "gains");
+  } else {  // an earlier family: e was read by the first layer alone
+    const Eigen::Index units = hidden_units(model.layers);
+    if (shifts.rows() == model.layers.front().weight.rows()) {
+      shifts.conservativeResizeLike(Eigen::MatrixXf::Zero(units, shifts.cols()));
+    }
+    log_gains.setZero(units, shifts.cols());
+  }
+  model.family = {std::move(shifts), std::move(log_gains), tensors.matrix(prefix + "arms"),
                   read_traits(content, tensors, where)};
   if (tensors.has(prefix + "e")) {
     const auto hash = content.metadata.find(kFamilyKey);

@@ -33,7 +33,7 @@ ParameterLayout layout_for(const TrainingTables& tables, const TrainingSettings&
   if (settings.family_size > 0) {
     arms = {settings.family_size, 1 + std::ranges::max(episode_arms)};
   }
-  std::vector<int> widths = {static_cast<int>(tables.input.scale.size()) + arms.size};
+  std::vector<int> widths = {static_cast<int>(tables.input.scale.size())};
   widths.insert(widths.end(), settings.hidden_units.begin(), settings.hidden_units.end());
   widths.push_back(tables.map.output_count());
   return ParameterLayout(std::move(widths), arms);

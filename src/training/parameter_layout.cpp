@@ -16,14 +16,30 @@ constexpr double kFirstArmSpread = 0.3;
 // Added to the variance of the arms' vectors: a direction that none of them uses stays one.
 constexpr double kLeastArmSpread = 1e-6;
 
+/// What e does to a hidden layer's units, 2·out × k.
+auto modulation_of(const ParameterLayout& layout, int layer, const Eigen::VectorXf& parameters) {
+  return Eigen::Map<const Eigen::MatrixXf>(parameters.data() + layout.modulation_offset(layer),
+                                           Eigen::Index{2} * layout.outputs(layer),
+                                           layout.arms().size);
+}
+
+void append_rows(const Eigen::MatrixXd& rows, Eigen::MatrixXf& matrix) {
+  matrix.conservativeResize(matrix.rows() + rows.rows(), rows.cols());
+  matrix.bottomRows(rows.rows()) = rows.cast<float>();
+}
+
 }  // namespace
 
 ParameterLayout::ParameterLayout(std::vector<int> widths, ArmVectorTable arms)
     : widths_(std::move(widths)), arms_(arms) {
   assert(widths_.size() >= 2);
   for (int layer = 0; layer < layer_count(); ++layer) {
-    offsets_.push_back(size_);
-    size_ += Eigen::Index(outputs(layer)) * (inputs(layer) + 1);
+    offsets_.push_back(arms_at_);
+    arms_at_ += Eigen::Index(outputs(layer)) * (inputs(layer) + 1);
+  }
+  for (int layer = 0; layer + 1 < layer_count(); ++layer) {
+    modulation_offsets_.push_back(arms_at_);
+    arms_at_ += Eigen::Index{2} * outputs(layer) * arms_.size;
   }
 }
 
@@ -43,7 +59,19 @@ Eigen::VectorXf initial_parameters(const ParameterLayout& layout, std::uint64_t 
       parameters[i] = static_cast<float>(stream.uniform(-limit, limit));
     }
   }
-  RandomStream stream(seed, first_stream + static_cast<std::uint64_t>(layout.layer_count()));
+  const auto streams = static_cast<std::uint64_t>(layout.layer_count());
+  for (int layer = 0; layer + 1 < layout.layer_count() && layout.arms().size > 0; ++layer) {
+    RandomStream stream(seed, first_stream + streams + 1 + static_cast<std::uint64_t>(layer));
+    const float limit =
+        std::sqrt(6.0F / static_cast<float>(layout.inputs(layer) + layout.arms().size));
+    const Eigen::Index units = layout.outputs(layer);
+    for (Eigen::Index i = 0; i < 2 * units * layout.arms().size; ++i) {
+      const bool is_shift = i % (2 * units) >= units;
+      parameters[layout.modulation_offset(layer) + i] =
+          is_shift ? static_cast<float>(stream.uniform(-limit, limit)) : 0.0F;
+    }
+  }
+  RandomStream stream(seed, first_stream + streams);
   for (Eigen::Index i = layout.arm_offset(0); i < layout.size(); ++i) {
     parameters[i] = static_cast<float>(kFirstArmSpread * stream.normal()) / kArmVectorScale;
   }
@@ -94,13 +122,22 @@ void make_family(const ParameterLayout& layout, const Eigen::VectorXf& parameter
   const Eigen::MatrixXd covariance = centred * centred.transpose() / count +
                                      kLeastArmSpread * Eigen::MatrixXd::Identity(size, size);
   const Eigen::LLT<Eigen::MatrixXd> root(covariance);
-  Layer& first = model.layers.front();
-  const Eigen::MatrixXd columns = first.weight.rightCols(size).cast<double>();
-  first.bias += (columns * mean).cast<float>();
-  first.weight.conservativeResize(Eigen::NoChange, first.weight.cols() - size);
-  model.family = {(columns * Eigen::MatrixXd(root.matrixL())).cast<float>(),
-                  root.matrixL().solve(centred).cast<float>(),
-                  {}};
+  const Eigen::MatrixXd to_own_scale = root.matrixL();
+  ArmFamily family;
+  family.arms = root.matrixL().solve(centred).cast<float>();
+  for (int layer = 0; layer + 1 < layout.layer_count(); ++layer) {
+    const Eigen::MatrixXd share = modulation_of(layout, layer, parameters).cast<double>();
+    const Eigen::Index units = layout.outputs(layer);
+    const auto log_gains = share.topRows(units);
+    const auto shifts = share.bottomRows(units);
+    const Eigen::VectorXd gain = (log_gains * mean).array().exp();
+    auto& [weight, bias] = model.layers[static_cast<std::size_t>(layer)];
+    weight = gain.cast<float>().asDiagonal() * weight;
+    bias = (gain.array() * (bias.cast<double>() + shifts * mean).array()).cast<float>();
+    append_rows(log_gains * to_own_scale, family.log_gains);
+    append_rows(gain.asDiagonal() * shifts * to_own_scale, family.shifts);
+  }
+  model.family = std::move(family);
 }
 
 }  // namespace limber

@@ -110,6 +110,21 @@ void relu_gradient(int count, const double* activation, double* gradient) {
   }
 }
 
+void modulate(int count, const double* gain, const double* shift, double* y) {
+  for (int i = 0; i < count; ++i) {
+    y[i] = gain[i] * std::max(y[i] + shift[i], 0.0);
+  }
+}
+
+void modulate_back(int count, const double* gain, const double* y, double* dy, double* dlog_gain,
+                   double* dshift) {
+  for (int i = 0; i < count; ++i) {
+    dlog_gain[i] += dy[i] * y[i];
+    dy[i] = y[i] > 0.0 ? gain[i] * dy[i] : 0.0;
+    dshift[i] += dy[i];
+  }
+}
+
 void gather(int row_count, int stride, const double* columns, int ld, const int* index,
             double* rows) {
   for (int j = 0; j < stride; ++j) {
@@ -235,9 +250,9 @@ double chain(int gaps, int stride, const double* weight, const double* scale, co
 template <>
 const WindowKernels<double>& window_kernels(CpuLevel) {
   static constexpr WindowKernels<double> kKernels = {
-      1,          layer,       layer_back,     weight_gradient, bias_gradient, relu_gradient,
-      gather,     add_scaled,  carry,          gated_change,    gated_carry,   bound,
-      bound_back, entry_error, chain<InPlane>, chain<InSpace>};
+      1,           layer,         layer_back, weight_gradient, bias_gradient,  relu_gradient,
+      modulate,    modulate_back, gather,     add_scaled,      carry,          gated_change,
+      gated_carry, bound,         bound_back, entry_error,     chain<InPlane>, chain<InSpace>};
   return kKernels;
 }
 

@@ -122,13 +122,20 @@ Soap::Soap(const ParameterLayout& layout, int networks, int jobs)
     const Eigen::Index from = network * layout.size();
     for (int layer = 0; layer < layout.layer_count(); ++layer) {
       const int m = layout.outputs(layer);
-      const int k = layout.inputs(layer);
-      weights_.push_back({m, k, from + layout.weight_offset(layer), rotations_});
-      rotations_ += Rotations::size(m, k);
+      add_weight(m, layout.inputs(layer), from + layout.weight_offset(layer));
       others_.emplace_back(from + layout.bias_offset(layer), from + layout.bias_offset(layer) + m);
+    }
+    for (int layer = 0; layer + 1 < layout.layer_count() && layout.arms().size > 0; ++layer) {
+      add_weight(2 * layout.outputs(layer), layout.arms().size,
+                 from + layout.modulation_offset(layer));
     }
     others_.emplace_back(from + layout.arm_offset(0), from + layout.size());
   }
+}
+
+void Soap::add_weight(int m, int k, Eigen::Index at) {
+  weights_.push_back({m, k, at, rotations_});
+  rotations_ += Rotations::size(m, k);
 }
 
 OptimiserState Soap::first_state() const {

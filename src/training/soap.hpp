@@ -40,6 +40,7 @@ class Soap final : public OptimiserSteps {
     Eigen::Index rotations_at;  ///< in OptimiserState::rotations
   };
 
+  void add_weight(int m, int k, Eigen::Index at);
   static void step_weight(const Weight& weight, const float* gradient, double learning_rate,
                           OptimiserState& state, float* parameters);
 

@@ -42,6 +42,11 @@ struct WindowKernels {
   void (*bias_gradient)(int blocks, int stride, int m, const Scalar* dy, Scalar* gradient);
   /// gradient = 0 if activation ≤ 0.
   void (*relu_gradient)(int count, const Scalar* activation, Scalar* gradient);
+  /// y = gain ∘ max(y + shift, 0).
+  void (*modulate)(int count, const Scalar* gain, const Scalar* shift, Scalar* y);
+  /// Backward: dlog_gain += dy ∘ y; dy becomes that of y before; dshift += dy.
+  void (*modulate_back)(int count, const Scalar* gain, const Scalar* y, Scalar* dy,
+                        Scalar* dlog_gain, Scalar* dshift);
 
   /// rows[r·stride + j] = columns[index[j]·ld + r], r < row_count, j < stride.
   void (*gather)(int row_count, int stride, const Scalar* columns, int ld, const int* index,

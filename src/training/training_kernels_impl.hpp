@@ -51,6 +51,25 @@ void relu_gradient(int count, const float* activation, float* gradient) {
   }
 }
 
+void modulate(int count, const float* gain, const float* shift, float* y) {
+  for (int i = 0; i < count; i += kLanes) {
+    const Vector z = load(y + i) + load(shift + i);
+    store(y + i, load(gain + i) * select(z > Vector{}, z, Vector{}));
+  }
+}
+
+void modulate_back(int count, const float* gain, const float* y, float* dy, float* dlog_gain,
+                   float* dshift) {
+  for (int i = 0; i < count; i += kLanes) {
+    const Vector value = load(y + i);
+    const Vector delta = load(dy + i);
+    const Vector before = select(value > Vector{}, load(gain + i) * delta, Vector{});
+    store(dlog_gain + i, multiply_add(delta, value, load(dlog_gain + i)));
+    store(dshift + i, load(dshift + i) + before);
+    store(dy + i, before);
+  }
+}
+
 // Runs of kRun lanes change places between vectors kRun apart: after runs of 1, 2, 4 … lanes, lane
 // i of vector j is what lane j of vector i was.
 template <int kRun = 1>
@@ -236,7 +255,7 @@ void bound_back(const StateBoundsView<float>& bounds, int stride, const float* u
 
 constexpr WindowKernels<float> window_kernels_of_this_level() {
   return {kLanes,     layer,       layer_back,     weight_gradient, bias_gradient, relu_gradient,
-          gather,     add_scaled,  carry,          gated_change,    gated_carry,   bound,
+          modulate, modulate_back, gather,     add_scaled,  carry,          gated_change,    gated_carry,   bound,
           bound_back, entry_error, chain<InPlane>, chain<InSpace>};
 }
 

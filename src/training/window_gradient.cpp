@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <functional>
 
 #include "training_kernels.hpp"
 
@@ -44,7 +43,8 @@ WindowGradient<Scalar>::WindowGradient(const ParameterLayout& layout, const Stat
       window_limit_(window_limit),
       stride_(group_stride(window_limit, kernels_.lanes)),
       slots_(std::max(kGradientQueries / stride_, 1)),
-      growth_(map.growth_limit, stride_) {
+      growth_(map.growth_limit, stride_),
+      modulation_(layout, kernels_, (window_limit + stride_ - 1) / stride_, stride_) {
   assert(layout.inputs(0) >= 2 * segment_count + size_ * (map.reads_velocity() ? 2 : 1));
   assert(layout.outputs(layout.layer_count() - 1) == map.output_count());
   const int groups = (window_limit + stride_ - 1) / stride_;
@@ -71,11 +71,6 @@ WindowGradient<Scalar>::WindowGradient(const ParameterLayout& layout, const Stat
   direct_.resize(numbers(1, size_));
   changed_.resize(map.reads_velocity() ? numbers(1, size_) : 0);
   change_back_.resize(changed_.size());
-  if (layout.arms().size > 0) {
-    arm_.resize(index_.size());
-    arm_back_.resize(numbers(1, layout.arms().size));
-    arm_sum_.resize(arm_back_.size());
-  }
   unbounded_.resize(map.is_bounded() ? numbers(blocks, size_) : 0);
   gate_.resize(map.is_gated() ? numbers(blocks, size_) : 0);
 }
@@ -87,9 +82,8 @@ void WindowGradient<Scalar>::load(const FrameTable<Scalar>& frames, std::span<co
   groups_ = (windows_ + stride_ - 1) / stride_;
   std::copy(starts.begin(), starts.end(), index_.begin());
   std::fill(index_.begin() + windows_, index_.begin() + groups_ * stride_, starts.back());
-  if (!arm_.empty()) {
-    std::transform(index_.begin(), index_.begin() + groups_ * stride_, arm_.begin(),
-                   [&](int frame) { return frames.arm[static_cast<std::size_t>(frame)]; });
+  if (modulation_.is_on()) {
+    modulation_.load(frames.arm, std::span(index_).first(groups_ * stride_));
   }
   for (int group = 0; group < groups_; ++group) {
     for (int k = 0; k < frames_; ++k) {
@@ -152,36 +146,26 @@ Scalar* WindowGradient<Scalar>::layer_input(int layer, int block) {
              : at(hidden_[static_cast<std::size_t>(layer) - 1], layout_.inputs(layer), block);
 }
 
-// An arm's vector is the same in all frames of a window.
-template <class Scalar>
-void WindowGradient<Scalar>::put_arms(const Scalar* parameters) {
-  for (int block = 0; block < groups_ * frames_; ++block) {
-    Scalar* rows = layer_input(0, block) + arm_row() * stride_;
-    const int* arms = arm_.data() + block / frames_ * stride_;
-    for (int i = 0; i < stride_; ++i) {
-      const Scalar* vector = parameters + layout_.arm_offset(arms[i]);
-      for (int r = 0; r < layout_.arms().size; ++r) {
-        rows[r * stride_ + i] = Scalar(kArmVectorScale) * vector[r];
-      }
-    }
-  }
-}
-
 template <class Scalar>
 double WindowGradient<Scalar>::forward(const Scalar* parameters) {
   const int last = layout_.layer_count() - 1;
   double loss = 0.0;
-  if (!arm_.empty()) {
-    put_arms(parameters);
-  }
   for (int group = 0; group < groups_; ++group) {
+    if (modulation_.is_on()) {
+      modulation_.begin(parameters, group);
+    }
     for (int k = 0; k < frames_; ++k) {
       const int block = block_of(group, k);
       for (int layer = 0; layer <= last; ++layer) {
+        const bool is_hidden = layer < last;
+        const bool is_modulated = is_hidden && modulation_.is_on();
+        Scalar* output = is_hidden ? layer_input(layer + 1, block) : output_.data();
         kernels_.layer(stride_, layout_.outputs(layer), layout_.inputs(layer),
                        layer_input(layer, block), parameters + layout_.weight_offset(layer),
-                       parameters + layout_.bias_offset(layer), layer < last,
-                       layer == last ? output_.data() : layer_input(layer + 1, block));
+                       parameters + layout_.bias_offset(layer), is_hidden && !is_modulated, output);
+        if (is_modulated) {
+          modulation_.apply(group, layer, output);
+        }
       }
       // The next frame's input, at once.
       Scalar* state =
@@ -251,8 +235,7 @@ void WindowGradient<Scalar>::carry_back(int block, Scalar* delta) {
 }
 
 template <class Scalar>
-void WindowGradient<Scalar>::backward_block(const Scalar* parameters, int block, int slot,
-                                            Scalar* gradient) {
+void WindowGradient<Scalar>::backward_block(const Scalar* parameters, int block, int slot) {
   const auto delta = [&](int layer) {
     return at(delta_[static_cast<std::size_t>(layer)], layout_.outputs(layer), slot);
   };
@@ -265,10 +248,12 @@ void WindowGradient<Scalar>::backward_block(const Scalar* parameters, int block,
     const int inputs = layout_.inputs(layer);
     kernels_.layer_back(stride_, layout_.outputs(layer), inputs, delta(layer),
                         parameters + layout_.weight_offset(layer), delta(layer - 1));
-    kernels_.relu_gradient(stride_ * inputs, layer_input(layer, block), delta(layer - 1));
-  }
-  if (!arm_.empty()) {
-    carry_arms_back(parameters, block, delta(0), gradient);
+    if (modulation_.is_on()) {
+      modulation_.apply_back(block / frames_, layer - 1, layer_input(layer, block),
+                             delta(layer - 1));
+    } else {
+      kernels_.relu_gradient(stride_ * inputs, layer_input(layer, block), delta(layer - 1));
+    }
   }
   // Only the columns of the first weight that read B_{t−1} lead back in time, and from a window's
   // first frame nothing does.
@@ -307,26 +292,6 @@ void WindowGradient<Scalar>::carry_change_back(const Scalar* parameters, const S
   std::swap(change_back_, changed_);
 }
 
-// Frames of a group are added up, and go to their arms behind the last of them.
-template <class Scalar>
-void WindowGradient<Scalar>::carry_arms_back(const Scalar* parameters, int block,
-                                             const Scalar* delta, Scalar* gradient) {
-  const int size = layout_.arms().size;
-  input_back(parameters, delta, arm_row(), size, arm_back_.data());
-  std::transform(arm_back_.begin(), arm_back_.end(), arm_sum_.begin(), arm_sum_.begin(),
-                 std::plus<>());
-  if (block % frames_ + 1 < frames_) {
-    return;
-  }
-  const int* arms = arm_.data() + block / frames_ * stride_;
-  for (int i = 0; i < stride_; ++i) {
-    Scalar* vector = gradient + layout_.arm_offset(arms[i]);
-    for (int r = 0; r < size; ++r) {
-      vector[r] += Scalar(kArmVectorScale) * arm_sum_[static_cast<std::size_t>(r * stride_ + i)];
-    }
-  }
-}
-
 template <class Scalar>
 void WindowGradient<Scalar>::add_weight_gradients(int first_block, int count, Scalar* gradient) {
   for (int layer = 0; layer < layout_.layer_count(); ++layer) {
@@ -351,9 +316,12 @@ void WindowGradient<Scalar>::backward(const Scalar* parameters, Scalar* gradient
       std::fill(direct_.begin(), direct_.end(), Scalar(0));
       std::fill(changed_.begin(), changed_.end(), Scalar(0));
       growth_.begin();
-      std::fill(arm_sum_.begin(), arm_sum_.end(), Scalar(0));
+      modulation_.begin_back();
     }
-    backward_block(parameters, block, pending, gradient);
+    backward_block(parameters, block, pending);
+    if (modulation_.is_on() && block % frames_ + 1 == frames_) {
+      modulation_.end_back(parameters, block / frames_, gradient);
+    }
     ++pending;
     if (pending == slots_ || block + 1 == blocks) {
       add_weight_gradients(block + 1 - pending, pending, gradient);

@@ -74,7 +74,10 @@ TEST(ModelFile, FamiliesAndTheirArmsComeBack) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "model.safetensors";
   CompensationModel family = untrained_model(sample_arm(2), BackboneLayout::gap_poses, {7, 9}, 1);
-  family.family = ArmFamily{Eigen::MatrixXf::Random(7, 3), Eigen::MatrixXf::Random(3, 20), {}};
+  family.family = ArmFamily{Eigen::MatrixXf::Random(16, 3),
+                            0.3F * Eigen::MatrixXf::Random(16, 3),
+                            Eigen::MatrixXf::Random(3, 20),
+                            {}};
   family.family->traits = {{"tip_load_kg", 0.01F, 0.04F, 0.005F, Eigen::Vector3f(0.1F, 0.0F, -0.2F),
                             Eigen::Vector3f(7.0F, 1.0F, -1.0F)},
                            {"actuator_bow", 0.0F, 0.1F, 0.05F, Eigen::Vector3f(0.3F, 0.2F, 0.1F),
@@ -82,7 +85,8 @@ TEST(ModelFile, FamiliesAndTheirArmsComeBack) {
   write_model(path, family);
   const CompensationModel back = read_model(path);
   ASSERT_TRUE(is_family(back));
-  EXPECT_EQ(back.family->columns, family.family->columns);
+  EXPECT_EQ(back.family->shifts, family.family->shifts);
+  EXPECT_EQ(back.family->log_gains, family.family->log_gains);
   EXPECT_EQ(back.family->arms, family.family->arms);
   ASSERT_EQ(back.family->traits.size(), 2U);
   EXPECT_EQ(back.family->traits[1].name, "actuator_bow");
@@ -97,8 +101,8 @@ TEST(ModelFile, FamiliesAndTheirArmsComeBack) {
   const FamilyMember member{"0123", Eigen::Vector3f(0.5F, -1.0F, 2.0F),
                             Eigen::Matrix3f::Identity()};
   const CompensationModel one = model_of_arm(family, member);
-  EXPECT_TRUE(one.layers[0].bias.isApprox(family.layers[0].bias + family.family->columns * member.e,
-                                          1e-6F));
+  EXPECT_FALSE(one.layers[1].weight.isApprox(family.layers[1].weight, 0.01F));
+  EXPECT_TRUE(one.layers[2].weight.isApprox(family.layers[2].weight, 0.0F));
   write_model(path, one);
   const CompensationModel read = read_model_of_one_arm(path);
   EXPECT_EQ(read.layers[0].bias, one.layers[0].bias);
@@ -118,6 +122,71 @@ TEST(ModelFile, FamiliesAndTheirArmsComeBack) {
   family.family->arms.conservativeResize(2, Eigen::NoChange);
   EXPECT_THAT([&] { write_model(path, family); },
               ThrowsMessage<InputError>(HasSubstr("tensor family.arms is 2 by 20; expected 3")));
+}
+
+/// The hidden layers as docs/families.md has them, e beside their inputs.
+Eigen::VectorXf hidden_output(const CompensationModel& family, const Eigen::VectorXf& e,
+                              Eigen::VectorXf x) {
+  Eigen::Index row = 0;
+  for (std::size_t i = 0; i + 1 < family.layers.size(); ++i) {
+    const auto& [weight, bias] = family.layers[i];
+    const Eigen::VectorXf shift = family.family->shifts.middleRows(row, bias.size()) * e;
+    const Eigen::VectorXf gain =
+        (family.family->log_gains.middleRows(row, bias.size()) * e).array().exp();
+    x = gain.cwiseProduct((weight * x + bias + shift).cwiseMax(0.0F));
+    row += bias.size();
+  }
+  return x;
+}
+
+TEST(ModelFile, AnArmsLayersAreWhatEMakesOfTheFamilys) {
+  CompensationModel family = untrained_model(sample_arm(2), BackboneLayout::gap_poses, {7, 9}, 1);
+  family.family = ArmFamily{Eigen::MatrixXf::Random(16, 3),
+                            Eigen::MatrixXf::Random(16, 3),
+                            Eigen::MatrixXf::Random(3, 20),
+                            {}};
+  const FamilyMember member{"", Eigen::Vector3f(0.5F, -1.0F, 2.0F), Eigen::Matrix3f::Identity()};
+  const CompensationModel one = model_of_arm(family, member);
+  const Eigen::VectorXf x = Eigen::VectorXf::Random(family.layers[0].weight.cols());
+  Eigen::VectorXf plain = x;
+  for (std::size_t i = 0; i < 2; ++i) {
+    plain = (one.layers[i].weight * plain + one.layers[i].bias).cwiseMax(0.0F);
+  }
+  const Eigen::VectorXf expected = hidden_output(family, member.e, x);
+  ASSERT_GT(expected.norm(), 0.01F);
+  EXPECT_TRUE(plain.isApprox(expected, 1e-5F));
+  const CompensationModel again = family_of(one);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_TRUE(again.layers[i].weight.isApprox(family.layers[i].weight, 1e-5F));
+    EXPECT_LT((again.layers[i].bias - family.layers[i].bias).cwiseAbs().maxCoeff(), 1e-5F);
+  }
+}
+
+// Files of before have the first layer's shifts alone.
+TEST(ModelFile, AFamilyWhoseFirstLayerAloneReadsEIsRead) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "model.safetensors";
+  CompensationModel family = untrained_model(sample_arm(2), BackboneLayout::gap_poses, {7, 9}, 1);
+  family.family = ArmFamily{Eigen::MatrixXf::Random(16, 3),
+                            Eigen::MatrixXf::Zero(16, 3),
+                            Eigen::MatrixXf::Random(3, 20),
+                            {}};
+  family.family->shifts.bottomRows(9).setZero();
+  write_model(path, family);
+  Safetensors content = parse_safetensors(read_file(path), "m");
+  content.tensors.erase("family.gains");
+  Tensor& columns = content.tensors.at("family.columns");
+  columns.shape[0] = 7;
+  columns.values.resize(7 * 3);
+  write_file_atomically(path, safetensors_bytes(content));
+  const CompensationModel back = read_model(path);
+  EXPECT_EQ(back.family->shifts, family.family->shifts);
+  EXPECT_TRUE(back.family->log_gains.isZero(0.0F));
+  columns.shape[0] = 6;
+  columns.values.resize(6 * 3);
+  write_file_atomically(path, safetensors_bytes(content));
+  EXPECT_THAT([&] { (void)read_model(path); },
+              ThrowsMessage<InputError>(HasSubstr("family.columns is 6 by 3; expected 16")));
 }
 
 TEST(ModelFile, EnsemblesKeepAllTheirMembersInOrder) {

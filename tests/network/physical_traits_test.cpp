@@ -10,7 +10,8 @@ namespace {
 /// e's first number is the load at the tip in grams, its second how much stronger the left side of
 /// segment 1 is, in per cent.
 ArmFamily family_of_two_traits() {
-  ArmFamily family{Eigen::MatrixXf::Zero(4, 2), Eigen::MatrixXf::Zero(2, 1), {}};
+  ArmFamily family{
+      Eigen::MatrixXf::Zero(4, 2), Eigen::MatrixXf::Zero(4, 2), Eigen::MatrixXf::Zero(2, 1), {}};
   family.traits = {{"tip_load_kg", 0.0F, 0.02F, 0.003F, Eigen::Vector2f(0.001F, 0.0F),
                     Eigen::Vector2f(1000.0F, 0.0F)},
                    {sides_trait(1), 0.0F, 0.0F, 0.04F, Eigen::Vector2f(0.0F, 0.01F),

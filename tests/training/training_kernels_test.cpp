@@ -124,6 +124,36 @@ TEST_P(TrainingKernelsOfLevel, StatesAndTheirGradientsAreScaledRowByRow) {
   }
 }
 
+TEST_P(TrainingKernelsOfLevel, GainsAndShiftsOfUnitsAgreeWithTheReference) {
+  constexpr int kCount = 32 * 5;
+  const MatrixXf gain = random_matrix(32, 5, 1).array().exp();
+  const MatrixXf shift = random_matrix(32, 5, 2);
+  const MatrixXf delta = random_matrix(32, 5, 3);
+  MatrixXf y = random_matrix(32, 5, 4);
+  MatrixXf dy = delta;
+  MatrixXf dlog_gain = random_matrix(32, 5, 5);  // they add up over frames
+  MatrixXf dshift = random_matrix(32, 5, 6);
+  const auto exact = [](const MatrixXf& m) { return MatrixXd(m.cast<double>()); };
+  MatrixXd exact_y = exact(y);
+  MatrixXd exact_dy = exact(dy);
+  MatrixXd exact_dlog_gain = exact(dlog_gain);
+  MatrixXd exact_dshift = exact(dshift);
+  const MatrixXd exact_gain = exact(gain);
+  const MatrixXd exact_shift = exact(shift);
+  const WindowKernels<double>& reference = window_kernels<double>();
+  reference.modulate(kCount, exact_gain.data(), exact_shift.data(), exact_y.data());
+  reference.modulate_back(kCount, exact_gain.data(), exact_y.data(), exact_dy.data(),
+                          exact_dlog_gain.data(), exact_dshift.data());
+  kernels_.modulate(kCount, gain.data(), shift.data(), y.data());
+  kernels_.modulate_back(kCount, gain.data(), y.data(), dy.data(), dlog_gain.data(), dshift.data());
+  EXPECT_GT((y.array() > 0.0F).count(), 20);
+  EXPECT_GT((y.array() == 0.0F).count(), 20);
+  EXPECT_LT((exact(y) - exact_y).cwiseAbs().maxCoeff(), kRounding);
+  EXPECT_LT((exact(dy) - exact_dy).cwiseAbs().maxCoeff(), kRounding);
+  EXPECT_LT((exact(dlog_gain) - exact_dlog_gain).cwiseAbs().maxCoeff(), kRounding);
+  EXPECT_LT((exact(dshift) - exact_dshift).cwiseAbs().maxCoeff(), kRounding);
+}
+
 TEST_P(TrainingKernelsOfLevel, GatedChangesAgreeWithTheReference) {
   constexpr int kSize = 5;
   constexpr int kStride = 32;

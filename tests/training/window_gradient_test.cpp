@@ -111,9 +111,11 @@ TEST(WindowGradient, OfTheVectorsOfAFamilysArmsAgreesWithFiniteDifferences) {
   frames.arm[60] = 2;
   constexpr int kSize = 3;
   const ParameterLayout layout(
-      {static_cast<int>(tables.input.scale.size()) + kSize, 9, 8, tables.map.output_count()},
-      {kSize, 4});
+      {static_cast<int>(tables.input.scale.size()), 9, 8, tables.map.output_count()}, {kSize, 4});
   Vector parameters = (0.3 * initial_parameters(layout, 5)).cast<double>();
+  for (Eigen::Index i = layout.modulation_offset(0); i < layout.arm_offset(0); ++i) {
+    parameters[i] = 0.3 * std::sin(double(i));  // gains and shifts of both hidden layers
+  }
   WindowGradient<double> window(layout, in_double(tables.map), arm.segment_count(), 7, 4);
   window.load(frames, starts);
   Vector gradient(layout.size());

@@ -131,8 +131,10 @@ TEST_F(LiveFit, SaysWhichOneQuantityHasChanged) {
 TEST_F(LiveFit, OfTheLargestFamilyFindsItsArmToo) {
   const Eigen::Index own = family.family->size();
   family.family->traits.clear();  // of fewer numbers
-  family.family->columns.conservativeResize(Eigen::NoChange, ArmFamily::kMaxSize);
-  family.family->columns.rightCols(ArmFamily::kMaxSize - own).setZero();
+  for (Eigen::MatrixXf* columns : {&family.family->shifts, &family.family->log_gains}) {
+    columns->conservativeResize(Eigen::NoChange, ArmFamily::kMaxSize);
+    columns->rightCols(ArmFamily::kMaxSize - own).setZero();
+  }
   family.family->arms.conservativeResize(ArmFamily::kMaxSize, Eigen::NoChange);
   family.family->arms.bottomRows(ArmFamily::kMaxSize - own).setZero();
   const CompensationModel truth = arm_at(7);

@@ -85,18 +85,19 @@ struct TraitEstimate {
 /// Traits that have changed together.
 using ArmChange = std::vector<TraitEstimate>;
 
-/// What makes a network one for a family of arms: its first layer reads, beside its other inputs,
-/// k numbers e that say which arm it is (docs/families.md). They are in the family's own scale:
+/// What makes a network one for a family of arms: k numbers e say which arm it is. A hidden layer's
+/// output becomes exp(G e) ∘ max(W x + b + C e, 0) (docs/families.md). e is in the family's own scale:
 /// over the arms that it learnt from, e has mean 0 and unit covariance, so that the origin is the
 /// family's middle, and an arm of it is about √k away. Plain values.
 struct ArmFamily {
   static constexpr int kMaxSize = 64;  ///< of k
 
-  Eigen::MatrixXf columns;            ///< of e in the first layer, units × k
+  Eigen::MatrixXf shifts;             ///< C, U × k: of the units of all hidden layers, in order
+  Eigen::MatrixXf log_gains;          ///< G, U × k
   Eigen::MatrixXf arms;               ///< k × N, e of the arms that it learnt from
   std::vector<PhysicalTrait> traits;  ///< of virtual arms, whose physics is known
 
-  int size() const { return static_cast<int>(columns.cols()); }
+  int size() const { return static_cast<int>(shifts.cols()); }
 };
 
 /// Which arm of a family a model is of, as far as its recordings told.
@@ -104,7 +105,7 @@ struct FamilyMember {
   static constexpr double kFar = 2.0;  ///< from the family's middle: no arm of it
 
   std::string family_hash;     ///< of the family's file; empty: not from a file
-  Eigen::VectorXf e;           ///< k; its share is part of the first layer's bias
+  Eigen::VectorXf e;           ///< k; the layers are those of this arm
   Eigen::MatrixXf covariance;  ///< k × k, of e: several arms fit what was recorded
 
   /// Of each number of e.

@@ -7,16 +7,19 @@
 
 namespace limber {
 
+/// Of all layers but the last.
+Eigen::Index hidden_units(const std::vector<Layer>& layers);
+
 /// @throws InputError beginning with `where` and naming the tensor, unless sizes fit each other and
-/// a first layer of so many units, and every number is finite.
-void validate(const ArmFamily& family, Eigen::Index units, const std::string& where);
+/// the hidden ones of `layers`, and every number is finite.
+void validate(const ArmFamily& family, const std::vector<Layer>& layers, const std::string& where);
 void validate(const FamilyMember& member, const ArmFamily& family, const std::string& where);
 
 /// Whether the model is a family's, not yet one arm's: `limber adapt` makes it so.
 bool is_family(const CompensationModel& model);
 
-/// The model of the arm e: an ordinary one of the same size, e's share added to the first layer's
-/// bias, in place of that of the arm which `model` was fitted to. What was measured on that arm
+/// The model of the arm e: an ordinary one of the same size, its hidden layers changed as e says,
+/// in place of the arm which `model` was fitted to. What was measured on that arm
 /// (error, tube) is left out. @pre model.family, and e has its size
 CompensationModel model_of_arm(CompensationModel model, const FamilyMember& member);
 

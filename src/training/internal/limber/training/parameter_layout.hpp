@@ -16,21 +16,25 @@ struct ArmVectorTable {
 };
 
 /// Where the weights and biases of a network lie in one flat vector: layer by layer, the weight
-/// (out × in, column-major), then the bias; behind them, arm by arm, the vectors of a family's arms
-/// divided by kArmVectorScale. Optimisers see the flat vector alone.
+/// (out × in, column-major), then the bias. Behind them, of a family, what e does to each hidden
+/// layer (2·out × k: the units' log gains, then their shifts), and arm by arm the vectors e divided
+/// by kArmVectorScale. Optimisers see the flat vector alone.
 class ParameterLayout {
  public:
-  /// @param widths  inputs, hidden layers, outputs: at least two numbers ≥ 1. The last of the
-  ///                inputs are an arm's vector.
+  /// @param widths  inputs, hidden layers, outputs: at least two numbers ≥ 1
   explicit ParameterLayout(std::vector<int> widths, ArmVectorTable arms = {});
 
   int layer_count() const { return static_cast<int>(widths_.size()) - 1; }
   int inputs(int layer) const { return widths_[static_cast<std::size_t>(layer)]; }
   int outputs(int layer) const { return widths_[static_cast<std::size_t>(layer) + 1]; }
   /// Numbers in the flat vector.
-  Eigen::Index size() const { return size_ + Eigen::Index(arms_.size) * arms_.count; }
+  Eigen::Index size() const { return arm_offset(arms_.count); }
   const ArmVectorTable& arms() const { return arms_; }
-  Eigen::Index arm_offset(int arm) const { return size_ + Eigen::Index(arm) * arms_.size; }
+  Eigen::Index arm_offset(int arm) const { return arms_at_ + Eigen::Index(arm) * arms_.size; }
+  /// Of what e does to hidden layer `layer`.
+  Eigen::Index modulation_offset(int layer) const {
+    return modulation_offsets_[static_cast<std::size_t>(layer)];
+  }
   Eigen::Index weight_offset(int layer) const { return offsets_[static_cast<std::size_t>(layer)]; }
   Eigen::Index bias_offset(int layer) const {
     return weight_offset(layer) + Eigen::Index(inputs(layer)) * outputs(layer);
@@ -40,7 +44,8 @@ class ParameterLayout {
   std::vector<int> widths_;
   ArmVectorTable arms_;
   std::vector<Eigen::Index> offsets_;
-  Eigen::Index size_ = 0;
+  std::vector<Eigen::Index> modulation_offsets_;  ///< of the hidden layers
+  Eigen::Index arms_at_ = 0;
 };
 
 /// An optimiser whose steps are of one size moves the arms' vectors by so much more than weights.

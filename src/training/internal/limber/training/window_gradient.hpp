@@ -8,6 +8,7 @@
 #include "kernels/gap_bound.hpp"
 #include "limber/common/aligned_floats.hpp"
 #include "limber/network/compensation_model.hpp"
+#include "limber/training/arm_modulation.hpp"
 #include "limber/training/frame_error.hpp"
 #include "limber/training/growth_limit.hpp"
 #include "limber/training/parameter_layout.hpp"
@@ -84,9 +85,6 @@ struct StateMap {
   int output_count() const { return static_cast<int>(output_scale.size()) * (is_gated() ? 2 : 1); }
 };
 
-template <class Scalar>
-struct WindowKernels;
-
 /// Loss and gradient over a chunk of windows: the network is rolled over each window with its own
 /// output fed back, and the error of every frame is propagated back through all frames before it
 /// (the paper's IV-C). A window's error is the mean over those of its frames in which the arm was
@@ -101,7 +99,7 @@ class WindowGradient {
   using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
   /// @param layout  2n + D + N inputs (q_{t−1}, q_t, B_{t−1}, B̃_t), D more where the map has a
-  ///                change_scale, and an arm's vector in a family; map.output_count() outputs.
+  ///                change_scale; map.output_count() outputs.
   WindowGradient(const ParameterLayout& layout, const StateMap<Scalar>& map, int segment_count,
                  int window_frames, int window_limit);
 
@@ -128,10 +126,7 @@ class WindowGradient {
   Scalar* layer_input(int layer, int block);
   Scalar* previous_state(int block) { return layer_input(0, block) + 2 * segments_ * stride_; }
   Scalar* change(int block) { return layer_input(0, block) + change_row() * stride_; }
-  int change_row() const { return arm_row() - size_; }
-  int arm_row() const { return layout_.inputs(0) - layout_.arms().size; }
-  void put_arms(const Scalar* parameters);
-  void carry_arms_back(const Scalar* parameters, int block, const Scalar* delta, Scalar* gradient);
+  int change_row() const { return layout_.inputs(0) - size_; }
   void note_change(int block, const Scalar* state, Scalar* change) const;
   /// What `rows` of the network's inputs, from `first_row` on, lead back of its first layer's
   /// delta.
@@ -143,7 +138,7 @@ class WindowGradient {
   void carry_back(int block, Scalar* delta);
   void load_block(const FrameTable<Scalar>& frames, int group, int frame);
   void weigh(const FrameTable<Scalar>& frames, std::span<const int> starts);
-  void backward_block(const Scalar* parameters, int block, int slot, Scalar* gradient);
+  void backward_block(const Scalar* parameters, int block, int slot);
   void add_weight_gradients(int first_block, int count, Scalar* gradient);
 
   const WindowKernels<Scalar>& kernels_;
@@ -156,10 +151,10 @@ class WindowGradient {
   int stride_;
   int slots_;  ///< blocks whose deltas are kept until their products are taken together
   GrowthLimit<Scalar, Storage> growth_;
+  ArmModulation<Scalar> modulation_;
   int groups_ = 0;
   int windows_ = 0;
   std::vector<int> index_;       ///< table columns of a group's windows
-  std::vector<int> arm_;         ///< the arm of each of them, in a family
   Storage input_;                ///< the layout's inputs, a row each, per block
   std::vector<Storage> hidden_;  ///< outputs of the hidden layers
   std::vector<Storage>
@@ -174,8 +169,6 @@ class WindowGradient {
   Storage direct_;      ///< one block: the part of it that the network had no part in
   Storage changed_;  ///< one block: ∂loss/∂(state's change) of the frame behind, in state's units
   Storage change_back_;     ///< one block: the same of this frame
-  Storage arm_back_;        ///< one block: ∂loss/∂(arm's vector) of a frame
-  Storage arm_sum_;         ///< … and of a group's frames so far
   Storage unbounded_;       ///< states before (20), where there are bounds
   Storage gate_;            ///< g, where there are gates
   Storage error_gradient_;  ///< ∂(frame error)/∂state
