@@ -103,42 +103,36 @@ void shift_clock(const SimpleModel& model, const ArmDescription& arm, const Epis
 }
 
 /// What would explain episodes that err more than the others: two of a log's columns exchanged, one
-/// of the other sign, commands by another clock. For each episode a sentence, empty where nothing
-/// of that explains it: "moves as if the columns of segment 0 and segment 2 were exchanged".
+/// of the other sign, commands by another clock: "moves as if the columns of segment 0 and segment
+/// 2 were exchanged". What explains an episode's error says more than how large it is.
 ///
 /// The simple model predicts the segments' turns under the commands as they are and as they would
 /// be. A mistake is one that leaves less than kExplained of the error. On logs of stand-ins nothing
 /// leaves less than 1.07 in whole ones, and the true mistake 0.10 to 0.56 in broken ones.
-/// @param judged  one for each episode: whether it moves, or should
-std::vector<std::string> likely_mistakes(const SimpleModel& model, const ArmDescription& arm,
-                                         const std::vector<Episode>& episodes,
-                                         const std::vector<bool>& judged) {
-  std::vector<std::string> found(episodes.size());
-  std::vector<double> errors(episodes.size(), 0.0);
+/// @pre some episode moves, or should
+void mark_mistakes(const SimpleModel& model, const ArmDescription& arm,
+                   const std::vector<Episode>& episodes, EpisodeErrors& errors) {
+  std::vector<double> own(episodes.size(), 0.0);  // of those that rest: none
   std::vector<double> known;
   for (std::size_t i = 0; i < episodes.size(); ++i) {
-    if (judged[i]) {
-      errors[i] = turn_error(model, arm, episodes[i]);
-      known.push_back(errors[i]);
+    if (errors.episodes[i].moves) {
+      own[i] = turn_error(model, arm, episodes[i]);
+      known.push_back(own[i]);
     }
-  }
-  if (known.empty()) {
-    return found;
   }
   const double suspicious = kSuspicious * median(std::move(known));
   for (std::size_t i = 0; i < episodes.size(); ++i) {
-    if (!judged[i] || !(errors[i] > suspicious)) {
+    if (!(own[i] > suspicious)) {
       continue;
     }
-    Explanation best{kExplained * errors[i], {}};
+    Explanation best{kExplained * own[i], {}};
     exchange_columns(model, arm, episodes[i], best);
     turn_signs(model, arm, episodes[i], best);
     shift_clock(model, arm, episodes[i], best);
     if (!best.what.empty()) {
-      found[i] = "moves as if " + best.what;
+      errors.episodes[i].why = "moves as if " + best.what;
     }
   }
-  return found;
 }
 
 constexpr std::size_t kMinEpisodes = 5;  // fewer don't say what is usual
@@ -229,26 +223,17 @@ void mark_unrelated(const std::vector<TurnCorrelation>& correlations, EpisodeErr
   }
 }
 
-/// What explains an episode's error says more than how large it is.
-void mark_mistakes(const SimpleModel& model, const ArmDescription& arm,
-                   const std::vector<Episode>& episodes, EpisodeErrors& errors) {
-  std::vector<bool> judged;
-  for (const EpisodeError& error : errors.episodes) {
-    judged.push_back(error.moves);
-  }
-  const std::vector<std::string> mistakes = likely_mistakes(model, arm, episodes, judged);
-  for (std::size_t i = 0; i < mistakes.size(); ++i) {
-    if (!mistakes[i].empty()) {
-      errors.episodes[i].why = mistakes[i];
+/// @return of how many that move the error is known
+std::size_t mark_far_off(EpisodeErrors& errors) {
+  errors.limit_cm = std::numeric_limits<double>::infinity();
+  std::vector<double> known;  // logarithms
+  for (const EpisodeError& episode : errors.episodes) {
+    if (episode.moves && episode.tip_cm > 0.0) {
+      known.push_back(std::log(episode.tip_cm));
     }
   }
-}
-
-/// @param known  logarithms of the errors of those that move
-void mark_far_off(const std::vector<double>& known, EpisodeErrors& errors) {
-  errors.limit_cm = std::numeric_limits<double>::infinity();
   if (known.empty()) {
-    return;
+    return 0;
   }
   const double middle = median(known);
   errors.median_cm = std::exp(middle);
@@ -265,6 +250,21 @@ void mark_far_off(const std::vector<double>& known, EpisodeErrors& errors) {
       episode.why =
           fmt::format("{:.1f} cm at the tip, more than {:.1f} cm", episode.tip_cm, errors.limit_cm);
     }
+  }
+  return known.size();
+}
+
+/// Of one more episode, where `expected` is what a model makes of its commands.
+void add_error(const ArmDescription& arm, const FrameMatrix& expected, const Episode& episode,
+               double correlation, EpisodeErrors& errors) {
+  errors.episodes.push_back(
+      {episode_name(std::ssize(errors.episodes), episode.log), mean_tip_error_cm(expected, episode),
+       correlation, tip_moves(arm, expected) || tip_moves(arm, episode.backbone), false, ""});
+}
+
+void mark_outliers(EpisodeErrors& errors) {
+  for (EpisodeError& episode : errors.episodes) {
+    episode.is_outlier = !episode.why.empty();
   }
 }
 
@@ -288,21 +288,11 @@ EpisodeErrors episode_errors(const ArmDescription& arm, const std::vector<Episod
 EpisodeErrors episode_errors(const SpaceFit& model, const ArmDescription& arm,
                              const std::vector<Episode>& episodes) {
   EpisodeErrors errors;
-  std::vector<double> known;
   for (const Episode& episode : episodes) {
-    const FrameMatrix expected = predict(model, arm, episode);
-    const double error_cm = mean_tip_error_cm(expected, episode);
-    const bool moves = tip_moves(arm, expected) || tip_moves(arm, episode.backbone);
-    errors.episodes.push_back({episode_name(std::ssize(errors.episodes), episode.log), error_cm,
-                               std::numeric_limits<double>::quiet_NaN(), moves, false, ""});
-    if (moves && error_cm > 0.0) {
-      known.push_back(std::log(error_cm));
-    }
+    add_error(arm, predict(model, arm, episode), episode, std::nan(""), errors);
   }
-  mark_far_off(known, errors);
-  for (EpisodeError& episode : errors.episodes) {
-    episode.is_outlier = !episode.why.empty();
-  }
+  mark_far_off(errors);
+  mark_outliers(errors);
   return errors;
 }
 
@@ -312,30 +302,18 @@ EpisodeErrors errors_of_any(const ArmDescription& arm, const std::vector<Episode
   }
   const SimpleModel model = fit_to_any(arm, episodes).model;
   EpisodeErrors errors;
-  std::vector<double> known;
   std::vector<TurnCorrelation> correlations;
   for (const Episode& episode : episodes) {
     const FrameMatrix expected = predict(model, arm, episode);
     correlations.push_back(correlation_of(arm, expected, episode));
-    errors.episodes.push_back({episode_name(std::ssize(errors.episodes), episode.log),
-                               mean_tip_error_cm(expected, episode), correlations.back().mean,
-                               tip_moves(arm, expected) || tip_moves(arm, episode.backbone), false,
-                               ""});
-    if (const EpisodeError& error = errors.episodes.back(); error.moves && error.tip_cm > 0.0) {
-      known.push_back(std::log(error.tip_cm));
-    }
+    add_error(arm, expected, episode, correlations.back().mean, errors);
   }
-  mark_far_off(known, errors);
-  if (known.empty()) {
-    return errors;
-  }
+  const std::size_t known = mark_far_off(errors);
   mark_unrelated(correlations, errors);
-  if (known.size() >= kMinEpisodes) {
+  if (known >= kMinEpisodes) {
     mark_mistakes(model, arm, episodes, errors);
   }
-  for (EpisodeError& episode : errors.episodes) {
-    episode.is_outlier = !episode.why.empty();
-  }
+  mark_outliers(errors);
   return errors;
 }
 
