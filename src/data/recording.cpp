@@ -84,22 +84,18 @@ void validate_header(const Recording& recording, const std::string& file) {
                                    file, text->size(), kLongestText));
     }
   }
-  if (recording.dimension == Dimension::space && recording.chamber_count < 1) {
-    throw InputError(fmt::format("{}: attribute 'chambers' is {}; expected a whole number ≥ 1",
-                                 file, recording.chamber_count));
-  }
-  if (recording.segment_count < 1) {
-    throw InputError(fmt::format("{}: attribute 'segments' is {}; expected a whole number ≥ 1",
-                                 file, recording.segment_count));
-  }
-  if (recording.point_count < 2) {
-    throw InputError(fmt::format("{}: attribute 'points' is {}; expected a whole number ≥ 2", file,
-                                 recording.point_count));
-  }
-  if (!std::isfinite(recording.rate_hz) || recording.rate_hz <= 0.0) {
-    throw InputError(fmt::format("{}: attribute 'rate_hz' is {}; expected a rate in Hz, > 0", file,
-                                 recording.rate_hz));
-  }
+  const auto require = [&](bool holds, const char* name, auto found, const char* expected) {
+    if (!holds) {
+      throw InputError(
+          fmt::format("{}: attribute '{}' is {}; expected {}", file, name, found, expected));
+    }
+  };
+  require(recording.dimension != Dimension::space || recording.chamber_count >= 1, "chambers",
+          recording.chamber_count, "a whole number ≥ 1");
+  require(recording.segment_count >= 1, "segments", recording.segment_count, "a whole number ≥ 1");
+  require(recording.point_count >= 2, "points", recording.point_count, "a whole number ≥ 2");
+  require(std::isfinite(recording.rate_hz) && recording.rate_hz > 0.0, "rate_hz", recording.rate_hz,
+          "a rate in Hz, > 0");
 }
 
 void validate(const Recording& recording, const std::string& file) {
@@ -141,18 +137,14 @@ void require_sizes_of(const Recording& recording, const ArmDescription& arm,
     };
     refuse(in_words(recording.dimension), in_words(arm.dimension));
   }
-  if (recording.segment_count != arm.segment_count()) {
-    refuse(fmt::format("{} segments", recording.segment_count),
-           fmt::format("{}", arm.segment_count()));
-  }
-  if (recording.channel_count() != arm.channel_count()) {
-    refuse(fmt::format("{} commands", recording.channel_count()),
-           fmt::format("{}", arm.channel_count()));
-  }
-  if (recording.point_count != arm.point_count()) {
-    refuse(fmt::format("{} backbone points", recording.point_count),
-           fmt::format("{}", arm.point_count()));
-  }
+  const auto require_equal = [&](int found, int expected, const char* what) {
+    if (found != expected) {
+      refuse(fmt::format("{} {}", found, what), fmt::format("{}", expected));
+    }
+  };
+  require_equal(recording.segment_count, arm.segment_count(), "segments");
+  require_equal(recording.channel_count(), arm.channel_count(), "commands");
+  require_equal(recording.point_count, arm.point_count(), "backbone points");
   constexpr double kRateTolerance = 1e-6;  // relative; a rate is written once and copied
   if (std::abs(recording.rate_hz - arm.frame_rate_hz) > kRateTolerance * arm.frame_rate_hz) {
     refuse(fmt::format("{} frames per second", recording.rate_hz),

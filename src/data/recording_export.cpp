@@ -142,10 +142,11 @@ class MotionLog {
         episode_(recording.episodes[index]),
         settings_(settings),
         in_space_(recording.dimension == Dimension::space),
+        rate_hz_(settings.rate_hz > 0.0 ? settings.rate_hz : recording.rate_hz),
+        length_s_(episode_.time_s.tail<1>()[0] - episode_.time_s[0]),
         random_(settings.seed, index) {
-    const double length_s = episode_.time_s.tail<1>()[0] - episode_.time_s[0];
     for (int k = 0; k < settings.occlusions; ++k) {
-      const double from = episode_.time_s[0] + random_.uniform() * length_s;
+      const double from = episode_.time_s[0] + random_.uniform() * length_s_;
       const int plate =
           static_cast<int>(random_.index(static_cast<std::uint32_t>(recording.point_count)));
       hidden_.push_back({plate, from, from + settings.occlusion_s});
@@ -154,18 +155,16 @@ class MotionLog {
 
   std::string text() {
     std::string text = head();
-    const double rate_hz = settings_.rate_hz > 0.0 ? settings_.rate_hz : recording_.rate_hz;
-    const double length_s = episode_.time_s.tail<1>()[0] - episode_.time_s[0];
-    if (!(length_s * rate_hz <= kMostRows)) {
+    if (!(length_s_ * rate_hz_ <= kMostRows)) {
       throw InputError(fmt::format(
           "an episode lasts {:.4g} s by its times, {:.4g} rows at {:.4g} Hz; expected at most {}. "
           "Is there a gap in it?",
-          length_s, length_s * rate_hz, rate_hz, kMostRows));
+          length_s_, length_s_ * rate_hz_, rate_hz_, kMostRows));
     }
-    const auto rows = static_cast<Eigen::Index>(length_s * rate_hz + 1e-6) + 1;
+    const auto rows = static_cast<Eigen::Index>(length_s_ * rate_hz_ + 1e-6) + 1;
     for (Eigen::Index k = 0; k < rows; ++k) {
       throw_if_interrupted();
-      const double time_s = episode_.time_s[0] + double(k) / rate_hz;
+      const double time_s = episode_.time_s[0] + double(k) / rate_hz_;
       text += fmt::format("{},{:.6f}{}\n", k, time_s, cells(time_s));
     }
     return text;
@@ -179,10 +178,14 @@ class MotionLog {
   };
 
   std::string head() const {
-    const int m = recording_.point_count;
+    using Columns = std::vector<std::pair<const char*, const char*>>;
+    const Columns place = {{"Position", "X"}, {"Position", "Y"}, {"Position", "Z"}};
+    const Columns pose = {{"Rotation", "X"}, {"Rotation", "Y"}, {"Rotation", "Z"},
+                          {"Rotation", "W"}, {"Position", "X"}, {"Position", "Y"},
+                          {"Position", "Z"}};
     std::string types, names, ids, components, axes;
     const auto object = [&](const std::string& type, const std::string& name, int number,
-                            const std::vector<std::pair<const char*, const char*>>& columns) {
+                            const Columns& columns) {
       for (const auto& [component, axis] : columns) {
         types += "," + type;
         names += "," + name;
@@ -191,33 +194,23 @@ class MotionLog {
         axes += fmt::format(",{}", axis);
       }
     };
-    for (int p = 0; p < m; ++p) {
+    for (int p = 0; p < recording_.point_count; ++p) {
       if (settings_.markers && in_space_) {
-        object("Marker", fmt::format("Arm:Plate{:02}", p), p,
-               {{"Position", "X"}, {"Position", "Y"}, {"Position", "Z"}});
+        object("Marker", fmt::format("Arm:Plate{:02}", p), p, place);
       } else if (settings_.markers) {
         for (const char* side : {"Right", "Left"}) {
-          object("Marker", fmt::format("Arm:{}{:02}", side, p), 2 * p + (side[0] == 'L'),
-                 {{"Position", "X"}, {"Position", "Y"}, {"Position", "Z"}});
+          object("Marker", fmt::format("Arm:{}{:02}", side, p), 2 * p + (side[0] == 'L'), place);
         }
       } else {
-        object("Rigid Body", fmt::format("Plate{:02}", p), p,
-               {{"Rotation", "X"},
-                {"Rotation", "Y"},
-                {"Rotation", "Z"},
-                {"Rotation", "W"},
-                {"Position", "X"},
-                {"Position", "Y"},
-                {"Position", "Z"}});
+        object("Rigid Body", fmt::format("Plate{:02}", p), p, pose);
       }
     }
-    const double rate_hz = settings_.rate_hz > 0.0 ? settings_.rate_hz : recording_.rate_hz;
     return fmt::format(
         "Format Version,1.23,Take Name,{0},Capture Frame Rate,{1:.6f},Export Frame Rate,{1:.6f},"
         "Rotation Type,Quaternion,Length Units,Meters,Coordinate "
         "Space,Global\n\n,{2}\n,{3}\n,{4}\n,"
         "{5}\nFrame,Time (Seconds){6}\n",
-        "limber export", rate_hz, types, names, ids, components, axes);
+        "limber export", rate_hz_, types, names, ids, components, axes);
   }
 
   bool is_hidden(int plate, double time_s) const {
@@ -302,6 +295,8 @@ class MotionLog {
   const Episode& episode_;
   const LogExportSettings& settings_;
   bool in_space_;
+  double rate_hz_;
+  double length_s_;
   RandomStream random_;
   std::vector<Hidden> hidden_;
 };

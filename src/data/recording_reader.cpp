@@ -45,7 +45,8 @@ class Reader : private CheckedHdf5 {
     recording.seed = number<std::uint64_t>("seed", H5::PredType::NATIVE_UINT64);
     lifted_ = read_space(recording);
     validate_header(recording, name_);  // sizes decide what the data sets must hold
-    setpoints_only_ = holds_setpoints_only();
+    setpoints_only_ = file_.attrExists(kCommandsAre) &&
+                      is_second(kCommandsAre, commands_are(false), commands_are(true));
     if (wanted.episodes) {
       recording.numbers.assign(wanted.episodes->begin(), wanted.episodes->end());
     }
@@ -98,25 +99,17 @@ class Reader : private CheckedHdf5 {
     }
     recording.dimension = Dimension::space;
     recording.chamber_count = number<int>(kChambers, H5::PredType::NATIVE_INT);
-    const std::string rotations = text(kRotations);
-    if (rotations != kMeasured && rotations != kLifted) {
-      refuse(fmt::format("attribute '{}'", kRotations),
-             fmt::format("'{}' found; expected '{}' or '{}'", rotations, kMeasured, kLifted));
-    }
-    return rotations == kLifted;
+    return is_second(kRotations, kMeasured, kLifted);
   }
 
-  bool holds_setpoints_only() const {
-    if (!file_.attrExists(kCommandsAre)) {
-      return false;
+  /// Which of two words a text is. @throws InputError if it is neither
+  bool is_second(const char* name, const char* first, const char* second) const {
+    const std::string found = text(name);
+    if (found != first && found != second) {
+      refuse(fmt::format("attribute '{}'", name),
+             fmt::format("'{}' found; expected '{}' or '{}'", found, first, second));
     }
-    const std::string found = text(kCommandsAre);
-    if (found != commands_are(false) && found != commands_are(true)) {
-      refuse(fmt::format("attribute '{}'", kCommandsAre),
-             fmt::format("'{}' found; expected '{}' or '{}'", found, commands_are(false),
-                         commands_are(true)));
-    }
-    return found == commands_are(true);
+    return found == second;
   }
 
   void require_group(const std::string& path, const std::string& missing) const {

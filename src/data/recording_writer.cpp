@@ -184,25 +184,16 @@ void* resize_image(void* /*old*/, std::size_t size, H5FD_file_image_op_t /*why*/
   return bytes.data();
 }
 
-herr_t keep_image(void* /*memory*/, H5FD_file_image_op_t /*why*/, void* /*image*/) {
-  return 0;
-}
-void* same_image(void* image) {
-  return image;
-}
-herr_t nothing_to_free(void* /*image*/) {
-  return 0;
-}
-
 /// The whole file, made in memory, so that HDF5 never meets a full disk. After one it can neither
 /// close its file nor end the process properly.
 std::string file_image(const Recording& recording) {
   std::string image;
   H5FD_file_image_callbacks_t memory{};
   memory.image_realloc = resize_image;
-  memory.image_free = keep_image;  // the text outlives the file that is closed in it
-  memory.udata_copy = same_image;
-  memory.udata_free = nothing_to_free;
+  // The text outlives the file that is closed in it.
+  memory.image_free = [](void*, H5FD_file_image_op_t, void*) -> herr_t { return 0; };
+  memory.udata_copy = [](void* own) { return own; };
+  memory.udata_free = [](void*) -> herr_t { return 0; };
   memory.udata = &image;
   H5::FileAccPropList in_memory;
   in_memory.setCore(kMemoryStep, false);
