@@ -1,6 +1,8 @@
 #include "limber/data/log_units.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -16,9 +18,8 @@ struct Unit {
   double size;  // in the kind's first unit
 };
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr Unit kUnits[] = {{"m", 'l', 1.0},     {"cm", 'l', 1e-2},  {"mm", 'l', 1e-3},
-                           {"in", 'l', 0.0254}, {"rad", 'a', 1.0},  {"deg", 'a', kPi / 180.0},
+                           {"in", 'l', 0.0254}, {"rad", 'a', 1.0},  {"deg", 'a', kRadPerDeg},
                            {"s", 't', 1.0},     {"ms", 't', 1e-3},  {"us", 't', 1e-6},
                            {"ns", 't', 1e-9},   {"min", 't', 60.0}, {"kPa", 'p', 1.0},
                            {"Pa", 'p', 1e-3},   {"mbar", 'p', 0.1}, {"hPa", 'p', 0.1},
@@ -26,12 +27,8 @@ constexpr Unit kUnits[] = {{"m", 'l', 1.0},     {"cm", 'l', 1e-2},  {"mm", 'l', 
 constexpr double kLogRatioTolerance = 0.34;  // a factor of 1.4 either way
 
 const Unit* find(const std::string& name) {
-  for (const Unit& unit : kUnits) {
-    if (name == unit.name) {
-      return &unit;
-    }
-  }
-  return nullptr;
+  const Unit* found = std::ranges::find(kUnits, name, &Unit::name);
+  return found == std::end(kUnits) ? nullptr : found;
 }
 
 }  // namespace

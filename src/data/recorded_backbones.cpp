@@ -134,8 +134,8 @@ std::string base_offset_in_space(const Episode& episode) {
                      rotation_rad.norm());
 }
 
-}  // namespace
-
+/// Mean place and heading of the base plate over the frames in which the arm was tracked; zero
+/// where it never was.
 Pose mean_base(const Episode& episode) {
   Eigen::Vector2d point = Eigen::Vector2d::Zero();
   double cosine = 0.0;
@@ -150,12 +150,11 @@ Pose mean_base(const Episode& episode) {
       ++count;
     }
   }
-  if (count == 0) {
-    return {};
-  }
-  point /= count;
+  point /= std::max(count, 1);
   return {point.x(), point.y(), std::atan2(sine, cosine)};
 }
+
+}  // namespace
 
 std::string base_offset(const Episode& episode) {
   if (episode.dimension == Dimension::space) {
@@ -176,10 +175,8 @@ double median_gap_m(const Episode& episode, int plate) {
       distances.push_back((episode.position_m(t, plate + 1) - episode.position_m(t, plate)).norm());
     }
   }
-  if (distances.empty()) {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-  return median(std::move(distances));
+  return distances.empty() ? std::numeric_limits<double>::quiet_NaN()
+                           : median(std::move(distances));
 }
 
 void require_motion(const Episode& episode, const ArmDescription& arm, const std::string& where) {

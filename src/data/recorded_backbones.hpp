@@ -3,14 +3,9 @@
 #include <string>
 
 #include "limber/arm/arm_description.hpp"
-#include "limber/arm/backbone.hpp"
 #include "limber/data/recording.hpp"
 
 namespace limber {
-
-/// Mean place and heading of the base plate over the frames in which the arm was tracked; zero
-/// where it never was.
-Pose mean_base(const Episode& episode);
 
 /// "(0.003, 0.000) m, 0.050 rad" of a base that lies farther from the origin of frame B than
 /// tracking is wrong, 2 mm or 0.01 rad; empty if it does not.

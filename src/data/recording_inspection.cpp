@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -56,12 +57,6 @@ class EpisodeInspector {
   }
 
  private:
-  /// Of the side that the value is on; without a sign where both sides have the same.
-  double limit_of(std::size_t segment, double kpa) const {
-    const PressureLimits& limits = limits_kpa_[segment];
-    return limits.is_symmetric() ? limits.upper_kpa : limits.side_kpa(kpa);
-  }
-
   void look_at_time(int t) {
     const double step_s = episode_.time_s[t] - episode_.time_s[t - 1];
     if (step_s > kGapPeriods / recording_.rate_hz) {
@@ -76,22 +71,24 @@ class EpisodeInspector {
       const auto column = static_cast<Eigen::Index>(s);
       const double pressure_kpa = episode_.pressure_kpa(t, column);
       const double setpoint_kpa = episode_.setpoint_kpa(t, column);
-      const double limit_kpa = limits_kpa_[s].largest_kpa();
+      const PressureLimits& limits = limits_kpa_[s];
+      const double limit_kpa = limits.largest_kpa();
       if (limit_kpa <= 0.0) {
         continue;  // no arm is given, and nothing was commanded there
       }
-      if (limits_kpa_[s].size_kpa(setpoint_kpa) > kSetpointOvershoot * limit_kpa) {
-        suspicions_.add(
-            "a set point beyond its limit", index_, t,
-            fmt::format("{}: {:.1f} {}, limit {:.1f}", channel_name(recording_.dimension, s),
-                        setpoint_kpa, recording_.command.unit, limit_of(s, setpoint_kpa)));
+      // The limit of the side that it is on; without a sign where both sides have the same.
+      const auto beside_limit = [&](double kpa) {
+        return fmt::format("{}: {:.1f} {}, limit {:.1f}", channel_name(recording_.dimension, s),
+                           kpa, recording_.command.unit,
+                           limits.is_symmetric() ? limits.upper_kpa : limits.side_kpa(kpa));
+      };
+      if (limits.size_kpa(setpoint_kpa) > kSetpointOvershoot * limit_kpa) {
+        suspicions_.add("a set point beyond its limit", index_, t, beside_limit(setpoint_kpa));
       }
-      if (!episode_.setpoints_only &&
-          limits_kpa_[s].size_kpa(pressure_kpa) > kOvershoot * limit_kpa) {
+      if (!episode_.setpoints_only && limits.size_kpa(pressure_kpa) > kOvershoot * limit_kpa) {
         suspicions_.add(
             "a measured " + recording_.command.name + " more than 10 % beyond its limit", index_, t,
-            fmt::format("{}: {:.1f} {}, limit {:.1f}", channel_name(recording_.dimension, s),
-                        pressure_kpa, recording_.command.unit, limit_of(s, pressure_kpa)));
+            beside_limit(pressure_kpa));
       }
     }
   }
@@ -177,23 +174,20 @@ class EpisodeInspector {
 };
 
 std::vector<PressureRange> pressure_ranges(const Recording& recording) {
-  std::vector<PressureRange> ranges(static_cast<std::size_t>(recording.channel_count()));
-  for (std::size_t s = 0; s < ranges.size(); ++s) {
-    PressureRange& range = ranges[s];
-    const auto column = static_cast<Eigen::Index>(s);
-    bool first = true;
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  std::vector<PressureRange> ranges;
+  for (Eigen::Index column = 0; column < recording.channel_count(); ++column) {
+    PressureRange range{kInfinite, -kInfinite, kInfinite, -kInfinite};
+    const auto widen = [&](const auto& values, double& lowest, double& highest) {
+      lowest = std::min(lowest, double(values.minCoeff()));
+      highest = std::max(highest, double(values.maxCoeff()));
+    };
     for (const Episode& episode : recording.episodes) {
-      const auto measured = episode.pressure_kpa.col(column);
-      const auto commanded = episode.setpoint_kpa.col(column);
-      const PressureRange own{measured.minCoeff(), measured.maxCoeff(), commanded.minCoeff(),
-                              commanded.maxCoeff()};
-      range = first ? own
-                    : PressureRange{std::min(range.lowest_kpa, own.lowest_kpa),
-                                    std::max(range.highest_kpa, own.highest_kpa),
-                                    std::min(range.lowest_setpoint_kpa, own.lowest_setpoint_kpa),
-                                    std::max(range.highest_setpoint_kpa, own.highest_setpoint_kpa)};
-      first = false;
+      widen(episode.pressure_kpa.col(column), range.lowest_kpa, range.highest_kpa);
+      widen(episode.setpoint_kpa.col(column), range.lowest_setpoint_kpa,
+            range.highest_setpoint_kpa);
     }
+    ranges.push_back(range);
   }
   return ranges;
 }

@@ -105,9 +105,7 @@ FrameMatrix predict(const SimpleModel& model, const ArmDescription& arm, const E
       const SimpleSegment& segment = model.segments[at];
       const int gaps = arm.segments[at].gaps;
       const double turn_rad = (segment.gain * turns(t, i) + segment.offset_rad) / gaps;
-      const double length_m = arm.no_load == NoLoadKind::straight
-                                  ? arm.segments[at].length_m
-                                  : no_load.segment_shape(i, commands(t, i)).length_m;
+      const double length_m = no_load.segment_shape(i, commands(t, i)).length_m;
       const Pose step = arc(segment.length_ratio * length_m / gaps, turn_rad);
       for (int gap = 0; gap < gaps; ++gap, column += kPoseSize) {
         pose = compose(pose, step);
