@@ -154,11 +154,8 @@ RobustLine fit_line(const Eigen::VectorXd& x, const Eigen::VectorXd& y,
           weight, x[r], y[r]);
     }
     fit.line = all.line(slope, free);
-    std::vector<double> sizes(static_cast<std::size_t>(x.size()));
-    for (Eigen::Index r = 0; r < x.size(); ++r) {
-      sizes[static_cast<std::size_t>(r)] = std::abs(y[r] - fit.line.slope * x[r] - fit.line.offset);
-    }
-    fit.loss = median(std::move(sizes));
+    const Eigen::ArrayXd sizes = (y.array() - fit.line.slope * x.array() - fit.line.offset).abs();
+    fit.loss = median(std::vector<double>(sizes.begin(), sizes.end()));
     scale = std::max(kScaleOfMedian * fit.loss, kTiny_rad);
   }
   return fit;
@@ -251,9 +248,7 @@ class SimpleFitter {
       const FrameOf& at = frames_[r];
       const double command =
           double(episodes_[static_cast<std::size_t>(at.episode)].pressure_kpa(at.frame, i));
-      const double expected_m = arm_.no_load == NoLoadKind::straight
-                                    ? arm_.segments[static_cast<std::size_t>(i)].length_m
-                                    : no_load.segment_shape(i, command).length_m;
+      const double expected_m = no_load.segment_shape(i, command).length_m;
       ratios.push_back(seen_.length_m(static_cast<Eigen::Index>(r), i) / expected_m);
     }
     return ratios;
