@@ -31,18 +31,15 @@ constexpr double kShortestArc = 0.05;  // chord over length; beyond, the points 
 // ---- missing points
 // ---------------------------------------------------------------------------
 
-/// Rows t of (from, to) on the straight line between both.
-void bridge(Eigen::Index from, Eigen::Index to, Eigen::Index i, PointTracks& tracks) {
-  const auto time = [&](Eigen::Index t) { return tracks.time_s[std::size_t(t)]; };
-  for (Eigen::Index t = from + 1; t < to; ++t) {
-    const double part = (time(t) - time(from)) / (time(to) - time(from));
-    const auto between = [&](double a, double b) { return a + part * (b - a); };
-    tracks.x_m(t, i) = between(tracks.x_m(from, i), tracks.x_m(to, i));
-    tracks.y_m(t, i) = between(tracks.y_m(from, i), tracks.y_m(to, i));
-    if (tracks.has_headings()) {
-      const double a = tracks.theta_rad(from, i);
-      tracks.theta_rad(t, i) = a + part * std::remainder(tracks.theta_rad(to, i) - a, kTurn);
-    }
+/// Row t, that part of the time from one to the other, on the straight line between both.
+void bridge(Eigen::Index from, Eigen::Index to, Eigen::Index t, double part, Eigen::Index i,
+            PointTracks& tracks) {
+  const auto between = [&](double a, double b) { return a + part * (b - a); };
+  tracks.x_m(t, i) = between(tracks.x_m(from, i), tracks.x_m(to, i));
+  tracks.y_m(t, i) = between(tracks.y_m(from, i), tracks.y_m(to, i));
+  if (tracks.has_headings()) {
+    const double a = tracks.theta_rad(from, i);
+    tracks.theta_rad(t, i) = a + part * std::remainder(tracks.theta_rad(to, i) - a, kTurn);
   }
 }
 
@@ -116,9 +113,7 @@ void chord_directions(const PointTracks& tracks, Eigen::Index t, std::vector<dou
   directions.resize(std::size_t(tracks.point_count() - 1));
   double before = 0.0;
   for (Eigen::Index i = 0; i + 1 < tracks.point_count(); ++i) {
-    const double direction = std::atan2(tracks.y_m(t, i + 1) - tracks.y_m(t, i),
-                                        tracks.x_m(t, i + 1) - tracks.x_m(t, i));
-    before += std::remainder(direction - before, kTurn);
+    before += std::remainder(tracks.direction_rad(t, i, i + 1) - before, kTurn);
     directions[std::size_t(i)] = before;
   }
 }
@@ -140,9 +135,7 @@ void require_headings_along(const std::string& log, const std::vector<bool>& tra
       if (tracked[std::size_t(t)]) {
         const double theta_rad = tracks.theta_rad(t, i);
         const double turn_rad = std::remainder(tracks.theta_rad(t, i + 1) - theta_rad, kTurn);
-        const double off_rad = theta_rad + 0.5 * turn_rad -
-                               std::atan2(tracks.y_m(t, i + 1) - tracks.y_m(t, i),
-                                          tracks.x_m(t, i + 1) - tracks.x_m(t, i));
+        const double off_rad = theta_rad + 0.5 * turn_rad - tracks.direction_rad(t, i, i + 1);
         sum += Eigen::Vector2d(std::cos(off_rad), std::sin(off_rad));
       }
     }
@@ -165,9 +158,8 @@ void unwrap_along_arm(PointTracks& tracks) {
     double before = std::remainder(tracks.theta_rad(t, 0), kTurn);
     tracks.theta_rad(t, 0) = before;
     for (Eigen::Index i = 1; i < tracks.point_count(); ++i) {
-      const double direction = std::atan2(tracks.y_m(t, i) - tracks.y_m(t, i - 1),
-                                          tracks.x_m(t, i) - tracks.x_m(t, i - 1));
-      const double expected = before + 2.0 * std::remainder(direction - before, kTurn);
+      const double expected =
+          before + 2.0 * std::remainder(tracks.direction_rad(t, i - 1, i) - before, kTurn);
       before = expected + std::remainder(tracks.theta_rad(t, i) - expected, kTurn);
       tracks.theta_rad(t, i) = before;
     }

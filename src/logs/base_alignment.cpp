@@ -13,7 +13,6 @@ namespace limber {
 
 namespace {
 
-// Mean directions are those of the sum of unit vectors, whatever the angles' turns.
 class BaseFinder {
  public:
   BaseFinder(const std::string& log, const std::vector<bool>& tracked,
@@ -50,11 +49,7 @@ class BaseFinder {
   Eigen::VectorXd heading_offsets() const {
     Eigen::VectorXd offsets(tracks_.point_count());
     for (int i = 0; i < tracks_.point_count(); ++i) {
-      std::complex<double> mean;
-      for (const Eigen::Index t : rows_) {
-        mean += std::polar(1.0, tracks_.theta_rad(t, i));
-      }
-      offsets[i] = std::arg(mean);
+      offsets[i] = mean_direction([&](Eigen::Index t) { return tracks_.theta_rad(t, i); });
     }
     return offsets;
   }
@@ -81,29 +76,25 @@ class BaseFinder {
     return limber::median(std::move(values));
   }
 
-  double chord(Eigen::Index t, int i) const {
-    return std::atan2(tracks_.y_m(t, i + 1) - tracks_.y_m(t, i),
-                      tracks_.x_m(t, i + 1) - tracks_.x_m(t, i));
+  /// That of the sum of unit vectors, whatever the angles' turns. @param angle_rad  in each row
+  template <class Angle>
+  double mean_direction(const Angle& angle_rad) const {
+    std::complex<double> sum;
+    for (const Eigen::Index t : rows_) {
+      sum += std::polar(1.0, angle_rad(t));
+    }
+    return std::arg(sum);
   }
 
   double straight_heading() const {
-    std::complex<double> mean;
-    const int tip = tracks_.point_count() - 1;
-    for (const Eigen::Index t : rows_) {
-      mean += std::polar(1.0, std::atan2(tracks_.y_m(t, tip) - tracks_.y_m(t, 0),
-                                         tracks_.x_m(t, tip) - tracks_.x_m(t, 0)));
-    }
-    return std::arg(mean);
+    return mean_direction(
+        [&](Eigen::Index t) { return tracks_.direction_rad(t, 0, tracks_.point_count() - 1); });
   }
 
   /// The measured one; else the tangent at the base of the arc through the first three points.
   double base_heading() const {
-    std::complex<double> mean;
     if (tracks_.has_headings()) {
-      for (const Eigen::Index t : rows_) {
-        mean += std::polar(1.0, tracks_.theta_rad(t, 0));
-      }
-      return std::arg(mean);
+      return mean_direction([&](Eigen::Index t) { return tracks_.theta_rad(t, 0); });
     }
     if (tracks_.point_count() < 3 || tracks_.plates[2] > arm_.segments.front().gaps) {
       refuse(
@@ -113,11 +104,11 @@ class BaseFinder {
     const std::vector<double> rest_m = rest_positions_m(arm_);
     const double first = rest_m[std::size_t(tracks_.plates[1])];
     const double both = rest_m[std::size_t(tracks_.plates[2])];
-    for (const Eigen::Index t : rows_) {
-      const double turn = std::remainder(chord(t, 1) - chord(t, 0), 2.0 * M_PI);
-      mean += std::polar(1.0, chord(t, 0) - turn * first / both);
-    }
-    return std::arg(mean);
+    return mean_direction([&](Eigen::Index t) {
+      const double chord = tracks_.direction_rad(t, 0, 1);
+      const double turn = std::remainder(tracks_.direction_rad(t, 1, 2) - chord, 2.0 * M_PI);
+      return chord - turn * first / both;
+    });
   }
 
   const std::string& log_;

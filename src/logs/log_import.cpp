@@ -1,9 +1,10 @@
 #include "limber/logs/log_import.hpp"
 
-#include <algorithm>
+#include <cmath>
 #include <type_traits>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "backbone_building.hpp"
 #include "clock_match.hpp"
@@ -28,6 +29,56 @@ namespace limber {
 namespace {
 
 namespace fs = std::filesystem;
+
+void require_logs(const std::vector<fs::path>& logs) {
+  if (logs.empty()) {
+    throw InputError("no logs; expected at least one. Did the pattern that lists them match any?");
+  }
+}
+
+void require_options(const std::vector<fs::path>& logs, const ImportOptions& options) {
+  if (!options.command_logs.empty() && options.command_logs.size() != logs.size()) {
+    throw InputError(
+        fmt::format("{} motion logs and {} logs of commands (--pressures); "
+                    "expected one for each, in the same order",
+                    logs.size(), options.command_logs.size()));
+  }
+  if (options.time_offset_s && !std::isfinite(*options.time_offset_s)) {
+    throw InputError(
+        fmt::format("time offset {}; expected seconds, a finite number", *options.time_offset_s));
+  }
+}
+
+/// What messages call a run.
+std::string name_of(const fs::path& log, const RunReport& report) {
+  return log.parent_path().empty() ? report.name : (log.parent_path() / report.name).string();
+}
+
+CommandTrack shifted(CommandTrack commands, double offset_s) {
+  for (double& time_s : commands.time_s) {
+    time_s += offset_s;
+  }
+  return commands;
+}
+
+/// Says in the recording what it was made from, and how.
+void describe(const std::string& kind, const std::vector<fs::path>& logs,
+              const ImportMapping& mapping, ImportResult& result) {
+  std::vector<std::string> names;
+  for (const fs::path& log : logs) {
+    names.push_back(log.filename().string());
+  }
+  result.recording.source = fmt::format("{} {}", kind, fmt::join(names, ", "));
+  std::string clocks;
+  for (const RunReport& run : result.report.runs) {
+    if (run.clock) {
+      clocks += fmt::format("; {}: time offset {:.4f} s {}", run.name, run.clock->offset_s,
+                            run.clock->found ? "found" : "given");
+    }
+  }
+  result.recording.settings =
+      fmt::format("gaps up to {} s bridged{}", mapping.longest_gap_s, clocks);
+}
 
 /// The clocks of both logs, before anything is measured or allocated by them.
 template <class Tracks>
@@ -186,25 +237,14 @@ ImportResult import_logs(const std::vector<fs::path>& logs, const ImportOptions&
   return result;
 }
 
-fs::path first_of(const std::vector<fs::path>& logs) {
-  return logs.empty() ? fs::path() : logs.front();
-}
-
 /// With default columns as the first log of commands counts them; the others are like it.
 ImportOptions as_counted(const fs::path& log, ImportOptions options, const ArmDescription& arm) {
   CommandColumns& commands = options.mapping.commands;
-  if (commands.setpoint_optional && !log.empty()) {
+  if (commands.setpoint_optional) {
     const fs::path& first = options.command_logs.empty() ? log : options.command_logs.front();
     commands = as_counted_in(log_columns(first, options.mapping), std::move(commands), arm);
   }
   return options;
-}
-
-template <class Tracks>
-void add_command_log(const fs::path& log, const ImportOptions& options, const ArmDescription& arm,
-                     RunOf<Tracks>& run) {
-  run.one_clock = false;
-  run.commands = read_command_log(log, options.mapping, arm, run.report);
 }
 
 template <class Tracks>
@@ -224,8 +264,14 @@ std::vector<RunOf<Tracks>> read_csv(const fs::path& log, std::size_t number,
     runs = read_csv_runs(log, options.mapping, arm, inside);
   }
   if (!inside) {
-    require_one_recording(log, runs.size());
-    add_command_log(options.command_logs[number], options, arm, runs.front());
+    if (runs.size() > 1) {
+      throw InputError(
+          fmt::format("{}: {} recordings in one log, and commands in another file; "
+                      "expected one recording per file",
+                      log.string(), runs.size()));
+    }
+    runs.front().commands =
+        read_command_log(options.command_logs[number], options.mapping, arm, runs.front().report);
   }
   return runs;
 }
@@ -244,7 +290,8 @@ std::vector<RunOf<Tracks>> read_motive(const fs::path& log, std::size_t number,
   } else {
     run.points = motive_points(log.string(), take, options.mapping, arm, run.report);
   }
-  add_command_log(options.command_logs[number], options, arm, run);
+  run.one_clock = false;
+  run.commands = read_command_log(options.command_logs[number], options.mapping, arm, run.report);
   return runs;
 }
 
@@ -253,7 +300,7 @@ std::vector<RunOf<Tracks>> read_motive(const fs::path& log, std::size_t number,
 ImportResult import_csv(const std::vector<fs::path>& logs, const ImportOptions& asked,
                         const ArmDescription& arm) {
   require_logs(logs);
-  const ImportOptions options = as_counted(first_of(logs), asked, arm);
+  const ImportOptions options = as_counted(logs.front(), asked, arm);
   return arm.is_spatial() ? import_logs(logs, options, arm, "csv", read_csv<SpaceTracks>)
                           : import_logs(logs, options, arm, "csv", read_csv<PointTracks>);
 }
@@ -266,7 +313,7 @@ ImportResult import_motive(const std::vector<fs::path>& logs, const ImportOption
         "{}: Motive's files hold no {}s; give the log of them with --pressures, one for each",
         logs.front().string(), arm.command.name));
   }
-  const ImportOptions options = as_counted(first_of(logs), asked, arm);
+  const ImportOptions options = as_counted(logs.front(), asked, arm);
   return arm.is_spatial() ? import_logs(logs, options, arm, "motive", read_motive<SpaceTracks>)
                           : import_logs(logs, options, arm, "motive", read_motive<PointTracks>);
 }

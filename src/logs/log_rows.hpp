@@ -34,6 +34,10 @@ struct PointTracks {
     return std::isfinite(x_m(t, i)) && std::isfinite(y_m(t, i)) &&
            (!has_headings() || std::isfinite(theta_rad(t, i)));
   }
+  /// Of the line from point `a` to point `b`.
+  double direction_rad(Eigen::Index t, Eigen::Index a, Eigen::Index b) const {
+    return std::atan2(y_m(t, b) - y_m(t, a), x_m(t, b) - x_m(t, a));
+  }
 };
 
 /// Commands (pressures, or what the arm file says) in the arm's unit on the log's own clock; NaN

@@ -1,11 +1,9 @@
 #include "log_runs.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
@@ -19,6 +17,7 @@ namespace {
 
 PointTracks points_of(const LogTable& table, const RowGroup& group, const ImportMapping& mapping) {
   PointTracks tracks;
+  tracks.time_s = picked(table.columns[0], group.rows, mapping.time.seconds_per_unit);
   const auto k = static_cast<Eigen::Index>(mapping.points.size());
   const auto rows = static_cast<Eigen::Index>(group.rows.size());
   tracks.x_m.resize(rows, k);
@@ -91,13 +90,9 @@ std::vector<LogRun> read_csv_runs(const std::filesystem::path& path, const Impor
       }
     }
   };
-  return read_runs<PointTracks>(
-      path, mapping, arm, with_commands, want_points,
-      [&](const LogTable& table, const RowGroup& group, const RunReport&) {
-        PointTracks points = points_of(table, group, mapping);
-        points.time_s = picked(table.columns[0], group.rows, mapping.time.seconds_per_unit);
-        return points;
-      });
+  return read_runs<PointTracks>(path, mapping, arm, with_commands, want_points,
+                                [&](const LogTable& table, const RowGroup& group,
+                                    const RunReport&) { return points_of(table, group, mapping); });
 }
 
 CommandTrack read_command_log(const std::filesystem::path& path, const ImportMapping& mapping,
@@ -110,38 +105,6 @@ CommandTrack read_command_log(const std::filesystem::path& path, const ImportMap
   CommandTrack track = commands_of(table, 1, all, mapping, arm);
   track.time_s = picked(table.columns[0], all.rows, mapping.commands.time.seconds_per_unit);
   return track;
-}
-
-void require_logs(const std::vector<std::filesystem::path>& logs) {
-  if (logs.empty()) {
-    throw InputError("no logs; expected at least one. Did the pattern that lists them match any?");
-  }
-}
-
-void require_options(const std::vector<std::filesystem::path>& logs, const ImportOptions& options) {
-  if (!options.command_logs.empty() && options.command_logs.size() != logs.size()) {
-    throw InputError(
-        fmt::format("{} motion logs and {} logs of commands (--pressures); "
-                    "expected one for each, in the same order",
-                    logs.size(), options.command_logs.size()));
-  }
-  if (options.time_offset_s && !std::isfinite(*options.time_offset_s)) {
-    throw InputError(
-        fmt::format("time offset {}; expected seconds, a finite number", *options.time_offset_s));
-  }
-}
-
-void require_one_recording(const std::filesystem::path& log, std::size_t found) {
-  if (found > 1) {
-    throw InputError(
-        fmt::format("{}: {} recordings in one log, and commands in another file; "
-                    "expected one recording per file",
-                    log.string(), found));
-  }
-}
-
-std::string name_of(const std::filesystem::path& log, const RunReport& report) {
-  return log.parent_path().empty() ? report.name : (log.parent_path() / report.name).string();
 }
 
 void note_point(const std::string& log, const std::string& name, int plate, Eigen::Index missing,
@@ -176,31 +139,6 @@ void note_hidden_rows(const std::string& log, double longest_gap_s,
         "points that are often hidden out of the mapping",
         log, tracked.size(), longest_gap_s));
   }
-}
-
-CommandTrack shifted(CommandTrack commands, double offset_s) {
-  for (double& time_s : commands.time_s) {
-    time_s += offset_s;
-  }
-  return commands;
-}
-
-void describe(const std::string& kind, const std::vector<std::filesystem::path>& logs,
-              const ImportMapping& mapping, ImportResult& result) {
-  std::vector<std::string> names;
-  for (const std::filesystem::path& log : logs) {
-    names.push_back(log.filename().string());
-  }
-  result.recording.source = fmt::format("{} {}", kind, fmt::join(names, ", "));
-  std::string clocks;
-  for (const RunReport& run : result.report.runs) {
-    if (run.clock) {
-      clocks += fmt::format("; {}: time offset {:.4f} s {}", run.name, run.clock->offset_s,
-                            run.clock->found ? "found" : "given");
-    }
-  }
-  result.recording.settings =
-      fmt::format("gaps up to {} s bridged{}", mapping.longest_gap_s, clocks);
 }
 
 }  // namespace limber

@@ -8,7 +8,6 @@
 
 #include "limber/logs/import_mapping.hpp"
 #include "limber/logs/import_report.hpp"
-#include "limber/logs/log_import.hpp"
 #include "log_rows.hpp"
 #include "log_table.hpp"
 
@@ -92,19 +91,6 @@ void put_in_order(const std::string& log, Track& track, RunReport& report) {
 
 // What imports of arms in the plane and in space do in the same way.
 
-/// @throws InputError where there is none
-void require_logs(const std::vector<std::filesystem::path>& logs);
-
-/// @throws InputError where logs of commands are not as many as motion logs, or the offset is no
-/// number
-void require_options(const std::vector<std::filesystem::path>& logs, const ImportOptions& options);
-
-/// Of a log whose commands are in a file of their own. @throws InputError where it holds several
-void require_one_recording(const std::filesystem::path& log, std::size_t found);
-
-/// What messages call a run.
-std::string name_of(const std::filesystem::path& log, const RunReport& report);
-
 /// Adds how often a point was tracked. @param missing  of `rows`
 /// @throws InputError where it never was
 void note_point(const std::string& log, const std::string& name, int plate, Eigen::Index missing,
@@ -120,11 +106,12 @@ double usual_step_s(const std::vector<double>& time_s);
 
 /// Has rows of point `i` that are hidden for at most `longest_gap_s` bridged, and marks these and
 /// the lost ones.
-/// @param bridge  (row before, row behind, i, tracks) puts rows between these two
+/// @param bridge  (row before, row behind, row, part of the time, i, tracks) puts it between both
 /// @return rows in which it was missing
 template <class Tracks, class Bridge>
 Eigen::Index bridge_hidden_rows(double longest_gap_s, Eigen::Index i, Tracks& tracks,
                                 BackboneTrack& track, const Bridge& bridge) {
+  const auto time_s = [&](Eigen::Index t) { return tracks.time_s[std::size_t(t)]; };
   const Eigen::Index rows = tracks.row_count();
   Eigen::Index missing = 0;
   Eigen::Index before = -1;
@@ -133,14 +120,13 @@ Eigen::Index bridge_hidden_rows(double longest_gap_s, Eigen::Index i, Tracks& tr
       ++missing;
       continue;
     }
-    const bool is_short =
-        before >= 0 && t < rows &&
-        tracks.time_s[std::size_t(t)] - tracks.time_s[std::size_t(before)] <= longest_gap_s;
-    if (is_short) {
-      bridge(before, t, i, tracks);
-    }
+    const bool is_short = before >= 0 && t < rows && time_s(t) - time_s(before) <= longest_gap_s;
     for (Eigen::Index gap = before + 1; gap < t; ++gap) {
       (is_short ? track.bridged : track.tracked)[std::size_t(gap)] = is_short;
+      if (is_short) {
+        const double part = (time_s(gap) - time_s(before)) / (time_s(t) - time_s(before));
+        bridge(before, t, gap, part, i, tracks);
+      }
     }
     before = t;
   }
@@ -165,11 +151,5 @@ void fill_gaps(const std::string& log, double longest_gap_s, Tracks& tracks, Bac
   note_hidden_rows(log, longest_gap_s, track.tracked, track.bridged, report);
   track.usual_step_s = usual_step_s(tracks.time_s);
 }
-
-CommandTrack shifted(CommandTrack commands, double offset_s);
-
-/// Says in the recording what it was made from, and how.
-void describe(const std::string& kind, const std::vector<std::filesystem::path>& logs,
-              const ImportMapping& mapping, ImportResult& result);
 
 }  // namespace limber

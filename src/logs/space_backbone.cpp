@@ -117,17 +117,14 @@ class GapMeasurement {
   std::vector<Gap> gaps_;
 };
 
-/// Rows t of (from, to) on the way between both, rotations on the shortest.
-void bridge_in_space(Eigen::Index from, Eigen::Index to, Eigen::Index i, SpaceTracks& tracks) {
-  const auto time = [&](Eigen::Index t) { return tracks.time_s[std::size_t(t)]; };
+/// Row t, that part of the time from one to the other, between both; rotations on the shortest way.
+void bridge_in_space(Eigen::Index from, Eigen::Index to, Eigen::Index t, double part,
+                     Eigen::Index i, SpaceTracks& tracks) {
   const SpacePose a = tracks.pose(from, i);
   const SpacePose b = tracks.pose(to, i);
-  for (Eigen::Index t = from + 1; t < to; ++t) {
-    const double part = (time(t) - time(from)) / (time(to) - time(from));
-    tracks.put(
-        t, i,
-        {a.position_m + part * (b.position_m - a.position_m), a.rotation.slerp(part, b.rotation)});
-  }
+  tracks.put(
+      t, i,
+      {a.position_m + part * (b.position_m - a.position_m), a.rotation.slerp(part, b.rotation)});
 }
 
 constexpr double kStrayShare = 0.95;
