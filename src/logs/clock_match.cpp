@@ -33,8 +33,11 @@ struct TurnRates {
   Eigen::MatrixXd values;
 };
 
-/// Changes over `difference_s` about each time of the grid.
-TurnRates rates_of(const Turns& turns, double difference_s, double start_s, Eigen::Index count) {
+/// Changes over `difference_s` about each time, from the first that the log has to its last.
+TurnRates rates_of(const Turns& turns, double difference_s) {
+  const double start_s = turns.time_s.front() + 0.5 * difference_s;
+  const double length_s = turns.time_s.back() - 0.5 * difference_s - start_s;
+  const auto count = static_cast<Eigen::Index>(std::max(0.0, length_s) * kClockRate_hz) + 1;
   TurnRates rates{start_s, Eigen::MatrixXd::Zero(count, turns.values.cols())};
   for (Eigen::Index k = 0; k < count; ++k) {
     const double time_s = start_s + double(k) / kClockRate_hz;
@@ -45,14 +48,6 @@ TurnRates rates_of(const Turns& turns, double difference_s, double start_s, Eige
     }
   }
   return rates;
-}
-
-TurnRates whole(const Turns& turns, double difference_s) {
-  // From the first difference that the log has to its last.
-  const double start_s = turns.time_s.front() + 0.5 * difference_s;
-  const double length_s = turns.time_s.back() - 0.5 * difference_s - start_s;
-  const auto count = static_cast<Eigen::Index>(std::max(0.0, length_s) * kClockRate_hz) + 1;
-  return rates_of(turns, difference_s, start_s, count);
 }
 
 /// The turns of an arm that follows late: two lags of first order, one after the other, exact for
@@ -168,7 +163,7 @@ Alike alike_of(const ArmDescription& arm) {
 
 /// How much moves at all, whichever segment and to whichever side: one column.
 TurnRates activity(const Turns& turns, double difference_s) {
-  TurnRates rates = whole(turns, difference_s);
+  TurnRates rates = rates_of(turns, difference_s);
   for (Eigen::Index i = 0; i < rates.values.cols(); ++i) {
     const double size = rates.values.col(i).norm();
     rates.values.col(i) /= size > 0.0 ? size : 1.0;
@@ -182,7 +177,7 @@ TurnRates activity(const Turns& turns, double difference_s) {
 ClockMatch match_by(const Turns& turned, const Turns& told, Alike alike, double difference_s) {
   const bool has_sign = alike != Alike::sizes;
   const auto rates = [&](const Turns& turns) {
-    return alike == Alike::activity ? activity(turns, difference_s) : whole(turns, difference_s);
+    return alike == Alike::activity ? activity(turns, difference_s) : rates_of(turns, difference_s);
   };
   const TurnRates seen = rates(turned);
   const TurnRates typical = rates(lagging(told, kTypicalLag_s));

@@ -20,8 +20,10 @@ constexpr std::size_t kRotationSample = 101;  // rotations compared with all oth
 constexpr double kNearRotation_rad = 0.25;
 
 /// Rows in which a point was tracked, of those from and to these times.
-std::vector<Eigen::Index> rows_of(const SpaceTracks& tracks, Eigen::Index point,
-                                  const std::optional<Eigen::Vector2d>& times_s) {
+/// @throws InputError where there is none
+std::vector<Eigen::Index> required_rows(const std::string& log, const SpaceTracks& tracks,
+                                        Eigen::Index point,
+                                        const std::optional<Eigen::Vector2d>& times_s = {}) {
   std::vector<Eigen::Index> rows;
   for (Eigen::Index t = 0; t < tracks.row_count(); ++t) {
     const double time_s = tracks.time_s[std::size_t(t)];
@@ -30,13 +32,6 @@ std::vector<Eigen::Index> rows_of(const SpaceTracks& tracks, Eigen::Index point,
       rows.push_back(t);
     }
   }
-  return rows;
-}
-
-std::vector<Eigen::Index> required_rows(const std::string& log, const SpaceTracks& tracks,
-                                        Eigen::Index point,
-                                        const std::optional<Eigen::Vector2d>& times_s) {
-  std::vector<Eigen::Index> rows = rows_of(tracks, point, times_s);
   if (rows.empty()) {
     throw InputError(fmt::format(
         "{}: point '{}' ({}) is not tracked in any row{}; the log reaches from {:.6g} s to {:.6g} "
@@ -63,8 +58,13 @@ Eigen::Vector3d median_position_m(const SpaceTracks& tracks, Eigen::Index point,
 }
 
 /// The mean of rotations near the one from which most are least far: those that are far off, the
-/// fewer ones, do not count. @pre at least one
-Eigen::Quaterniond mean_rotation(const std::vector<Eigen::Quaterniond>& rotations) {
+/// fewer ones, do not count. @pre at least one row
+Eigen::Quaterniond mean_rotation(const SpaceTracks& tracks, Eigen::Index point,
+                                 const std::vector<Eigen::Index>& rows) {
+  std::vector<Eigen::Quaterniond> rotations;
+  for (const Eigen::Index t : rows) {
+    rotations.push_back(tracks.rotation(t, point));
+  }
   std::vector<Eigen::Quaterniond> sample;
   const std::size_t step = 1 + rotations.size() / kRotationSample;
   for (std::size_t i = 0; i < rotations.size(); i += step) {
@@ -89,15 +89,6 @@ Eigen::Quaterniond mean_rotation(const std::vector<Eigen::Quaterniond>& rotation
     }
   }
   return Eigen::Quaterniond(mean).normalized();
-}
-
-Eigen::Quaterniond mean_rotation_of(const SpaceTracks& tracks, Eigen::Index point,
-                                    const std::vector<Eigen::Index>& rows) {
-  std::vector<Eigen::Quaterniond> rotations;
-  for (const Eigen::Index t : rows) {
-    rotations.push_back(tracks.rotation(t, point));
-  }
-  return mean_rotation(rotations);
 }
 
 /// Axes of frame B as columns.
@@ -149,8 +140,7 @@ class FrameFinder {
             "'alignment: {{x_axis: [x, y, z]}}' or '{{rest_s: [from, to]}}'",
             log_));
       }
-      frame.X_LB.rotation =
-          mean_rotation_of(tracks_, 0, required_rows(log_, tracks_, 0, std::nullopt));
+      frame.X_LB.rotation = mean_rotation(tracks_, 0, required_rows(log_, tracks_, 0));
       return frame;
     }
     frame.X_LB.rotation = rotation_of_axes(
@@ -166,9 +156,8 @@ class FrameFinder {
 
  private:
   Eigen::Vector3d base_m() const {
-    return alignment_.position_m
-               ? *alignment_.position_m
-               : median_position_m(tracks_, 0, required_rows(log_, tracks_, 0, std::nullopt));
+    return alignment_.position_m ? *alignment_.position_m
+                                 : median_position_m(tracks_, 0, required_rows(log_, tracks_, 0));
   }
 
   Eigen::Vector3d along_at_rest(const Eigen::Vector3d& base_m) const {
@@ -180,7 +169,7 @@ class FrameFinder {
   /// What a body's rotation is when its plate lies along the base.
   Eigen::Quaterniond zero(Eigen::Index i) const {
     return alignment_.rest_s
-               ? mean_rotation_of(tracks_, i, required_rows(log_, tracks_, i, alignment_.rest_s))
+               ? mean_rotation(tracks_, i, required_rows(log_, tracks_, i, alignment_.rest_s))
                : Eigen::Quaterniond::Identity();
   }
 
@@ -190,8 +179,9 @@ class FrameFinder {
 };
 
 /// @return 95 % of the distances of a tracked base from its median place
-double base_scatter_m(const SpaceTracks& tracks) {
-  const std::vector<Eigen::Index> rows = rows_of(tracks, 0, std::nullopt);
+/// @throws InputError where it was never tracked
+double base_scatter_m(const std::string& log, const SpaceTracks& tracks) {
+  const std::vector<Eigen::Index> rows = required_rows(log, tracks, 0);
   const Eigen::Vector3d middle = median_position_m(tracks, 0, rows);
   std::vector<double> off_m;
   for (const Eigen::Index t : rows) {
@@ -222,8 +212,7 @@ void settle_base(const std::string& log, const SpaceAlignment& alignment, SpaceT
   if (!tracks.tracks_base()) {
     return;
   }
-  required_rows(log, tracks, 0, std::nullopt);
-  report.space->base_scatter_m = base_scatter_m(tracks);
+  report.space->base_scatter_m = base_scatter_m(log, tracks);
   if (report.space->base_scatter_m >= kBaseStandsStill_m) {
     report.note("the base moves: it is left where it was tracked",
                 fmt::format("95 % within {:.1f} mm of its median place",

@@ -20,32 +20,22 @@ constexpr double kUnitLength = 0.05;     // by which a quaternion's length may m
 constexpr double kRepeatedWithin = 0.5;  // of the median period
 constexpr Eigen::Index kEuler = 3;
 
-/// One cell's rotation, from 4 or 3 numbers of a table's row.
-class RotationReader {
- public:
-  RotationReader(const LogTable& table, const ImportMapping& mapping)
-      : table_(table), mapping_(mapping) {}
-
-  Eigen::Quaterniond read(const PointSource& point, std::size_t row,
-                          const Eigen::VectorXd& numbers) const {
-    if (numbers.size() == kEuler) {
-      return rotation_of_euler(mapping_.euler.order, mapping_.euler.factor * numbers);
-    }
-    const Eigen::Quaterniond rotation(numbers[3], numbers[0], numbers[1], numbers[2]);
-    if (std::abs(rotation.norm() - 1.0) > kUnitLength) {
-      throw InputError(fmt::format(
-          "{}: line {}: the quaternion of {} has the length {:.4g}; expected 1. Are its columns "
-          "'{}' … '{}' in the order qx, qy, qz, qw? Leave its cells empty where it was not tracked",
-          table_.file, table_.lines[row], plate_name(point.plate), rotation.norm(),
-          point.rotation.front(), point.rotation.back()));
-    }
-    return rotation.normalized();
+/// A body's rotation, from 4 or 3 numbers of a table's row.
+Eigen::Quaterniond rotation_in(const LogTable& table, std::size_t row, const PointSource& point,
+                               const EulerAngles& euler, const Eigen::VectorXd& numbers) {
+  if (numbers.size() == kEuler) {
+    return rotation_of_euler(euler.order, euler.factor * numbers);
   }
-
- private:
-  const LogTable& table_;
-  const ImportMapping& mapping_;
-};
+  const Eigen::Quaterniond rotation(numbers[3], numbers[0], numbers[1], numbers[2]);
+  if (std::abs(rotation.norm() - 1.0) > kUnitLength) {
+    throw InputError(fmt::format(
+        "{}: line {}: the quaternion of {} has the length {:.4g}; expected 1. Are its columns "
+        "'{}' … '{}' in the order qx, qy, qz, qw? Leave its cells empty where it was not tracked",
+        table.file, table.lines[row], plate_name(point.plate), rotation.norm(),
+        point.rotation.front(), point.rotation.back()));
+  }
+  return rotation.normalized();
+}
 
 constexpr double kJump_rad = 6.0 * kRadPerDeg;   // a tracker's noise is less
 constexpr double kFlip_rad = 30.0 * kRadPerDeg;  // markers that look alike are farther apart
@@ -237,7 +227,6 @@ SpaceTracks space_tracks_of(const LogTable& table, const RowGroup& group,
   const auto rows = static_cast<Eigen::Index>(group.rows.size());
   tracks.poses.resize(rows, kSpacePoseSize * static_cast<Eigen::Index>(mapping.points.size()));
   tracks.time_s = picked(table.columns[0], group.rows, mapping.time.seconds_per_unit);
-  const RotationReader rotations(table, mapping);
   std::size_t column = 1;
   for (Eigen::Index i = 0; i < std::ssize(mapping.points); ++i) {
     const PointSource& point = mapping.points[std::size_t(i)];
@@ -262,7 +251,7 @@ SpaceTracks space_tracks_of(const LogTable& table, const RowGroup& group,
       }
       tracks.put(t, i,
                  {mapping.length_factor * numbers.head<3>(),
-                  turns > 0 ? rotations.read(point, row, numbers.tail(turns))
+                  turns > 0 ? rotation_in(table, row, point, mapping.euler, numbers.tail(turns))
                             : Eigen::Quaterniond::Identity()});
     }
     column += static_cast<std::size_t>(numbers.size());
