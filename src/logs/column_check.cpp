@@ -128,16 +128,13 @@ std::string why(const FittedColumn& segment) {
 
 /// Whether every segment that moved often follows nothing of what its column says.
 bool follows_nothing(const ColumnFit& fit) {
-  bool any = false;
-  for (const FittedColumn& segment : fit.segments) {
-    if (segment.undecidable == Undecidable::no) {
-      any = true;
-      if (!segment.follows_weakly || segment.as_given > kNothing) {
-        return false;
-      }
-    }
-  }
-  return any;
+  const auto can_tell = [](const FittedColumn& segment) {
+    return segment.undecidable == Undecidable::no;
+  };
+  const auto follows = [&](const FittedColumn& segment) {
+    return can_tell(segment) && (!segment.follows_weakly || segment.as_given > kNothing);
+  };
+  return std::ranges::any_of(fit.segments, can_tell) && std::ranges::none_of(fit.segments, follows);
 }
 
 std::string all_of(const std::vector<std::string>& logs) {
@@ -205,9 +202,9 @@ void refuse_columns(const std::string& log, const ColumnFit& fit, const ImportMa
 void check_columns(const std::vector<std::string>& logs, const std::vector<LevelTable>& levels,
                    const ImportMapping& mapping, const ArmDescription& arm,
                    std::vector<SegmentCheck>& checks) {
-  LevelTable all = levels.front();
-  for (std::size_t run = 1; run < levels.size(); ++run) {
-    append(all, levels[run]);
+  LevelTable all;
+  for (const LevelTable& own : levels) {
+    append(all, own);
   }
   const ColumnFit fit = fit_columns(correlate_levels(all, arm), arm);
   if (!fit.belongs) {

@@ -136,8 +136,7 @@ std::int64_t bridge_gaps(double longest_gap_s, const std::vector<double>& time_s
     if (!std::isfinite(values[t])) {
       continue;
     }
-    if (before >= 0 && t > before + 1 &&
-        time_s[std::size_t(t)] - time_s[std::size_t(before)] <= longest_gap_s) {
+    if (before >= 0 && time_s[std::size_t(t)] - time_s[std::size_t(before)] <= longest_gap_s) {
       for (Eigen::Index gap = before + 1; gap < t; ++gap) {
         const double part = (time_s[std::size_t(gap)] - time_s[std::size_t(before)]) /
                             (time_s[std::size_t(t)] - time_s[std::size_t(before)]);
@@ -234,12 +233,11 @@ void sum_commands(const ImportMapping& mapping, const ArmDescription& arm, Comma
 
 ImportMapping with_sums_named(ImportMapping mapping, const ArmDescription& arm) {
   if (mapping.commands.summed) {
-    std::vector<std::string> setpoint;
     mapping.commands.columns = sums_of(arm);
+    mapping.commands.setpoint.clear();
     for (const std::string& sum : mapping.commands.columns) {
-      setpoint.push_back("set point of " + sum);
+      mapping.commands.setpoint.push_back("set point of " + sum);
     }
-    mapping.commands.setpoint = std::move(setpoint);
   }
   return mapping;
 }

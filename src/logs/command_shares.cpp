@@ -78,12 +78,7 @@ LevelTable levels_in(const std::vector<std::filesystem::path>& logs, const Impor
       }
       const BackboneTrack motion =
           build_backbone(name, std::move(run.points), mapping, arm, run.report);
-      LevelTable own = levels_of(motion, run.commands, arm);
-      if (levels.run_ends.empty()) {
-        levels = std::move(own);
-      } else {
-        append(levels, own);
-      }
+      append(levels, levels_of(motion, run.commands, arm));
     }
   }
   return levels;

@@ -114,7 +114,6 @@ FrameMatrix stacked(const std::vector<Eigen::RowVectorXd>& rows) {
 /// Standard deviation of a column's noise, from second differences, which steady motion leaves out.
 /// Neighbouring frames share rows where logs are hardly faster than the arm; three apart do not.
 double noise_of(const FrameMatrix& values, Eigen::Index column) {
-  constexpr double kPerMedian = 1.4826;                   // of a normal deviate's size
   constexpr double kOfSecondDifference = 2.449489742783;  // √6
   constexpr Eigen::Index kApart = 3;
   std::vector<double> sizes;
@@ -122,7 +121,7 @@ double noise_of(const FrameMatrix& values, Eigen::Index column) {
     sizes.push_back(std::abs(double(values(t, column)) - 2.0 * values(t - kApart, column) +
                              values(t - 2 * kApart, column)));
   }
-  return sizes.empty() ? 0.0 : kPerMedian * median(std::move(sizes)) / kOfSecondDifference;
+  return sizes.empty() ? 0.0 : kScaleOfMedian * median(std::move(sizes)) / kOfSecondDifference;
 }
 
 /// Frames to take the mean of, before and after, so that `change` a frame is no noise.

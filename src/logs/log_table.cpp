@@ -21,12 +21,8 @@ constexpr double kMaxBadRows = 0.01;
 constexpr std::size_t kBadRowsAlwaysLeftOut = 3;
 
 bool is_missing(std::string_view text) {
-  for (const char* word : {"", "nan", "NaN", "NAN", "null", "NULL", "NA", "-"}) {
-    if (text == word) {
-      return true;
-    }
-  }
-  return false;
+  constexpr std::string_view kWords[] = {"", "nan", "NaN", "NAN", "null", "NULL", "NA", "-"};
+  return std::ranges::find(kWords, text) != std::end(kWords);
 }
 
 /// One log, its header read.
@@ -82,7 +78,7 @@ class LogFile {
   /// anything in its cells is a moment in which nothing was logged.
   bool next(std::vector<CsvCell>& row) {
     while (csv_.next(row)) {
-      const bool is_moment = mapping_.time.column.empty() && !names_.empty() && row.size() > 1;
+      const bool is_moment = mapping_.time.column.empty() && row.size() > 1;
       if (!is_comment(row) || (is_moment && is_blank(row))) {
         ++rows_read_;
         return true;

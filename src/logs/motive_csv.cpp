@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 #include <Eigen/Core>
@@ -227,7 +227,7 @@ class MotiveFile {
       }
     }
     std::map<std::pair<std::string, std::string>, std::size_t> object_of;
-    std::map<std::tuple<std::size_t, int>, std::size_t> taken;
+    std::map<std::pair<std::size_t, int>, std::size_t> taken;
     for (std::size_t c = first_column_; c < types.size(); ++c) {
       const int component = component_of(cell(heading(component_row_), c), cell(axes, c));
       if (types[c].empty() || component < 0) {
@@ -239,7 +239,7 @@ class MotiveFile {
       if (is_new) {
         take_.objects.push_back({types[c], name, {}, {}});
       }
-      const auto [other, is_free] = taken.emplace(std::tuple(entry->second, component), c);
+      const auto [other, is_free] = taken.emplace(std::pair(entry->second, component), c);
       if (!is_free) {
         refuse(
             fmt::format("two objects of type '{}' are called '{}' ({} and {}); rename one "
@@ -272,8 +272,7 @@ class MotiveFile {
     std::size_t bad = 0;
     std::string first_bad;
     Texts row = first_row_;
-    bool has_row = !row.empty() || next(row);
-    for (; has_row; has_row = next(row)) {
+    for (bool has_row = !row.empty() || next(row); has_row; has_row = next(row)) {
       if (row.size() == 1 && row.front().empty()) {
         continue;
       }
@@ -341,17 +340,13 @@ class MotiveFile {
     if (present[6]) {
       object.rotation = unit_quaternions(csv_, object.name, take_.time_s, std::move(rotation));
     } else if (present[3] && present[4] && present[5]) {
-      require_euler_order(take_.rotation_type);
+      if (!is_euler_order(take_.rotation_type)) {
+        refuse(
+            fmt::format("'Rotation Type' is '{}'; expected Quaternion "
+                        "or an order of Euler angles, XYZ … ZYX. {}",
+                        take_.rotation_type, kHowToExport));
+      }
       object.rotation = quaternions_of_euler(rotation.leftCols(3), take_.rotation_type);
-    }
-  }
-
-  void require_euler_order(const std::string& order) const {
-    if (!is_euler_order(order)) {
-      refuse(
-          fmt::format("'Rotation Type' is '{}'; expected Quaternion "
-                      "or an order of Euler angles, XYZ … ZYX. {}",
-                      order, kHowToExport));
     }
   }
 

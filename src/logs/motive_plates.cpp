@@ -11,6 +11,7 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/statistics.hpp"
+#include "limber/common/units.hpp"
 
 namespace limber {
 
@@ -64,23 +65,22 @@ bool natural_less(const std::string& a, const std::string& b) {
 constexpr double kFlat_m = 0.02;         // plates tilt, tables are not quite level
 constexpr double kClearlyFlatter = 0.5;  // another axis has less than this part of the spread
 
-/// The plane's two axes and its normal, right-handed, as signed columns of a position.
+/// The plane's two axes and its normal, right-handed, as columns of a position; the first as it is.
 struct Plane {
   int forward;
   int left;
   int up;
-  double forward_sign;
   double left_sign;
   double up_sign;
 };
 
 Plane plane_of(const std::string& up) {
-  if (up == "x") return {1, 2, 0, 1.0, 1.0, 1.0};
-  if (up == "z") return {0, 1, 2, 1.0, 1.0, 1.0};
-  if (up == "-x") return {2, 1, 0, 1.0, 1.0, -1.0};
-  if (up == "-y") return {0, 2, 1, 1.0, 1.0, -1.0};
-  if (up == "-z") return {1, 0, 2, 1.0, 1.0, -1.0};
-  return {0, 2, 1, 1.0, -1.0, 1.0};
+  if (up == "x") return {1, 2, 0, 1.0, 1.0};
+  if (up == "z") return {0, 1, 2, 1.0, 1.0};
+  if (up == "-x") return {2, 1, 0, 1.0, -1.0};
+  if (up == "-y") return {0, 2, 1, 1.0, -1.0};
+  if (up == "-z") return {1, 0, 2, 1.0, -1.0};
+  return {0, 2, 1, -1.0, 1.0};
 }
 
 /// Spread of a column: between its 2nd and 98th percentile.
@@ -149,7 +149,7 @@ PointSeries series_of(const PointSource& point, const PlateFinder& finder, const
   PointSeries series{
       right.name + " and " + left.name, 0.5 * (left.position_m + right.position_m), {}};
   series.heading_rad = (plane.left_sign * across.col(plane.left).array())
-                           .binaryExpr(plane.forward_sign * across.col(plane.forward).array(),
+                           .binaryExpr(across.col(plane.forward).array(),
                                        [](double y, double x) { return std::atan2(y, x); }) -
                        0.5 * M_PI;
   return series;
@@ -191,7 +191,7 @@ Eigen::Vector4d quaternion_of_euler(const Eigen::Vector3d& angles_rad, const std
 Eigen::MatrixXd quaternions_of_euler(const Eigen::MatrixXd& angles_deg, const std::string& order) {
   Eigen::MatrixXd rotation(angles_deg.rows(), 4);
   for (Eigen::Index t = 0; t < angles_deg.rows(); ++t) {
-    rotation.row(t) = quaternion_of_euler(angles_deg.row(t).transpose() * (M_PI / 180.0), order);
+    rotation.row(t) = quaternion_of_euler(angles_deg.row(t).transpose() * kRadPerDeg, order);
   }
   return rotation;
 }
@@ -313,7 +313,7 @@ PointTracks motive_points(const std::string& log, const MotiveTake& take,
     PointSeries series = series_of(point, finder, plane);
     tracks.names.push_back(series.name);
     tracks.plates.push_back(point.plate);
-    tracks.x_m.col(i) = plane.forward_sign * series.position_m.col(plane.forward);
+    tracks.x_m.col(i) = series.position_m.col(plane.forward);
     tracks.y_m.col(i) = plane.left_sign * series.position_m.col(plane.left);
     if (series.heading_rad.size() > 0) {
       tracks.theta_rad.col(i) = series.heading_rad;
