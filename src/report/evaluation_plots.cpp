@@ -42,8 +42,7 @@ Predictions predict_both(const ForwardModel& no_load, const ForwardModel* networ
 void draw_backbone(Chart& chart, const char* label, const FrameMatrix& backbones,
                    Dimension dimension, Eigen::Index across, Eigen::Index t,
                    const SeriesStyle& style) {
-  std::vector<double> x;
-  std::vector<double> y;
+  std::vector<double> x, y;
   for (Eigen::Index i = 0; i < backbones.cols(); i += pose_size(dimension)) {
     x.push_back(backbones(t, i));
     y.push_back(backbones(t, i + across));
@@ -177,20 +176,20 @@ std::string pose_cells(const FrameMatrix& poses, Eigen::Index t) {
   return text;
 }
 
+/// @param network  one for each episode, or none
 std::string predictions_csv(const std::vector<Episode>& episodes,
                             const std::vector<FrameMatrix>& no_load,
-                            const std::vector<FrameMatrix>* network) {
+                            const std::vector<FrameMatrix>& network) {
   const Episode& first = episodes.front();
   std::string text = "episode,frame,time_s,tracked" + poses_header("recorded", first) +
                      poses_header("no_load", first) +
-                     (network != nullptr ? poses_header("network", first) : "") + "\n";
+                     (network.empty() ? "" : poses_header("network", first)) + "\n";
   for (std::size_t e = 0; e < episodes.size(); ++e) {
     for (int t = 0; t < episodes[e].frame_count(); ++t) {
       text += fmt::format("{},{},{:.6f},{}", e, t, episodes[e].time_s[t],
                           episodes[e].was_tracked(t) ? 1 : 0);
       text += pose_cells(episodes[e].backbone, t) + pose_cells(no_load[e], t);
-      text += network != nullptr ? pose_cells((*network)[e], t) : "";
-      text += "\n";
+      text += (network.empty() ? "" : pose_cells(network[e], t)) + "\n";
     }
   }
   return text;
@@ -254,12 +253,11 @@ std::vector<std::filesystem::path> write_evaluation_plots(const std::filesystem:
                                                           const EvaluationPlots& plots) {
   const std::vector<std::filesystem::path> paths =
       evaluation_plot_paths(folder, plots.shapes.empty() ? Dimension::plane : Dimension::space);
-  write_file_atomically(paths[0], plots.error_over_time);
-  write_file_atomically(paths[1], plots.position_distribution);
-  write_file_atomically(paths[2], plots.orientation_distribution);
-  write_file_atomically(paths[3], plots.backbones);
-  if (!plots.shapes.empty()) {
-    write_file_atomically(paths[4], plots.shapes);
+  const std::string* const texts[] = {&plots.error_over_time, &plots.position_distribution,
+                                      &plots.orientation_distribution, &plots.backbones,
+                                      &plots.shapes};
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    write_file_atomically(paths[i], *texts[i]);
   }
   return paths;
 }
@@ -357,13 +355,11 @@ std::vector<std::filesystem::path> write_predictions(const std::filesystem::path
   const std::vector<std::filesystem::path> paths = prediction_paths(folder);
   const std::vector<FrameMatrix> unloaded = predict(no_load, episodes, Restart::every_frame, jobs);
   for (std::size_t i = 0; i < kHorizons.size(); ++i) {
-    if (network == nullptr) {
-      write_file_atomically(paths[i], predictions_csv(episodes, unloaded, nullptr));
-      continue;
-    }
-    const std::vector<FrameMatrix> predicted =
-        predict(*network, episodes, kHorizons[i].second, jobs);
-    write_file_atomically(paths[i], predictions_csv(episodes, unloaded, &predicted));
+    write_file_atomically(
+        paths[i],
+        predictions_csv(episodes, unloaded,
+                        network != nullptr ? predict(*network, episodes, kHorizons[i].second, jobs)
+                                           : std::vector<FrameMatrix>()));
   }
   return paths;
 }

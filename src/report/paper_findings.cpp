@@ -1,10 +1,11 @@
 // The sentences of the paper's Section V that compare its two models, asked of our own rows.
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <iterator>
 
 #include <fmt/format.h>
 
+#include "limber/common/statistics.hpp"
 #include "limber/report/planning_table.hpp"
 
 namespace limber {
@@ -34,88 +35,75 @@ std::vector<Pair> pairs_of(const std::vector<PlanningRow>& rows) {
   return pairs;
 }
 
-using Value = std::function<std::optional<double>(const PlanningRow&)>;
-
-/// A figure of both models over the environments in which both have it.
+/// A figure of both models, in each of the environments in which both have it.
 struct SideBySide {
-  int environments = 0;
-  int network_higher = 0;
-  double no_load = 0.0;  // means over these environments
-  double network = 0.0;
-  double no_load_low = 0.0, no_load_high = 0.0, network_low = 0.0, network_high = 0.0;
+  std::vector<double> no_load, network;
+  int network_higher = 0;  // environments
 };
 
-SideBySide side_by_side(const std::vector<PlanningRow>& rows, const Value& value) {
-  SideBySide sum;
-  for (const Pair& pair : pairs_of(rows)) {
-    const std::optional<double> a = value(pair.no_load);
-    const std::optional<double> b = value(pair.network);
-    if (!a || !b) {
-      continue;
+SideBySide side_by_side(const std::vector<PlanningRow>& rows, SampleFigures PlanningRow::*figure) {
+  SideBySide both;
+  for (const auto& [no_load, network] : pairs_of(rows)) {
+    const std::optional<double>& a = (no_load.*figure).mean;
+    const std::optional<double>& b = (network.*figure).mean;
+    if (a && b) {
+      both.no_load.push_back(*a);
+      both.network.push_back(*b);
+      both.network_higher += *b > *a ? 1 : 0;
     }
-    const bool first = sum.environments == 0;
-    sum.no_load_low = first ? *a : std::min(sum.no_load_low, *a);
-    sum.no_load_high = first ? *a : std::max(sum.no_load_high, *a);
-    sum.network_low = first ? *b : std::min(sum.network_low, *b);
-    sum.network_high = first ? *b : std::max(sum.network_high, *b);
-    ++sum.environments;
-    sum.network_higher += *b > *a ? 1 : 0;
-    sum.no_load += *a;
-    sum.network += *b;
   }
-  if (sum.environments > 0) {
-    sum.no_load /= sum.environments;
-    sum.network /= sum.environments;
-  }
-  return sum;
+  return both;
 }
 
-std::string ranges(const SideBySide& sum, const char* unit, int digits) {
-  return fmt::format("{:.{}f}–{:.{}f} {} against {:.{}f}–{:.{}f}", sum.network_low, digits,
-                     sum.network_high, digits, unit, sum.no_load_low, digits, sum.no_load_high,
-                     digits);
+const char* verdict(bool is_reproduced) {
+  return is_reproduced ? kReproduced : kNot;
+}
+
+std::string range(const std::vector<double>& values, int digits) {
+  const auto [low, high] = std::ranges::minmax(values);
+  return fmt::format("{:.{}f}–{:.{}f}", low, digits, high, digits);
+}
+
+std::string ranges(const SideBySide& both, const char* unit, int digits) {
+  return fmt::format("{} {} against {}", range(both.network, digits), unit,
+                     range(both.no_load, digits));
 }
 
 PaperFinding distance_finding(const std::vector<PlanningRow>& rows) {
-  PaperFinding finding{"end nearer to the goal, collision-free runs of both", "5.7 cm nearer", "",
+  PaperFinding finding{"end nearer to the goal, collision-free runs of both", "5.7 cm nearer",
+                       "no environment where both models have a run without collision",
                        kNotComparable};
-  const SideBySide sum =
-      side_by_side(rows, [](const PlanningRow& row) { return row.distance_free_cm.mean; });
-  if (sum.environments == 0) {
-    finding.here = "no environment where both models have a run without collision";
-    return finding;
+  const SideBySide both = side_by_side(rows, &PlanningRow::distance_free_cm);
+  if (!both.network.empty()) {
+    const double nearer_cm = mean(both.no_load) - mean(both.network);
+    finding.here =
+        fmt::format("{:.1f} cm nearer, in {} of the environments", nearer_cm, both.network.size());
+    finding.verdict = verdict(nearer_cm > 0.0);
   }
-  finding.here = fmt::format("{:.1f} cm nearer, in {} of the environments",
-                             sum.no_load - sum.network, sum.environments);
-  finding.verdict = sum.network < sum.no_load ? kReproduced : kNot;
   return finding;
 }
 
 PaperFinding all_distance_finding(const std::vector<PlanningRow>& rows) {
   PaperFinding finding{"end nearer to the goal, every run", "1.0–6.4 cm against 3.3–14.9", "",
                        kNotComparable};
-  const SideBySide sum =
-      side_by_side(rows, [](const PlanningRow& row) { return row.distance_cm.mean; });
-  if (sum.environments > 0) {
-    finding.here = ranges(sum, "cm", 1);
-    finding.verdict = sum.network < sum.no_load ? kReproduced : kNot;
+  const SideBySide both = side_by_side(rows, &PlanningRow::distance_cm);
+  if (!both.network.empty()) {
+    finding.here = ranges(both, "cm", 1);
+    finding.verdict = verdict(mean(both.network) < mean(both.no_load));
   }
   return finding;
 }
 
 PaperFinding orientation_finding(const std::vector<PlanningRow>& rows) {
-  PaperFinding finding{"similar orientation to the goal", "0.02–0.86 rad against 0.28–1.08", "",
-                       kNotComparable};
-  const SideBySide sum =
-      side_by_side(rows, [](const PlanningRow& row) { return row.orientation_rad.mean; });
-  if (sum.environments == 0) {
-    finding.here = "no goal asks for a heading";
-    return finding;
-  }
-  finding.here =
-      fmt::format("{}; goals that ask for a heading: {}", ranges(sum, "rad", 2), sum.environments);
   constexpr double kSimilarRad = 0.2;  // the paper's means are 0.48 and 0.58
-  finding.verdict = std::abs(sum.network - sum.no_load) <= kSimilarRad ? kReproduced : kNot;
+  PaperFinding finding{"similar orientation to the goal", "0.02–0.86 rad against 0.28–1.08",
+                       "no goal asks for a heading", kNotComparable};
+  const SideBySide both = side_by_side(rows, &PlanningRow::orientation_rad);
+  if (!both.network.empty()) {
+    finding.here = fmt::format("{}; goals that ask for a heading: {}", ranges(both, "rad", 2),
+                               both.network.size());
+    finding.verdict = verdict(std::abs(mean(both.network) - mean(both.no_load)) <= kSimilarRad);
+  }
   return finding;
 }
 
@@ -132,32 +120,31 @@ PaperFinding collision_finding(const std::vector<PlanningRow>& rows) {
       fmt::format("{} of {} against {} of {}", network, network_runs, no_load, no_load_runs),
       kNotComparable};
   if (no_load_runs > 0 && network_runs > 0) {
-    finding.verdict =
-        double(network) / network_runs < double(no_load) / no_load_runs ? kReproduced : kNot;
+    finding.verdict = verdict(double(network) / network_runs < double(no_load) / no_load_runs);
   }
   return finding;
 }
 
 /// @param finding  without what is found here: that the network's value is the higher one
-PaperFinding higher_finding(const SideBySide& sum, PaperFinding finding, const char* unit,
+PaperFinding higher_finding(const SideBySide& both, PaperFinding finding, const char* unit,
                             int digits) {
-  if (sum.environments > 0) {
-    finding.here = fmt::format("{}, in {} of {}", ranges(sum, unit, digits), sum.network_higher,
-                               sum.environments);
-    finding.verdict = 2 * sum.network_higher > sum.environments ? kReproduced : kNot;
+  if (const auto environments = std::ssize(both.network); environments > 0) {
+    finding.here = fmt::format("{}, in {} of {}", ranges(both, unit, digits), both.network_higher,
+                               environments);
+    finding.verdict = verdict(2 * both.network_higher > environments);
   }
   return finding;
 }
 
 PaperFinding cost_finding(const std::vector<PlanningRow>& rows) {
   return higher_finding(
-      side_by_side(rows, [](const PlanningRow& row) { return row.cost_psi.mean; }),
+      side_by_side(rows, &PlanningRow::cost_psi),
       {"cost more", "26.8–57.4 psi against 19.4–43.7, in 8 of 8", "", kNotComparable}, "psi", 1);
 }
 
 PaperFinding time_finding(const std::vector<PlanningRow>& rows) {
   return higher_finding(
-      side_by_side(rows, [](const PlanningRow& row) { return row.first_solution_s.mean; }),
+      side_by_side(rows, &PlanningRow::first_solution_s),
       {"take longer to plan", "115–250 s against 51–216, in 6 of 8", "", kNotComparable}, "s", 4);
 }
 

@@ -138,14 +138,11 @@ void draw_plan(SvgDrawing& drawing, const ArmDescription& arm, const Plan& plan)
     const bool last = k + 1 == shapes;
     const int frame = last ? plan.frame_count() - 1
                            : static_cast<int>(std::lround(k * (moving - 1.0) / (shapes - 1)));
-    ShapeStyle style{.fill = color, .stroke = "none", .opacity = 1.0};
-    if (last) {
-      style.opacity = 0.85;
-      style.stroke = "#222222";
-      style.width_px = 1.0;
-    } else {
-      style.opacity = kFaintest + (0.45 - kFaintest) * k / std::max(1, shapes - 1);
-    }
+    const ShapeStyle style =
+        last ? ShapeStyle{.fill = color, .stroke = "#222222", .width_px = 1.0, .opacity = 0.85}
+             : ShapeStyle{.fill = color,
+                          .stroke = "none",
+                          .opacity = kFaintest + (0.45 - kFaintest) * k / std::max(1, shapes - 1)};
     draw_arm(drawing, arm, plan.frames[static_cast<std::size_t>(frame)].backbone, style);
   }
   draw_tip_path(drawing, plan, {.stroke = "#222222", .width_px = 1.5});

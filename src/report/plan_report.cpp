@@ -128,13 +128,12 @@ Json to_json(const PlanResult& result, const Command& command, const PoseGoal& g
   if (command.is_pressure_kpa()) {
     json["cost_psi"] = plan ? Json(plan->cost_kpa / kKpaPerPsi) : nullptr;
   }
-  json["first_solution"] = nullptr;
-  if (result.first_solution) {
-    json["first_solution"] = {{"time_s", result.first_solution->time_s},
-                              {cost, result.first_solution->cost_kpa},
-                              {"queries", result.first_solution->queries}};
-  }
   const FirstSolution* first = result.first_solution ? &*result.first_solution : nullptr;
+  json["first_solution"] = nullptr;
+  if (first) {
+    json["first_solution"] = {
+        {"time_s", first->time_s}, {cost, first->cost_kpa}, {"queries", first->queries}};
+  }
   json["first_candidate_s"] = first ? Json(first->candidate_s) : nullptr;
   json["first_certificate_s"] = first ? Json(first->certificate_s) : nullptr;
   json["time_s"] = result.statistics.time_s;

@@ -120,19 +120,11 @@ std::string with_error(const SampleFigures& figures, int digits) {
 }
 
 ReportTable all_plans_table(const std::vector<PlanningRow>& rows) {
-  ReportTable table;
-  table.caption =
+  ReportTable table{
       "Table I, every plan executed. Mean ± standard error; distance and orientation with / "
-      "without runs that collided";
-  table.header = {"Environment",
-                  "Model",
-                  "Solved",
-                  "Reached",
-                  "Collided",
-                  "Distance to goal (cm)",
-                  "Orientation to goal (rad)",
-                  "First certified plan (s)",
-                  "Cost (psi)"};
+      "without runs that collided",
+      {"Environment", "Model", "Solved", "Reached", "Collided", "Distance to goal (cm)",
+       "Orientation to goal (rad)", "First certified plan (s)", "Cost (psi)"}};
   for (const PlanningRow& row : rows) {
     table.rows.push_back(
         {row.environment, model_name(row), fmt::format("{} of {}", row.solved, row.trials),
@@ -146,13 +138,11 @@ ReportTable all_plans_table(const std::vector<PlanningRow>& rows) {
 }
 
 ReportTable one_plan_table(const std::vector<PlanningRow>& rows) {
-  ReportTable table;
-  table.caption =
+  ReportTable table{
       "Table I as in the paper: one plan per cell (of the first trial solved) executed; N/A if it "
-      "collided";
-  table.header = {
-      "Environment",     "Model",     "Successful plans",      "Plan time (s)",
-      "Plan cost (psi)", "Collision", "Distance to goal (cm)", "Orientation to goal (rad)"};
+      "collided",
+      {"Environment", "Model", "Successful plans", "Plan time (s)", "Plan cost (psi)", "Collision",
+       "Distance to goal (cm)", "Orientation to goal (rad)"}};
   for (const PlanningRow& row : rows) {
     std::vector<std::string> cells = {row.environment, model_name(row), std::to_string(row.solved),
                                       with_error(row.first_solution_s, 4),
@@ -173,17 +163,10 @@ ReportTable one_plan_table(const std::vector<PlanningRow>& rows) {
 }
 
 ReportTable spread_table(const std::vector<PlanningRow>& rows) {
-  ReportTable table;
-  table.caption = "Medians and 95th percentiles; a defect is a plan refused by its certificate";
-  table.header = {"Environment",
-                  "Model",
-                  "First certified plan, median (s)",
-                  "95 % (s)",
-                  "Its candidate, certificate (s)",
-                  "First plan's cost (psi)",
-                  "Distance, median (cm)",
-                  "95 % (cm)",
-                  "Defects"};
+  ReportTable table{"Medians and 95th percentiles; a defect is a plan refused by its certificate",
+                    {"Environment", "Model", "First certified plan, median (s)", "95 % (s)",
+                     "Its candidate, certificate (s)", "First plan's cost (psi)",
+                     "Distance, median (cm)", "95 % (cm)", "Defects"}};
   for (const PlanningRow& row : rows) {
     table.rows.push_back(
         {row.environment, model_name(row), shown(row.first_solution_s.median, 4),
@@ -196,9 +179,8 @@ ReportTable spread_table(const std::vector<PlanningRow>& rows) {
 }
 
 ReportTable findings_table(const std::vector<PlanningRow>& rows) {
-  ReportTable table;
-  table.caption = "What the paper found about its two models, and what was found here";
-  table.header = {"Network plans against no-load plans", "The paper", "Here", "Verdict"};
+  ReportTable table{"What the paper found about its two models, and what was found here",
+                    {"Network plans against no-load plans", "The paper", "Here", "Verdict"}};
   for (const PaperFinding& finding : compare_with_paper(rows)) {
     table.rows.push_back({finding.what, finding.paper, finding.here, finding.verdict});
   }
@@ -229,9 +211,7 @@ std::string shown(const std::optional<double>& value, int digits, const char* no
 std::vector<PlanningRow> planning_rows(const std::vector<PlanTrial>& trials) {
   std::vector<PlanningRow> rows;
   for (const PlanTrial& trial : trials) {
-    const bool known = std::any_of(rows.begin(), rows.end(),
-                                   [&](const PlanningRow& row) { return is_of(trial, row); });
-    if (!known) {
+    if (std::ranges::none_of(rows, [&](const PlanningRow& row) { return is_of(trial, row); })) {
       PlanningRow row;
       row.environment = trial.environment;
       row.model = trial.model;

@@ -70,25 +70,19 @@ std::string progress_line(const PlanTrial& trial) {
   return line + "\n";
 }
 
-std::string planner_name(const PlanTrial& trial) {
-  return fmt::format("control_{}_{}", trial.planner, trial.model);
-}
-
 }  // namespace
 
 void RunCount::add(const PlanTrial& trial) {
-  const auto found = std::ranges::find_if(
+  auto found = std::ranges::find_if(
       all_, [&](const Counted& counted) { return is_run_of(trial, counted.row); });
-  if (found != all_.end()) {
-    add_run(trial, *found);
-    return;
+  if (found == all_.end()) {
+    found = all_.emplace(found);
+    found->row.model = trial.model;
+    found->row.planner = trial.planner;
+    found->row.controller = trial.controller;
+    found->row.disturbance = trial.disturbance;
   }
-  Counted& counted = all_.emplace_back();
-  counted.row.model = trial.model;
-  counted.row.planner = trial.planner;
-  counted.row.controller = trial.controller;
-  counted.row.disturbance = trial.disturbance;
-  add_run(trial, counted);
+  add_run(trial, *found);
 }
 
 void RunCount::add_run(const PlanTrial& trial, Counted& counted) {
@@ -154,22 +148,12 @@ Json to_json(const std::vector<RunRow>& rows) {
 }
 
 ReportTable run_table(const std::vector<RunRow>& rows) {
-  ReportTable table;
-  table.caption =
+  ReportTable table{
       "All environments together. Clean stops: clear of everything, for an obstacle that had "
       "appeared. Distance of all other runs. Times over the plan's: until the tip is in the goal "
-      "for good, of runs that arrive, and of the whole run";
-  table.header = {"Model",
-                  "Planner",
-                  "Controller",
-                  "Disturbance",
-                  "Arrived",
-                  "Collided",
-                  "Clean stops",
-                  "Distance, median (cm)",
-                  "95 % (cm)",
-                  "Time to the goal, median",
-                  "Whole run, median"};
+      "for good, of runs that arrive, and of the whole run",
+      {"Model", "Planner", "Controller", "Disturbance", "Arrived", "Collided", "Clean stops",
+       "Distance, median (cm)", "95 % (cm)", "Time to the goal, median", "Whole run, median"}};
   for (const RunRow& row : rows) {
     const auto of_all = [&](int count) { return fmt::format("{} of {}", count, row.executed); };
     table.rows.push_back({row.model == "network" ? "Network" : "No load", row.planner,
@@ -190,7 +174,7 @@ std::string planner_arena_log(const std::string& environment, const std::vector<
     if (trial.environment != environment) {
       continue;
     }
-    const std::string name = planner_name(trial);
+    const std::string name = fmt::format("control_{}_{}", trial.planner, trial.model);
     const auto found = std::find(planners.begin(), planners.end(), name);
     const auto index = static_cast<std::size_t>(found - planners.begin());
     if (found == planners.end()) {

@@ -127,8 +127,7 @@ std::string to_text(const SpeedReport& report) {
 
 Chart speed_chart(const SpeedReport& report) {
   std::vector<std::string> names;
-  std::vector<double> single;
-  std::vector<double> batch;
+  std::vector<double> single, batch;
   const auto group = [&](std::string name, const QueryRate& one, const QueryRate& many) {
     names.push_back(std::move(name));
     single.push_back(one.queries_per_s);

@@ -97,38 +97,25 @@ Chart tip_chart(const RunTimes& run) {
   return chart;
 }
 
-/// Clearance of one shape; of an obstacle that appears, from then on.
-class ClearanceOverTime {
- public:
-  ClearanceOverTime(const ArmDescription& arm, const Environment& environment,
-                    const ExecutionResult& result)
-      : before_(arm, environment.obstacles),
-        after_(arm, with_appeared(environment, result).obstacles),
-        appears_s_(result.appeared ? result.appeared->time_s : 0.0) {}
-
-  double clearance_cm(double time_s, const Backbone& shape) const {
-    const CollisionChecker& checker = time_s < appears_s_ ? before_ : after_;
-    return kCmPerM * checker.clearance(shape).value_m;
-  }
-
- private:
-  CollisionChecker before_;
-  CollisionChecker after_;
-  double appears_s_;
-};
-
-Chart clearance_chart(const RunTimes& run, const ClearanceOverTime& clearance) {
+/// Of an obstacle that appears, from then on.
+Chart clearance_chart(const RunTimes& run, const Environment& environment,
+                      const ExecutionResult& result) {
+  const CollisionChecker before(run.arm, environment.obstacles);
+  const CollisionChecker after(run.arm, with_appeared(environment, result).obstacles);
+  const double appears_s = result.appeared ? result.appeared->time_s : 0.0;
+  const auto clearance_cm = [&](double time_s, const Backbone& shape) {
+    return kCmPerM * (time_s < appears_s ? before : after).clearance(shape).value_m;
+  };
   Chart chart = times_chart("Clearance from the nearest obstacle", "clearance [cm]");
   chart.line("predicted", run.planned_s,
              each_frame(run.plan.frame_count(),
                         [&](int k) {
-                          return clearance.clearance_cm(run.planned_s[std::size_t(k)],
-                                                        run.planned_frame(k).backbone);
+                          return clearance_cm(run.planned_s[std::size_t(k)],
+                                              run.planned_frame(k).backbone);
                         }),
              {.width_px = 1.5, .dashed = true});
   chart.line("the arm", run.run_s, each_frame(run.episode.frame_count(), [&](int t) {
-               return clearance.clearance_cm(run.run_s[std::size_t(t)],
-                                             backbone_at(run.episode.backbone, t));
+               return clearance_cm(run.run_s[std::size_t(t)], backbone_at(run.episode.backbone, t));
              }));
   chart.horizontal_line("contact", 0.0, {.color = "#b2182b", .width_px = 1.0});
   return chart;
@@ -168,11 +155,6 @@ std::string laps_to_text(const char* laps, const TrackRun& run,
       laps, kCmPerM * error->rms_m, percent_of_length(run, *error), kCmPerM * error->max_m);
 }
 
-/// Where the tip was in a frame, in cm.
-Eigen::Vector2d tip_cm(const Episode& episode, int frame) {
-  return kCmPerM * tip_position_m(backbone_at(episode.backbone, frame));
-}
-
 }  // namespace
 
 std::string execution_pressures_picture(const ArmDescription& arm, const Plan& plan,
@@ -189,7 +171,7 @@ std::string execution_times_picture(const ArmDescription& arm, const Environment
     grid.add(tip_chart(run));
   }
   if (run.episode.frame_count() > 0 && !with_appeared(environment, result).obstacles.empty()) {
-    grid.add(clearance_chart(run, ClearanceOverTime(arm, environment, result)));
+    grid.add(clearance_chart(run, environment, result));
   }
   return grid.svg();
 }
@@ -236,11 +218,11 @@ std::string track_picture(const TrackRun& run) {
   const Episode& episode = run.result.episode;
   for (int t = run.start_frame; t < episode.frame_count(); ++t) {
     const double since_s = episode.time_s[t] - episode.time_s[run.start_frame];
-    const Eigen::Vector2d tip = tip_cm(episode, t);
-    x.push_back(tip.x());
-    y.push_back(tip.y());
+    const Eigen::Vector2d tip_cm = kCmPerM * tip_position_m(backbone_at(episode.backbone, t));
+    x.push_back(tip_cm.x());
+    y.push_back(tip_cm.y());
     time_s.push_back(since_s);
-    off_cm.push_back((tip - kCmPerM * run.path.at(since_s)).norm());
+    off_cm.push_back((tip_cm - kCmPerM * run.path.at(since_s)).norm());
   }
   Chart paths("The tip's path");
   paths.x_axis("x [cm]").y_axis("y [cm]").equal_aspect().size_px(560, 480);

@@ -81,10 +81,7 @@ std::string to_text(const TrainingSpeed& speed) {
 }
 
 std::string learning_curve_svg(const std::vector<LearningCurvePoint>& curve) {
-  std::vector<double> epoch;
-  std::vector<double> loss;
-  std::vector<double> validated_epoch;
-  std::vector<double> error_cm;
+  std::vector<double> epoch, loss, validated_epoch, error_cm;
   Chart losses("Training loss");
   for (const LearningCurvePoint& point : curve) {
     if (!epoch.empty() && point.window_frames != curve[epoch.size() - 1].window_frames) {

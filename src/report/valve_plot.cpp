@@ -59,16 +59,14 @@ Chart bench_chart(const CharacterisedArm& result, const BenchData& bench) {
   for (std::size_t i = 0; i < result.fits.size(); ++i) {
     const StrainFit& fit = result.fits[i];
     const SeriesStyle style{.color = palette_color(int(i))};
-    std::vector<double> x;
-    std::vector<double> y;
+    std::vector<double> x, y;
     for (int k = 0; k <= kCurvePoints; ++k) {
       x.push_back(fit.pressure_limit_kpa * k / kCurvePoints);
       y.push_back(kPercent * strain_at(fit.polynomial, x.back()));
     }
     chart.line(fmt::format("{}, quartic{}", segment_name(i), fit.refitted ? " (slope held)" : ""),
                x, y, style);
-    std::vector<double> pressures;
-    std::vector<double> contractions;
+    std::vector<double> pressures, contractions;
     for (const BenchPoint& point : bench[i]) {
       pressures.push_back(point.pressure_kpa);
       contractions.push_back(-kPercent * point.strain);
