@@ -90,40 +90,6 @@ Picture picture_of(const ChartSettings& settings, const std::vector<Series>& ser
   return picture;
 }
 
-/// A whole chart as one <svg> element.
-std::string render_chart(const ChartSettings& settings, const std::vector<Series>& series) {
-  const Picture picture = picture_of(settings, series);
-  return svg::open_picture(picture.width_px, picture.height_px, settings.title) + picture.body +
-         "</svg>\n";
-}
-
-/// Charts row by row as one <svg> element.
-std::string render_grid(const std::vector<Chart>& charts, int columns, std::string_view title) {
-  constexpr double kGapPx = 12.0;
-  std::string body;
-  double bottom = 0.0;
-  double right = 0.0;
-  if (!title.empty()) {
-    body += svg::text(12.0, 26.0, title, {.size_px = 19.0, .bold = true});
-    bottom = 38.0;
-    right = 24.0 + svg::text_width(title, 19.0);
-  }
-  for (std::size_t first = 0; first < charts.size(); first += static_cast<std::size_t>(columns)) {
-    const std::size_t end = std::min(charts.size(), first + static_cast<std::size_t>(columns));
-    double x = 0.0;
-    double row_height = 0.0;
-    for (std::size_t i = first; i < end; ++i) {
-      const Picture picture = picture_of(charts[i].settings(), charts[i].series());
-      body += translated(x, bottom, picture.body);
-      x += picture.width_px + kGapPx;
-      row_height = std::max(row_height, picture.height_px);
-    }
-    right = std::max(right, x - kGapPx);
-    bottom += row_height + kGapPx;
-  }
-  return svg::open_picture(std::max(right, 1.0), std::max(bottom, 1.0), title) + body + "</svg>\n";
-}
-
 void check_sizes(const std::string& chart, const std::string& label, std::string_view first_name,
                  std::size_t first, std::string_view second_name, std::size_t second) {
   if (first != second) {
@@ -284,7 +250,9 @@ Chart& Chart::vertical_line(std::string label, double x, SeriesStyle style) {
 }
 
 std::string Chart::svg() const {
-  return render_chart(settings_, series_);
+  const Picture picture = picture_of(settings_, series_);
+  return svg::open_picture(picture.width_px, picture.height_px, settings_.title) + picture.body +
+         "</svg>\n";
 }
 
 ChartGrid::ChartGrid(int columns, std::string title) : columns_(columns), title_(std::move(title)) {
@@ -299,7 +267,29 @@ ChartGrid& ChartGrid::add(Chart chart) {
 }
 
 std::string ChartGrid::svg() const {
-  return render_grid(charts_, columns_, title_);
+  constexpr double kGapPx = 12.0;
+  std::string body;
+  double bottom = 0.0;
+  double right = 0.0;
+  if (!title_.empty()) {
+    body += svg::text(12.0, 26.0, title_, {.size_px = 19.0, .bold = true});
+    bottom = 38.0;
+    right = 24.0 + svg::text_width(title_, 19.0);
+  }
+  for (std::size_t first = 0; first < charts_.size(); first += static_cast<std::size_t>(columns_)) {
+    const std::size_t end = std::min(charts_.size(), first + static_cast<std::size_t>(columns_));
+    double x = 0.0;
+    double row_height = 0.0;
+    for (std::size_t i = first; i < end; ++i) {
+      const Picture picture = picture_of(charts_[i].settings(), charts_[i].series());
+      body += translated(x, bottom, picture.body);
+      x += picture.width_px + kGapPx;
+      row_height = std::max(row_height, picture.height_px);
+    }
+    right = std::max(right, x - kGapPx);
+    bottom += row_height + kGapPx;
+  }
+  return svg::open_picture(std::max(right, 1.0), std::max(bottom, 1.0), title_) + body + "</svg>\n";
 }
 
 }  // namespace limber

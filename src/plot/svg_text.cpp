@@ -1,5 +1,6 @@
 #include "limber/plot/svg_text.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -40,29 +41,23 @@ std::size_t character_length(std::string_view text) {
   return overlong || surrogate || forbidden ? 0 : length;
 }
 
-void append_escaped(std::string& out, std::string_view character) {
+std::string_view escaped(std::string_view character) {
   switch (character.front()) {
     case '&':
-      out += "&amp;";
-      return;
+      return "&amp;";
     case '<':
-      out += "&lt;";
-      return;
+      return "&lt;";
     case '>':
-      out += "&gt;";
-      return;
+      return "&gt;";
     case '"':
-      out += "&quot;";
-      return;
+      return "&quot;";
     case '\'':
-      out += "&#39;";
-      return;
+      return "&#39;";
     case '\n':
     case '\t':
-      out += character;
-      return;
+      return character;
     default:
-      out += static_cast<std::uint8_t>(character.front()) < 0x20 ? kReplacement : character;
+      return static_cast<std::uint8_t>(character.front()) < 0x20 ? kReplacement : character;
   }
 }
 
@@ -73,13 +68,8 @@ std::string escape_xml(std::string_view text) {
   out.reserve(text.size() + text.size() / 8);
   while (!text.empty()) {
     const std::size_t length = character_length(text);
-    if (length == 0) {
-      out += kReplacement;
-      text.remove_prefix(1);
-      continue;
-    }
-    append_escaped(out, text.substr(0, length));
-    text.remove_prefix(length);
+    out += length == 0 ? kReplacement : escaped(text.substr(0, length));
+    text.remove_prefix(std::max<std::size_t>(1, length));
   }
   return out;
 }
