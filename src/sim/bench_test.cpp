@@ -72,9 +72,7 @@ ArmDescription bench_arm(const ArmDescription& arm, int segment) {
   PressureLimits& limits = bench.segments.front().pressure_limit_kpa;
   limits = limits.largest_kpa();
   bench.name = fmt::format("{}, {} on the bench", arm.name, segment_name(segment));
-  VirtualArmParameters parameters = virtual_arm_parameters(arm);
-  make_ideal(parameters);
-  set_virtual_arm_parameters(bench, parameters);
+  change_virtual_arm(bench, make_ideal);
   return bench;
 }
 

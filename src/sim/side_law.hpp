@@ -24,43 +24,32 @@ class ActuatorLaw {
 
   /// (V3) Pressure [kPa] at which the actuator of strain e just pulls.
   double threshold_kpa(double strain) const {
-    return surface_threshold_kpa(strain / strain_scale_);
+    const double e = strain / strain_scale_;
+    return e < 0.0 ? quartic(threshold_, e) : 0.0;
   }
 
   /// (V4), (V5) Tension; continuous in both arguments. @param pressure_kpa  ≥ 0.
   double tension_n(double strain, double pressure_kpa) const {
-    return surface_tension_n(strain / strain_scale_, pressure_kpa);
-  }
-
-  /// Work [J per metre of actuator] stored by straining an unpressurised actuator from 0 to e.
-  double passive_energy_n(double strain) const {
-    return strain_scale_ * surface_energy_n(strain / strain_scale_);
-  }
-
- private:
-  // Olson's own surface, of an actuator whose strain scale is 1.
-  double surface_threshold_kpa(double strain) const {
-    return strain < 0.0 ? quartic(threshold_, strain) : 0.0;
-  }
-
-  double surface_tension_n(double strain, double pressure_kpa) const {
-    const double threshold = surface_threshold_kpa(strain);
-    const double reach = offset_ + strain;
-    if (strain >= 0.0) {
-      return gain_ * reach * reach * pressure_kpa + quartic(extension_, strain);
+    const double e = strain / strain_scale_;  // on Olson's own surface, whose scale is 1
+    const double threshold = threshold_kpa(strain);
+    const double reach = offset_ + e;
+    if (e >= 0.0) {
+      return gain_ * reach * reach * pressure_kpa + quartic(extension_, e);
     }
     if (pressure_kpa >= threshold) {
       return gain_ * reach * reach * (pressure_kpa - threshold);
     }
-    return quartic(compression_, strain) * (1.0 - pressure_kpa / threshold);
+    return quartic(compression_, e) * (1.0 - pressure_kpa / threshold);
   }
 
-  double surface_energy_n(double strain) const {
-    const QuarticCoefficients& c = strain < 0.0 ? compression_ : extension_;
-    return strain * strain *
-           (c[0] / 2 + strain * (c[1] / 3 + strain * (c[2] / 4 + strain * c[3] / 5)));
+  /// Work [J per metre of actuator] stored by straining an unpressurised actuator from 0 to e.
+  double passive_energy_n(double strain) const {
+    const double e = strain / strain_scale_;
+    const QuarticCoefficients& c = e < 0.0 ? compression_ : extension_;
+    return strain_scale_ * (e * e * (c[0] / 2 + e * (c[1] / 3 + e * (c[2] / 4 + e * c[3] / 5))));
   }
 
+ private:
   static double quartic(const QuarticCoefficients& c, double x) {
     return x * (c[0] + x * (c[1] + x * (c[2] + x * c[3])));
   }

@@ -156,6 +156,11 @@ class VirtualArm::Simulation {
   const std::vector<SegmentAir>& air() const {
     return ask([](const auto& physics) -> const auto& { return physics.air(); });
   }
+  std::vector<double> pressure_kpa() const {
+    std::vector<double> pressures(air().size());
+    std::ranges::transform(air(), pressures.begin(), &SegmentAir::pressure_kpa);
+    return pressures;
+  }
   double energy_j() const {
     return ask([](const auto& physics) { return physics.energy_j(); });
   }
@@ -223,16 +228,12 @@ class VirtualArm::Simulation {
   }
 
   [[noreturn]] void fail(const std::string& complaint) {
-    std::vector<double> pressures;
-    for (const SegmentAir& air : this->air()) {
-      pressures.push_back(air.pressure_kpa);
-    }
     fault_ = fmt::format(
         "the virtual arm '{}' blew up at {:.4f} s ({}); pressures "
         "[{:.4g}] kPa, set points [{:.4g}] kPa, time step {:.3g} s: check "
         "virtual_arm in the arm file, or make its time_step_s smaller",
-        arm_.name, time_s(), complaint, fmt::join(pressures, ", "), fmt::join(setpoint_kpa_, ", "),
-        time_step_s_);
+        arm_.name, time_s(), complaint, fmt::join(pressure_kpa(), ", "),
+        fmt::join(setpoint_kpa_, ", "), time_step_s_);
     vent();
     throw SystemFault(fault_);
   }
@@ -327,12 +328,8 @@ SpaceBackboneD VirtualArm::true_plates() const {
 }
 
 Eigen::VectorXd VirtualArm::true_pressure_kpa() const {
-  const auto& air = simulation_->air();
-  Eigen::VectorXd pressures(static_cast<Eigen::Index>(air.size()));
-  for (std::size_t s = 0; s < air.size(); ++s) {
-    pressures[static_cast<Eigen::Index>(s)] = air[s].pressure_kpa;
-  }
-  return pressures;
+  const std::vector<double> kpa = simulation_->pressure_kpa();
+  return Eigen::Map<const Eigen::VectorXd>(kpa.data(), std::ssize(kpa));
 }
 
 double VirtualArm::left_strain(int segment) const {

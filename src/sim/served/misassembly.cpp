@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <ranges>
 #include <string>
 #include <utility>
 
@@ -103,8 +104,8 @@ ArmState MisassembledWire::to_wire(ArmState state) const {
   }
   if (state.backbone) {  // with the noise that it was measured with
     const double then_s = seen_.back().first - misassembly_->tracker_latency_s;
-    const auto then = std::lower_bound(seen_.begin(), seen_.end(), then_s,
-                                       [](const auto& one, double t) { return one.first < t; });
+    const auto then =
+        std::ranges::lower_bound(seen_, then_s, {}, [](const auto& one) { return one.first; });
     *state.backbone += (then->second - seen_.back().second).cast<float>();
   }
   state = misassembly_->truth.to_wire(std::move(state));
@@ -217,13 +218,9 @@ ServerFault parse_server_fault(const std::string& text) {
   if (at == std::string::npos || found == kKinds.end() ||
       !parse_number(text.substr(at + 1), frame) || frame < 0.0 || frame > kMaxFrame ||
       frame != static_cast<int>(frame)) {
-    std::vector<const char*> names;
-    for (const auto& kind : kKinds) {
-      names.push_back(kind.first);
-    }
     throw InputError(
         fmt::format("--fault {}: expected KIND@FRAME, as in die@12; kinds: {}; frames count from 0",
-                    text, fmt::join(names, ", ")));
+                    text, fmt::join(std::views::keys(kKinds), ", ")));
   }
   return {found->second, static_cast<int>(frame)};
 }
