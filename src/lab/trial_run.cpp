@@ -28,12 +28,9 @@ std::string controller_names() {
 }
 
 void require_controller(const std::string& controller) {
-  if (parse_jacobian(controller)) {
-    return;
-  }
-  if (std::find(kControllers.begin(), kControllers.end(), controller) == kControllers.end()) {
-    throw InputError(fmt::format("controller '{}': no such one; expected {}", controller,
-                                 fmt::join(kControllers, ", ")));
+  if (!parse_jacobian(controller) && std::ranges::count(kControllers, controller) == 0) {
+    throw InputError(
+        fmt::format("controller '{}': no such one; expected {}", controller, controller_names()));
   }
 }
 

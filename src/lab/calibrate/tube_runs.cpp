@@ -147,10 +147,6 @@ class PhaseRunner {
   }
 
  private:
-  std::string file_of(int block) const {
-    return fmt::format("runs/{}.{:04}.json", phase_.name, block);
-  }
-
   bool is_hopeless(int blocks, int executed) const {
     constexpr int kOneIn = 10;
     return blocks >= kHopelessBlocks && executed * kOneIn < blocks * block_size_;
@@ -166,7 +162,7 @@ class PhaseRunner {
   }
 
   std::vector<TubeRun> runs_of(int block) {
-    const std::string name = file_of(block);
+    const std::string name = fmt::format("runs/{}.{:04}.json", phase_.name, block);
     if (folder_ != nullptr && std::filesystem::exists(folder_->path() / name)) {
       return read_block(folder_->path() / name);
     }
@@ -219,29 +215,21 @@ class PhaseRunner {
     return result;
   }
 
-  std::optional<Environment> environment_for(const RunModel& with, std::uint64_t number) const {
-    auto about =
-        witnessed_environment(with.executed_arm, virtual_witness(with.executed_arm), seed_, number);
-    return about ? std::optional(std::move(about->environment)) : std::nullopt;
-  }
-
   TubeRun make_run(std::uint64_t number) const {
-    if (same_for_all_) {
-      return make_run(*same_for_all_, number);
-    }
-    return make_run(*adapted(number), number);
+    return make_run(same_for_all_ ? *same_for_all_ : *adapted(number), number);
   }
 
   TubeRun make_run(const RunModel& with, std::uint64_t number) const {
     TubeRun run;
     run.number = number;
     run.expected_error_m = with.expected_error_m;
-    std::optional<Environment> sampled = environment_for(with, number);
+    std::optional<WitnessedEnvironment> sampled =
+        witnessed_environment(with.executed_arm, virtual_witness(with.executed_arm), seed_, number);
     if (!sampled) {
       run.status = "no_environment";
       return run;
     }
-    const EnvironmentCase item{std::to_string(number), std::move(*sampled)};
+    const EnvironmentCase item{std::to_string(number), std::move(sampled->environment)};
     PlanTrial trial = plan_trial(settings_.arm, with.motion, item, trial_, seed_ + number);
     run.status = to_string(trial.planning.status);
     if (trial.solved()) {
@@ -308,8 +296,7 @@ MotionErrors scaled(MotionErrors errors, double times) {
 }
 
 int count_of(const std::vector<TubeRun>& runs, bool TubeRun::*member) {
-  return static_cast<int>(
-      std::count_if(runs.begin(), runs.end(), [&](const TubeRun& run) { return run.*member; }));
+  return static_cast<int>(std::ranges::count(runs, true, member));
 }
 
 }  // namespace
@@ -319,15 +306,12 @@ int TubeRuns::executed() const {
 }
 
 int TubeRuns::solved() const {
-  return static_cast<int>(std::count_if(all.begin(), all.end(), [](const TubeRun& run) {
-    return run.status == to_string(PlanStatus::solved);
-  }));
+  return static_cast<int>(std::ranges::count(all, to_string(PlanStatus::solved), &TubeRun::status));
 }
 
 int TubeRuns::outside(double factor) const {
-  return static_cast<int>(std::count_if(all.begin(), all.end(), [&](const TubeRun& run) {
-    return run.executed && !(run.score <= factor);
-  }));
+  return static_cast<int>(std::ranges::count_if(
+      all, [&](const TubeRun& run) { return run.executed && !(run.score <= factor); }));
 }
 
 std::vector<MotionErrors> TubeRuns::errors() const {
@@ -354,9 +338,8 @@ TubeRuns run_tube_phase(const TubeRunSettings& settings, const TubePhase& phase,
 Json to_json(const TubeRuns& runs, double factor) {
   const int executed = runs.executed();
   const int outside = runs.outside(factor);
-  const auto environments = std::count_if(runs.all.begin(), runs.all.end(), [](const TubeRun& run) {
-    return run.status != "no_environment";
-  });
+  const auto environments =
+      std::ssize(runs.all) - std::ranges::count(runs.all, "no_environment", &TubeRun::status);
   Json json = {{"environments", environments},
                {"solved", runs.solved()},
                {"runs", executed},

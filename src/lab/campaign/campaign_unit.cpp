@@ -59,13 +59,9 @@ Flags random_flags(const Campaign& campaign, std::size_t index) {
   RandomStream random(campaign.seed, kDesignStream + index);
   Flags varied;
   for (const CampaignFactor& factor : campaign.factors) {
-    if (factor.range) {
-      varied.emplace_back(factor.name, FlagValues{drawn(*factor.range, random)});
-    } else {
-      varied.emplace_back(
-          factor.name,
-          factor.choices[random.index(static_cast<std::uint32_t>(factor.choices.size()))]);
-    }
+    const auto choices = static_cast<std::uint32_t>(factor.choices.size());
+    varied.emplace_back(factor.name, factor.range ? FlagValues{drawn(*factor.range, random)}
+                                                  : factor.choices[random.index(choices)]);
   }
   return varied;
 }
@@ -126,8 +122,7 @@ double cost(const std::string& verb, const Flags& flags) {
 }  // namespace
 
 const FlagValues* values_in(const Flags& flags, const char* name) {
-  const auto found =
-      std::ranges::find_if(flags, [&](const auto& flag) { return flag.first == name; });
+  const auto found = std::ranges::find(flags, name, &Flags::value_type::first);
   return found == flags.end() ? nullptr : &found->second;
 }
 

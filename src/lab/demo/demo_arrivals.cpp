@@ -124,11 +124,10 @@ void arrival_stage(DemoResults& results) {
 }
 
 ReportTable arrivals_table(const std::vector<Arrivals>& rows) {
-  ReportTable table;
-  table.caption =
+  ReportTable table{
       "The network's plans over planning time, executed open loop; distances to the goal's centre "
-      "are of all runs, mean ± standard error";
-  table.header = {"environments", "planning", "solved", "arrive", "collide", "distance [cm]"};
+      "are of all runs, mean ± standard error",
+      {"environments", "planning", "solved", "arrive", "collide", "distance [cm]"}};
   for (const Arrivals& row : rows) {
     const SampleFigures& distance = row.distance_cm;
     table.rows.push_back(

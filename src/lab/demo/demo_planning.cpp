@@ -26,10 +26,9 @@ std::vector<EnvironmentCase> choose_environments(const DemoResults& results) {
     return random_environments(results, results.recipe.random_environments);
   }
   const std::vector<std::string>& wanted = results.recipe.environments;
-  const auto is_unwanted = [&](const EnvironmentCase& item) {
-    return std::find(wanted.begin(), wanted.end(), item.id) == wanted.end();
-  };
-  own.erase(std::remove_if(own.begin(), own.end(), is_unwanted), own.end());
+  std::erase_if(own, [&](const EnvironmentCase& item) {
+    return std::ranges::find(wanted, item.id) == wanted.end();
+  });
   return own;
 }
 
@@ -68,13 +67,11 @@ const PlanTrial* cheapest_plan(const std::vector<PlanTrial>& trials,
 }  // namespace
 
 MotionModel DemoResults::motion_model(const ForwardModel& forward) const {
-  const std::optional<ValveParameters>& valves = network->compensation().valves;
-  return {forward, ValveModel(arm(), valves ? *valves : ValveParameters{})};
+  return {forward, ValveModel(arm(), network->compensation().identified_valves().parameters)};
 }
 
 const Environment& DemoResults::environment(const std::string& id) const {
-  const auto found = std::find_if(environments.begin(), environments.end(),
-                                  [&](const EnvironmentCase& item) { return item.id == id; });
+  const auto found = std::ranges::find(environments, id, &EnvironmentCase::id);
   assert(found != environments.end());
   return found->environment;
 }

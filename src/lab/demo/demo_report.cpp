@@ -106,9 +106,8 @@ void what_was_done(ReportPage& page, const DemoResults& results) {
 ReportTable paper_table(const DemoResults& results) {
   const Evaluation& evaluation = results.evaluation;
   const RolloutErrors& network = *evaluation.network;
-  ReportTable table;
-  table.caption = "End-effector error on the test set, mean ± standard deviation";
-  table.header = {"model", "position [cm]", "95 % below [cm]", "orientation [rad]"};
+  ReportTable table{"End-effector error on the test set, mean ± standard deviation",
+                    {"model", "position [cm]", "95 % below [cm]", "orientation [rad]"}};
   const auto add = [&](const std::string& name, const TipErrors& errors) {
     table.rows.push_back({name, mean_std(errors.position_cm, 2),
                           fmt::format("{:.1f}", errors.position_cm.p95),
@@ -163,13 +162,10 @@ void learning(ReportPage& page, const DemoResults& results) {
 }
 
 ReportTable trial_table(const DemoResults& results) {
-  ReportTable table;
-  table.caption = "Plans and their execution; distances are means, including runs that collided";
-  table.header = {"environment",   "model",
-                  "solved",        "reached",
-                  "collided",      "distance [cm]",
-                  "heading [rad]", "first certified plan [s]: candidate + certificate",
-                  "cost [psi]"};
+  ReportTable table{
+      "Plans and their execution; distances are means, including runs that collided",
+      {"environment", "model", "solved", "reached", "collided", "distance [cm]", "heading [rad]",
+       "first certified plan [s]: candidate + certificate", "cost [psi]"}};
   const auto add = [&](const std::string& label, const std::string& environment,
                        const std::string& model) {
     const PlanningRow sum = planning_row(results.trials, environment, model);
@@ -231,10 +227,10 @@ void other_arms(ReportPage& page, const DemoResults& results) {
           "environments about that arm's motions with the adapted model, executed on it: open "
           "loop, as it stands; and in closed loop, planned again from where the arm is measured "
           "(docs/experiments.md).");
-  ReportTable table;
-  table.header = {
-      "arm",     "network above [cm]", "family, after 20 s [cm]", "after 60 s [cm]",      "solved",
-      "arrived", "collided",           "arrived, closed loop",    "collided, closed loop"};
+  ReportTable table{
+      "",
+      {"arm", "network above [cm]", "family, after 20 s [cm]", "after 60 s [cm]", "solved",
+       "arrived", "collided", "arrived, closed loop", "collided, closed loop"}};
   int number = 0;
   for (const OtherArmFigures& arm : results.other_arms) {
     table.rows.push_back(
@@ -246,10 +242,9 @@ void other_arms(ReportPage& page, const DemoResults& results) {
          fmt::format("{}/{}", arm.collided_closed_loop, arm.solved)});
   }
   page.table(table);
-  ReportTable told;
-  told.caption =
-      "What the minute told of each arm's physics, and how surely; in brackets what it is";
-  told.header = {"arm", "moves like arms with"};
+  ReportTable told{
+      "What the minute told of each arm's physics, and how surely; in brackets what it is",
+      {"arm", "moves like arms with"}};
   for (const OtherArmFigures& arm : results.other_arms) {
     told.rows.push_back({std::to_string(told.rows.size() + 1),
                          fmt::format("{}", fmt::join(trait_texts(arm.traits), "; "))});
@@ -258,9 +253,8 @@ void other_arms(ReportPage& page, const DemoResults& results) {
 }
 
 ReportTable speed_table(const SpeedReport& speed) {
-  ReportTable table;
-  table.caption = fmt::format("Forward-model queries per second on {}", speed.cpu);
-  table.header = {"model", "one at a time", "in batches", "batch"};
+  ReportTable table{fmt::format("Forward-model queries per second on {}", speed.cpu),
+                    {"model", "one at a time", "in batches", "batch"}};
   const auto add = [&](const std::string& name, const QueryRate& single, const QueryRate& batch) {
     table.rows.push_back({name, rate(single.queries_per_s), rate(batch.queries_per_s),
                           std::to_string(batch.batch_size)});
@@ -280,8 +274,7 @@ void times(ReportPage& page, const DemoResults& results) {
       .table(speed_table(results.speed))
       .figure({speed_chart(results.speed).svg(), "Forward-model queries per second, one core"})
       .heading("Time");
-  ReportTable table;
-  table.header = {"stage", "time"};
+  ReportTable table{"", {"stage", "time"}};
   for (const auto& [stage, seconds] : results.clock.stages()) {
     table.rows.push_back({stage, format_duration(seconds)});
   }

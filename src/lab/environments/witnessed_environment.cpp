@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::uint64_t kEnvironmentStream = 0x656e76ULL << 32;
 constexpr int kMaxWaypoints = 3;
-constexpr double kMinTravelM = 0.15;  // of the tip, from start to goal
+constexpr double kMinTravelM = 0.15;  // of the tip, from start to goal: else the arm may stay
 constexpr int kFewestObstacles = 2;
 constexpr int kMostObstacles = 5;
 constexpr int kTriesPerObstacle = 30;
@@ -113,12 +113,12 @@ class EnvironmentSampler {
     const Obstacle obstacle =
         random_obstacle(size_unit(arm_), random_point(on_straight_line), random_);
     const CollisionChecker checker(arm_, {obstacle}, settings_.clearance_m);
-    for (std::size_t k = 1; k < motion_.size(); ++k) {
-      if (!checker.is_motion_free(motion_[k - 1].backbone, motion_[k].backbone)) {
-        return;
-      }
+    const auto collides = [&](const Backbone& from, const Backbone& to) {
+      return !checker.is_motion_free(from, to);
+    };
+    if (std::ranges::adjacent_find(motion_, collides, &PlanFrame::backbone) == motion_.end()) {
+      result_.environment.obstacles.push_back(obstacle);
     }
-    result_.environment.obstacles.push_back(obstacle);
   }
 
   const ArmDescription& arm_;
@@ -185,11 +185,8 @@ class RecordedArm {
 constexpr std::uint64_t kWitnessedStream = 0x776974ULL << 32;
 constexpr int kAttempts = 100;
 constexpr int kMaxMotions = 3;
-constexpr double kMinWitnessTravelM =
-    0.15;  // of the tip, from start to goal: else the arm may stay
 constexpr int kMinObstacles = 5;
 constexpr int kMaxObstacles = 13;
-constexpr int kTriesPerWitnessed = 30;
 constexpr double kNearM = 0.16;                   // from a plate to an obstacle's middle
 constexpr double kClearancesM[] = {0.012, 0.02};  // each of half of the environments
 
@@ -211,7 +208,7 @@ class Sampler {
     shapes_.insert(shapes_.end(), moved.begin(), moved.end());
     const Pose start = tip_pose(moved.front());
     const Pose end = tip_pose(moved.back());
-    if (std::hypot(end.x_m - start.x_m, end.y_m - start.y_m) < unit_ * kMinWitnessTravelM) {
+    if (std::hypot(end.x_m - start.x_m, end.y_m - start.y_m) < unit_ * kMinTravelM) {
       return std::nullopt;
     }
     result_.environment.goal =
@@ -229,7 +226,7 @@ class Sampler {
     std::vector<Obstacle>& obstacles = result_.environment.obstacles;
     const auto wanted =
         static_cast<std::size_t>(kMinObstacles + index(kMaxObstacles - kMinObstacles + 1));
-    for (std::size_t k = 0; k < wanted * kTriesPerWitnessed && obstacles.size() < wanted; ++k) {
+    for (std::size_t k = 0; k < wanted * kTriesPerObstacle && obstacles.size() < wanted; ++k) {
       const Obstacle obstacle = random_obstacle(unit_, random_point(), random_);
       if (is_clear(obstacle)) {
         obstacles.push_back(obstacle);
@@ -249,12 +246,10 @@ class Sampler {
 
   bool is_clear(const Obstacle& obstacle) const {
     const CollisionChecker checker(arm_, {obstacle}, result_.clearance_m);
-    for (std::size_t k = 1; k < shapes_.size(); ++k) {
-      if (!checker.is_motion_free(shapes_[k - 1], shapes_[k])) {
-        return false;
-      }
-    }
-    return true;
+    const auto collides = [&](const Backbone& from, const Backbone& to) {
+      return !checker.is_motion_free(from, to);
+    };
+    return std::ranges::adjacent_find(shapes_, collides) == shapes_.end();
   }
 
   const ArmDescription& arm_;
@@ -298,11 +293,8 @@ Witness model_witness(const ArmDescription& arm, const MotionModel& model) {
       simulator.append_motion(to_kpa, frames);
     }
     simulator.append_hold(frames);
-    std::vector<Backbone> shapes;
-    shapes.reserve(frames.size());
-    for (PlanFrame& frame : frames) {
-      shapes.push_back(std::move(frame.backbone));
-    }
+    std::vector<Backbone> shapes(frames.size());
+    std::ranges::transform(frames, shapes.begin(), &PlanFrame::backbone);
     return shapes;
   };
 }

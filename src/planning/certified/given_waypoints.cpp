@@ -15,6 +15,7 @@
 #include "limber/planning/plan_builder.hpp"
 #include "limber/planning/planner_factory.hpp"
 #include "limber/planning/problem_check.hpp"
+#include "plan_ladder.hpp"
 
 namespace limber {
 
@@ -177,10 +178,7 @@ PlanResult plan_along(const PlanningProblem& given, const std::vector<Pressures>
   PlanningProblem problem = given;
   PlanResult result;
   yield_to_start(problem, result.warnings);
-  ProblemCheck check = find_refusal(problem, checker_of(problem));
-  if (check.refusal) {
-    result.status = *check.refusal;
-    result.reason = std::move(check.reason);
+  if (is_refused(problem, checker_of(problem), result)) {
     return result;
   }
   AskedProblem asked(problem);
