@@ -10,6 +10,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/driver/calibration_log.hpp"
+#include "limber/run/safety_gate.hpp"
 #include "limber/run/safety_settings.hpp"
 #include "seen_poses.hpp"
 
@@ -196,15 +197,7 @@ double smallest_limit_kpa(const ProcessDriver& driver) {
 }  // namespace
 
 std::optional<Eigen::MatrixX3d> seen_positions(const CalibrationFrame& frame) {
-  if (frame.bodies) {
-    return frame.bodies->leftCols<3>();
-  }
-  if (!frame.state.backbone) {
-    return std::nullopt;
-  }
-  Eigen::MatrixX3d positions = Eigen::MatrixX3d::Zero(frame.state.backbone->rows(), 3);
-  positions.leftCols<2>() = frame.state.backbone->leftCols<2>().cast<double>();
-  return positions;
+  return frame.bodies ? PlatePositions(frame.bodies->leftCols<3>()) : plate_positions(frame.state);
 }
 
 double calibration_pulse_kpa(const ArmDescription& arm) {

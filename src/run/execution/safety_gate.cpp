@@ -34,19 +34,6 @@ double limit_of(const PressureLimits& limits, double kpa) {
   return limits.is_symmetric() ? limits.upper_kpa : limits.side_kpa(kpa);
 }
 
-/// Of the plates; in the plane z is 0. None: nothing saw them.
-std::optional<PlatePositions> plate_positions(const ArmState& state) {
-  if (state.space_backbone) {
-    return state.space_backbone->leftCols<3>().cast<double>();
-  }
-  if (!state.backbone) {
-    return std::nullopt;
-  }
-  PlatePositions positions = PlatePositions::Zero(state.backbone->rows(), 3);
-  positions.leftCols<2>() = state.backbone->leftCols<2>().cast<double>();
-  return positions;
-}
-
 bool is_within(const Fence& fence, const Eigen::RowVector3d& position) {
   const auto between = [](double low, double value, double high) {
     return value >= low && value <= high;  // no NaN is
@@ -69,6 +56,18 @@ std::string another_scale(const PlatePositions& shape, double arm_length_m) {
 }
 
 }  // namespace
+
+std::optional<PlatePositions> plate_positions(const ArmState& state) {
+  if (state.space_backbone) {
+    return state.space_backbone->leftCols<3>().cast<double>();
+  }
+  if (!state.backbone) {
+    return std::nullopt;
+  }
+  PlatePositions positions = PlatePositions::Zero(state.backbone->rows(), 3);
+  positions.leftCols<2>() = state.backbone->leftCols<2>().cast<double>();
+  return positions;
+}
 
 Eigen::VectorXd checked_setpoints(const ArmDescription& arm,
                                   const Eigen::Ref<const Pressures>& setpoint_kpa) {

@@ -14,6 +14,9 @@ namespace limber {
 /// Of an arm's plates, m×3.
 using PlatePositions = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
+/// In the plane z is 0. None: nothing saw them.
+std::optional<PlatePositions> plate_positions(const ArmState& state);
+
 /// The last step before a driver. Set points are never clipped: one that is beyond a limit is a
 /// fault, since a clipped certified plan is another path. Measured values are watched, frame by
 /// frame. Both return what is wrong, in words; empty where nothing is.
