@@ -38,15 +38,11 @@ constexpr double kVentedShare = 0.5;  // of the pressure before: less says that 
 
 /// Index, interpolated, at which the readings first reach `level`.
 std::optional<double> crossing(const std::vector<double>& readings, double level) {
-  for (std::size_t k = 0; k < readings.size(); ++k) {
-    if (readings[k] >= level) {
-      if (k == 0) {
-        return 0.0;
-      }
-      return static_cast<double>(k) - (readings[k] - level) / (readings[k] - readings[k - 1]);
-    }
+  const auto at = std::ranges::find_if(readings, [&](double kpa) { return kpa >= level; });
+  if (at == readings.begin() || at == readings.end()) {
+    return at == readings.end() ? std::nullopt : std::optional(0.0);
   }
-  return std::nullopt;
+  return static_cast<double>(at - readings.begin()) - (*at - level) / (*at - *std::prev(at));
 }
 
 /// One run of checks on one driver.

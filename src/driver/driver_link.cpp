@@ -135,11 +135,10 @@ void DriverLink::require_pace() {
 
 ArmState DriverLink::vent(Clock::duration reply_time) {
   ++seq_;
-  if (std::exchange(vent_ahead_, false)) {
-    return receive(Clock::now() + reply_time);
-  }
   const Time deadline = Clock::now() + reply_time;
-  send(vent_line(seq_, since_start_s()), deadline);
+  if (!std::exchange(vent_ahead_, false)) {
+    send(vent_line(seq_, since_start_s()), deadline);
+  }
   return receive(deadline);
 }
 

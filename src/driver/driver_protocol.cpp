@@ -1,6 +1,7 @@
 #include "limber/driver/driver_protocol.hpp"
 
 #include <cmath>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -25,22 +26,14 @@ constexpr double kMaxQuaternionOff = 0.01;                  // of its length fro
 constexpr double kRateTolerance = 0.01;                     // of the arm's frame rate
 
 Json list(const Eigen::Ref<const Pressures>& values) {
-  Json json = Json::array();
-  for (const float value : values) {
-    json.push_back(static_cast<double>(value));
-  }
-  return json;
+  return std::vector<double>(values.begin(), values.end());
 }
 
 template <class Poses>
 Json rows(const Poses& poses) {
   Json json = Json::array();
   for (const auto& pose : poses.rowwise()) {
-    Json numbers = Json::array();
-    for (const double number : pose) {
-      numbers.push_back(number);
-    }
-    json.push_back(std::move(numbers));
+    json.push_back(std::vector<double>(pose.begin(), pose.end()));
   }
   return json;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,8 +26,6 @@ struct MeanBodies {
   Eigen::MatrixX3d position;
   std::vector<Eigen::Quaterniond> rotation;
   int count = 0;
-
-  Eigen::Index bodies() const { return position.rows(); }
 };
 
 /// Standard deviations of one frame along and about each axis, from what changes between
@@ -36,6 +35,7 @@ struct BodyNoise {
   double rotation_rad = 0.0;
 };
 
+/// Axis times angle, [rad].
 Eigen::Vector3d turn_between(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) {
   const Eigen::AngleAxisd turn(to * from.conjugate());
   return turn.angle() * turn.axis();
@@ -72,12 +72,6 @@ MeanBodies mean_bodies(const CalibrationLog& log, std::size_t first, std::size_t
     mean.rotation.emplace_back(q);
   }
   return mean;
-}
-
-/// Axis times angle, [rad], of the rotation that turns `body` from one to the other.
-Eigen::Vector3d turn_between(const MeanBodies& from, const MeanBodies& to, Eigen::Index body) {
-  const auto i = static_cast<std::size_t>(body);
-  return turn_between(from.rotation[i], to.rotation[i]);
 }
 
 BodyNoise body_noise(const CalibrationLog& log, std::size_t first, std::size_t end) {
@@ -146,9 +140,10 @@ class MotionPlaneFit {
     moved_noise_ = of_means * noise.position;
     for (const Pulse<MeanBodies>& pulse : pulses_) {
       std::vector<SeenMotion> motions;
-      for (Eigen::Index i = 0; i < rest_.bodies(); ++i) {
-        motions.push_back({turn_between(pulse.before, pulse.held, i),
-                           (pulse.held.position - pulse.before.position).row(i).transpose()});
+      const Eigen::MatrixX3d moved = pulse.held.position - pulse.before.position;
+      for (std::size_t i = 0; i < rest_.rotation.size(); ++i) {
+        motions.push_back({turn_between(pulse.before.rotation[i], pulse.held.rotation[i]),
+                           moved.row(static_cast<Eigen::Index>(i)).transpose()});
       }
       motions_.push_back(std::move(motions));
     }
@@ -189,11 +184,9 @@ class MotionPlaneFit {
   Eigen::Vector3d common_axis() const {
     CommonDirection axis;
     double largest_rad = 0.0;
-    for (const std::vector<SeenMotion>& motions : motions_) {
-      for (const SeenMotion& motion : motions) {
-        axis.add(motion.turn);
-        largest_rad = std::max(largest_rad, motion.turn.norm());
-      }
+    for (const SeenMotion& motion : std::views::join(motions_)) {
+      axis.add(motion.turn);
+      largest_rad = std::max(largest_rad, motion.turn.norm());
     }
     const double interval =
         axis.length() > 0.0 ? 2.0 * kDegPerRad * turn_noise_rad_ / axis.length() : kNotAtAllDegrees;
@@ -253,10 +246,8 @@ class MotionPlaneFit {
   /// The way that bodies move is across the axis about which they turn.
   void require_motion_across(const Eigen::Vector3d& normal) const {
     CommonDirection way;
-    for (const std::vector<SeenMotion>& motions : motions_) {
-      for (const SeenMotion& motion : motions) {
-        way.add(motion.moved);
-      }
+    for (const SeenMotion& motion : std::views::join(motions_)) {
+      way.add(motion.moved);
     }
     const double noise = kAxisNoiseFactor * kDegPerRad * moved_noise_ / way.length();
     if (!(noise <= kMaxAxisOffDegrees)) {
@@ -294,10 +285,8 @@ class MotionPlaneFit {
 
   double largest_tilt_rad(const Eigen::Vector3d& normal) const {
     double largest_rad = 0.0;
-    for (const std::vector<SeenMotion>& motions : motions_) {
-      for (const SeenMotion& motion : motions) {
-        largest_rad = std::max(largest_rad, motion.turn.cross(normal).norm());
-      }
+    for (const SeenMotion& motion : std::views::join(motions_)) {
+      largest_rad = std::max(largest_rad, motion.turn.cross(normal).norm());
     }
     return largest_rad;
   }
@@ -327,12 +316,10 @@ class MotionPlaneFit {
 }  // namespace
 
 bool has_bodies(const CalibrationLog& log) {
-  const auto count = [&](const auto& is_there) {
-    return std::count_if(log.frames.begin(), log.frames.end(), is_there);
-  };
-  const auto bodies = count([](const CalibrationFrame& f) { return f.bodies.has_value(); });
+  const auto bodies =
+      std::ranges::count_if(log.frames, [](const auto& f) { return f.bodies.has_value(); });
   const auto backbones =
-      count([](const CalibrationFrame& f) { return f.state.backbone.has_value(); });
+      std::ranges::count_if(log.frames, [](const auto& f) { return f.state.backbone.has_value(); });
   if (bodies > 0 && backbones > 0) {
     throw CalibrationRefused(
         fmt::format("{} states carry `bodies` and {} `backbone`: a driver sends one of the two",

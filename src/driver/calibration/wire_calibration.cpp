@@ -81,8 +81,7 @@ Backbone bodies_of(const TrackerCalibration& tracker, const Backbone& plates) {
 }  // namespace
 
 int segment_on(const std::vector<WireChannel>& channels, int channel) {
-  const auto found = std::find_if(channels.begin(), channels.end(),
-                                  [&](const WireChannel& one) { return one.channel == channel; });
+  const auto found = std::ranges::find(channels, channel, &WireChannel::channel);
   return static_cast<int>(found - channels.begin());
 }
 
