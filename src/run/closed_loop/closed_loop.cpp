@@ -98,10 +98,6 @@ struct ClosedLoop::Motion {
     }
   }
 
-  bool is_blind(const ArmEstimate& estimate) const {
-    return estimate.frames_unseen() > arm.frames_in(settings.blind_s);
-  }
-
   const ArmDescription& arm;
   std::unique_ptr<ForwardModel> own;
   MotionModel model;
@@ -251,7 +247,7 @@ std::function<MotionAdvice()> ClosedLoop::advise(const PlanProgress& at, const A
   if (!arm.has_state() || !is_in_motion) {
     return {};
   }
-  if (motion.is_blind(arm)) {
+  if (arm.frames_unseen() > motion.arm.frames_in(motion.settings.blind_s)) {
     return [blind_s = motion.settings.blind_s] {
       return MotionAdvice{
           MotionAdvice::Kind::stop, std::nullopt,

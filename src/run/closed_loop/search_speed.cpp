@@ -17,7 +17,6 @@ constexpr int kTimings = 7;  // the fastest counts: other work on the machine on
 constexpr std::uint64_t kQueryStep = 100;
 
 double seconds_per_query(const ArmDescription& arm, const MotionModel& model) {
-  using Clock = std::chrono::steady_clock;
   const ArmStart rest = start_state(Environment{}, arm);
   const MotionState from = model.settled_state(rest.pressures_kpa, rest.backbone);
   RolloutBatch batch(model);
@@ -33,7 +32,7 @@ double seconds_per_query(const ArmDescription& arm, const MotionModel& model) {
       }
       batch.add(motion, from, to_kpa, kTimedFrames);
     }
-    const Clock::time_point begin = Clock::now();
+    const auto begin = std::chrono::steady_clock::now();
     for (int frame = 0; frame < kTimedFrames; ++frame) {
       batch.step();
     }

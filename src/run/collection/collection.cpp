@@ -39,14 +39,14 @@ class EpisodeRun {
 
   /// What was recorded so far; none where nothing saw the arm.
   std::optional<Episode> unfinished() {
-    if (recorder_.tracked_count() == 0) {
-      return std::nullopt;
-    }
-    return recorder_.finish();
+    return recorder_.tracked_count() > 0 ? std::optional(recorder_.finish()) : std::nullopt;
   }
 
   Episode run(const std::function<void()>& motion_done) {
-    lead_to(schedule_.first_kpa);
+    if (!schedule_.first_kpa.isZero()) {  // leads to it, unrecorded
+      move(Pressures::Zero(schedule_.first_kpa.size()),
+           {schedule_.first_kpa, settings_.schedule.hold_s, true});
+    }
     recorder_.add(driver_.state(), schedule_.first_kpa, 0);
     recording_ = true;
     Pressures from = schedule_.first_kpa;
@@ -62,12 +62,6 @@ class EpisodeRun {
   }
 
  private:
-  void lead_to(const Pressures& first_kpa) {
-    if (!first_kpa.isZero()) {
-      move(Pressures::Zero(first_kpa.size()), {first_kpa, settings_.schedule.hold_s, true});
-    }
-  }
-
   void move(const Pressures& from, const Motion& motion) {
     if (schedule_.approach == Approach::straight) {
       const Pressures* here = &from;
@@ -115,14 +109,14 @@ class EpisodeRun {
     return kReachTolerance * arm_.limits_of_channel(static_cast<int>(channel)).largest_kpa();
   }
 
-  double distance_kpa(Eigen::Index channel, const Pressures& setpoint_kpa) const {
-    return std::abs(static_cast<double>(driver_.state().pressure_kpa[channel]) -
-                    static_cast<double>(setpoint_kpa[channel]));
+  Eigen::VectorXd distances_kpa(const Pressures& setpoint_kpa) const {
+    return (driver_.state().pressure_kpa.cast<double>() - setpoint_kpa.cast<double>()).cwiseAbs();
   }
 
   bool reached(const Pressures& setpoint_kpa) const {
+    const Eigen::VectorXd distance_kpa = distances_kpa(setpoint_kpa);
     for (Eigen::Index s = 0; s < setpoint_kpa.size(); ++s) {
-      if (distance_kpa(s, setpoint_kpa) > tolerance_kpa(s)) {
+      if (distance_kpa[s] > tolerance_kpa(s)) {
         return false;
       }
     }
@@ -131,11 +125,7 @@ class EpisodeRun {
 
   [[noreturn]] void refuse_unreached(const Motion& motion, double waited_s) const {
     Eigen::Index worst = 0;
-    for (Eigen::Index s = 1; s < motion.setpoint_kpa.size(); ++s) {
-      if (distance_kpa(s, motion.setpoint_kpa) > distance_kpa(worst, motion.setpoint_kpa)) {
-        worst = s;
-      }
-    }
+    distances_kpa(motion.setpoint_kpa).maxCoeff(&worst);
     throw SystemFault(fmt::format(
         "{}: {} is at {:.1f} {unit} after {} s at set point {:.1f} {unit}; expected to be within "
         "{:.1f} {unit}{}",
@@ -215,8 +205,7 @@ std::optional<Recording> finished_before(const CollectionSettings& settings,
 }
 
 std::ptrdiff_t count_done(const std::vector<std::optional<Episode>>& done) {
-  return std::count_if(done.begin(), done.end(),
-                       [](const auto& episode) { return episode.has_value(); });
+  return std::ranges::count_if(done, [](const auto& episode) { return episode.has_value(); });
 }
 
 std::uint64_t motions_left(const std::vector<EpisodeSchedule>& schedule,

@@ -110,12 +110,7 @@ Episode EpisodeRecorder::finish() {
   }
   episode.motion_index = std::move(motion_index_);
   episode.tracked = std::move(tracked_);
-  time_s_.clear();
-  pressure_kpa_.clear();
-  setpoint_kpa_.clear();
-  backbone_.clear();
-  motion_index_.clear();
-  tracked_.clear();
+  *this = EpisodeRecorder(arm_);
   return episode;
 }
 

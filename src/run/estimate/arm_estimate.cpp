@@ -98,7 +98,6 @@ class PredictedState {
 
  private:
   void take_next(const Pressures& pressure_kpa);
-  void predict(const Pressures& setpoint_kpa, const Pressures& pressure_kpa);
   void correct(const Backbone& measured, bool is_later);
   void look_ahead();
 
@@ -122,12 +121,6 @@ void PredictedState::take_next(const Pressures& pressure_kpa) {
   const Pressures& setpoint_kpa = coming_kpa_.front();
   const Eigen::Index n = setpoint_kpa.size();
   miss_.travelled_kpa += double((setpoint_kpa - valves_.segment(n, n)).cwiseAbs().sum());
-  predict(setpoint_kpa, pressure_kpa);
-  coming_kpa_.pop_front();
-}
-
-void PredictedState::predict(const Pressures& setpoint_kpa, const Pressures& pressure_kpa) {
-  const Eigen::Index n = setpoint_kpa.size();
   const Pressures before_kpa = valves_.head(n);
   model_.valves().step(setpoint_kpa, valves_);
   if (!model_.valves().is_ideal()) {
@@ -141,6 +134,7 @@ void PredictedState::predict(const Pressures& setpoint_kpa, const Pressures& pre
     model_.step_shape(before_kpa, valves_.head(n), state_->before, state_->backbone, workspace_);
     state_->valves = valves_;
   }
+  coming_kpa_.pop_front();
 }
 
 /// @param is_later  than the shape before

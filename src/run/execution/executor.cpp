@@ -18,14 +18,9 @@
 namespace limber {
 
 const char* to_string(ExecutionStatus status) {
-  switch (status) {
-    case ExecutionStatus::done:
-      return "done";
-    case ExecutionStatus::fault:
-      return "fault";
-    default:
-      return "stopped";
-  }
+  return status == ExecutionStatus::done    ? "done"
+         : status == ExecutionStatus::fault ? "fault"
+                                            : "stopped";
 }
 
 namespace {

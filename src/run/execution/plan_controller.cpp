@@ -26,7 +26,6 @@ void PlanController::begin(const RunStart& start) {
   hold_s_ = start.hold_s;
   in_real_time_ = start.in_real_time;
   plan_ = &start.plan;
-  frame_ = 0;
   sent_kpa_ = start.plan.frames.front().setpoint_kpa;
 }
 
@@ -122,8 +121,7 @@ Decision PlanController::move(const ArmEstimate& arm) {
   if (std::function<MotionAdvice()> question = advise({*plan_, next_frame_, sent_kpa_}, arm)) {
     advised_ = std::make_shared<std::optional<Advised>>();
     decision.question = [question = std::move(question), answer = advised_] {
-      using Clock = std::chrono::steady_clock;
-      const Clock::time_point begun = Clock::now();
+      const auto begun = std::chrono::steady_clock::now();
       MotionAdvice advice = question();
       *answer = Advised{std::move(advice), seconds_since(begun)};
     };

@@ -55,8 +55,7 @@ void read_gain(const std::string& text, JacobianGains& gains) {
 
 std::optional<JacobianGains> parse_jacobian(const std::string& text) {
   const std::size_t comma = std::min(text.find(','), text.size());
-  const std::string name = text.substr(0, comma);
-  if (name != "jacobian") {
+  if (text.substr(0, comma) != "jacobian") {
     return std::nullopt;
   }
   JacobianGains gains = kDefaultGains;

@@ -108,9 +108,7 @@ std::vector<Eigen::VectorXd> cheapest_way(const LapSearch& search, std::vector<S
   for (std::size_t point = 1; point < shapes.size(); ++point) {
     search.follow(shapes[point - 1], shapes[point]);
   }
-  const auto last =
-      std::min_element(shapes.back().begin(), shapes.back().end(),
-                       [](const Shape& a, const Shape& b) { return a.cost < b.cost; });
+  const auto last = std::ranges::min_element(shapes.back(), {}, &Shape::cost);
   std::vector<Eigen::VectorXd> way(shapes.size());
   int at = static_cast<int>(last - shapes.back().begin());
   for (std::size_t point = shapes.size(); point-- > 0;) {

@@ -80,18 +80,13 @@ std::vector<Candidate> rated(const ArmDescription& arm, const MotionModel& model
   return starts;
 }
 
-bool is_nearer(const Candidate& a, const Candidate& b) {
-  return a.distance_m < b.distance_m;
-}
-
 Candidate nearest_sample(const ArmDescription& arm, const MotionModel& model,
                          const Eigen::Vector2d& tip_m, RandomStream& random) {
   const Eigen::MatrixXf setpoints_kpa =
       sampled_kpa(arm, kStartSamples, [&](Eigen::Index /*segment*/, const PressureLimits& limits) {
         return random.uniform(limits.lower_kpa, limits.upper_kpa);
       });
-  const std::vector<Candidate> all = rated(arm, model, tip_m, setpoints_kpa);
-  return *std::min_element(all.begin(), all.end(), is_nearer);
+  return std::ranges::min(rated(arm, model, tip_m, setpoints_kpa), {}, &Candidate::distance_m);
 }
 
 Candidate refined(const ArmDescription& arm, const MotionModel& model, const Eigen::Vector2d& tip_m,
@@ -102,8 +97,9 @@ Candidate refined(const ArmDescription& arm, const MotionModel& model, const Eig
           const double spread_kpa = share * limits.half_width_kpa();
           return limits.clamped(double(best.setpoint_kpa[i]) + spread_kpa * random.normal());
         });
-    const std::vector<Candidate> near = rated(arm, model, tip_m, setpoints_kpa);
-    best = std::min(best, *std::min_element(near.begin(), near.end(), is_nearer), is_nearer);
+    const Candidate nearest =
+        std::ranges::min(rated(arm, model, tip_m, setpoints_kpa), {}, &Candidate::distance_m);
+    best = std::ranges::min(best, nearest, {}, &Candidate::distance_m);
   }
   return best;
 }
@@ -121,7 +117,7 @@ TrackStart find_track_start(const ArmDescription& arm, const MotionModel& model,
   if (found.distance_m > kStartNearM) {
     const Candidate nearest =
         refined(arm, model, tip_m, nearest_sample(arm, model, tip_m, random), random);
-    found = std::min(found, nearest, is_nearer);
+    found = std::ranges::min(found, nearest, {}, &Candidate::distance_m);
   }
   return {std::move(posture), found.setpoint_kpa, found.distance_m};
 }
