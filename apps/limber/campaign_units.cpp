@@ -177,11 +177,8 @@ std::vector<std::string> unit_command(const Campaign& campaign, const CampaignUn
   }
   const bool goes_on =
       campaign.verb == "train" && fs::exists(folder / (std::string(kUnitModel) + ".checkpoint"));
-  for (const std::string& word :
-       {std::string(goes_on ? "--resume" : "--force"), std::string("--json"), std::string("--jobs"),
-        std::to_string(jobs)}) {
-    command.push_back(word);
-  }
+  command.insert(command.end(),
+                 {goes_on ? "--resume" : "--force", "--json", "--jobs", std::to_string(jobs)});
   return command;
 }
 

@@ -186,18 +186,14 @@ void require_distinct_files(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     for (const std::string& value : option->results()) {
       std::error_code error;
-      if (value.empty() && is_output(command, *option)) {
-        throw InputError(fmt::format("{} '': names no file; expected a file or folder to write",
-                                     option->get_name()));
-      }
-      if (value.empty()) {
-        continue;
-      }
+      const bool is_rewritten = command.get_name() == kRewriter && option->check_name("--arm");
       if (is_output(command, *option)) {
+        if (value.empty()) {
+          throw InputError(fmt::format("{} '': names no file; expected a file or folder to write",
+                                       option->get_name()));
+        }
         outputs.push_back({option->get_name(), value});
-      } else if (command.get_name() == kRewriter && option->check_name("--arm")) {
-        continue;
-      } else if (fs::is_regular_file(value, error)) {
+      } else if (!is_rewritten && fs::is_regular_file(value, error)) {
         inputs.push_back({option->get_name(), value});
       }
     }
@@ -273,12 +269,6 @@ int run_caught(Verb& verb, const CLI::App& command, const CommonFlags& flags) {
   }
 }
 
-/// An arm that may be under pressure is a fault, whatever else came of the run.
-int run_guarded(Verb& verb, const CLI::App& command, const CommonFlags& flags) {
-  const int code = run_caught(verb, command, flags);
-  return ProcessDriver::was_any_left_unsafe() ? kExitFault : code;
-}
-
 }  // namespace
 
 void add_common_flags(CLI::App& app, CommonFlags& flags) {
@@ -332,7 +322,9 @@ int run_command_line(int argc, char** argv) {
   install_interrupt_handler();
   for (const std::unique_ptr<Verb>& verb : verbs) {
     if (app.got_subcommand(verb->name())) {
-      return run_guarded(*verb, *app.get_subcommand(verb->name()), flags);
+      const int code = run_caught(*verb, *app.get_subcommand(verb->name()), flags);
+      // An arm that may be under pressure is a fault, whatever else came of the run.
+      return ProcessDriver::was_any_left_unsafe() ? kExitFault : code;
     }
   }
   return kExitBadInput;

@@ -22,14 +22,10 @@ void ModelFlags::add_valves_to(CLI::App& app) {
       ->excludes(valves);
 }
 
-void ModelFlags::require_named() const {
+ForwardModel ModelFlags::planning_model(const ArmDescription& arm) const {
   if (model_.empty() && !no_load_) {
     throw InputError("nothing to predict with: give --model MODEL.safetensors, or --no-load");
   }
-}
-
-ForwardModel ModelFlags::planning_model(const ArmDescription& arm) const {
-  require_named();
   if (model_.empty()) {
     return ForwardModel(arm);
   }
@@ -44,7 +40,13 @@ ValveParameters ModelFlags::valves(const ArmDescription& arm,
     return {};
   }
   if (network != nullptr && network->learnt_from_setpoints) {
-    refuse_valves_before_setpoints();
+    if (!valves_.empty()) {
+      throw InputError(fmt::format(
+          "--valves {}: {} learnt from set points, so that it knows the valves along with the arm; "
+          "before it their lag would count twice. Leave --valves out, or give a network that "
+          "learnt from what was measured",
+          valves_, model_.empty() ? "the network" : model_));
+    }
     return {};
   }
   if (valves_.empty()) {
@@ -58,16 +60,6 @@ ValveParameters ModelFlags::valves(const ArmDescription& arm,
   return valves;
 }
 
-void ModelFlags::refuse_valves_before_setpoints() const {
-  if (!valves_.empty()) {
-    throw InputError(fmt::format(
-        "--valves {}: {} learnt from set points, so that it knows the valves along with the arm; "
-        "before it their lag would count twice. Leave --valves out, or give a network that learnt "
-        "from what was measured",
-        valves_, model_.empty() ? "the network" : model_));
-  }
-}
-
 MotionModel ModelFlags::motion_model(const ArmDescription& arm, const ForwardModel& forward) const {
   const CompensationModel* network = forward.has_network() ? &forward.compensation() : nullptr;
   return {forward, ValveModel(arm, valves(arm, network))};
@@ -75,13 +67,12 @@ MotionModel ModelFlags::motion_model(const ArmDescription& arm, const ForwardMod
 
 void ModelFlags::warn_without_valves(const MotionModel& model, const CommonFlags& flags) const {
   const std::string missing = why_valves_are_missing(model);
-  if (no_valves_ || missing.empty()) {
-    return;
+  if (!no_valves_ && !missing.empty()) {
+    say(flags,
+        "warning: {}. --valves FILE names a valve model (limber characterize --valves RECORDING); "
+        "--no-valves says that none is wanted",
+        missing);
   }
-  say(flags,
-      "warning: {}. --valves FILE names a valve model (limber characterize --valves RECORDING); "
-      "--no-valves says that none is wanted",
-      missing);
 }
 
 }  // namespace limber

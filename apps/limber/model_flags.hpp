@@ -37,9 +37,6 @@ class ModelFlags {
   void warn_without_valves(const MotionModel& model, const CommonFlags& flags) const;
 
  private:
-  void refuse_valves_before_setpoints() const;
-  void require_named() const;
-
   std::string model_;
   bool no_load_ = false;
   std::string valves_;

@@ -114,15 +114,6 @@ std::vector<PressureLimits> LimitFlags::limits(const ArmDescription& arm) const 
     return {};
   }
   std::vector<PressureLimits> limits = limits_of(arm);
-  const auto narrow = [&](const Narrowing& asked, std::size_t segment) {
-    const PressureLimits& own = arm.segments[segment].pressure_limit_kpa;
-    if (!own.contains(asked.limits)) {
-      refuse(asked.text, fmt::format("beyond the limits of {}, {} {}",
-                                     segment_name(static_cast<Eigen::Index>(segment)),
-                                     to_string(own), arm.command.unit));
-    }
-    limits[segment] = asked.limits;
-  };
   std::vector<Narrowing> all;
   for (const std::string& value : values_) {
     const Narrowing asked = narrowing_in(value, arm);
@@ -137,7 +128,13 @@ std::vector<PressureLimits> LimitFlags::limits(const ArmDescription& arm) const 
     const std::size_t first = asked.segment.value_or(0);
     const std::size_t end = asked.segment ? first + 1 : limits.size();
     for (std::size_t s = first; s < end; ++s) {
-      narrow(asked, s);
+      const PressureLimits& own = arm.segments[s].pressure_limit_kpa;
+      if (!own.contains(asked.limits)) {
+        refuse(asked.text, fmt::format("beyond the limits of {}, {} {}",
+                                       segment_name(static_cast<Eigen::Index>(s)), to_string(own),
+                                       arm.command.unit));
+      }
+      limits[s] = asked.limits;
     }
   }
   return limits;

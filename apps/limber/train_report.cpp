@@ -68,14 +68,9 @@ std::vector<Episode> episodes_of(const BoundModelRequest& request, const ArmDesc
 }
 
 const char* status_of(const TrainingResult& result) {
-  switch (result.status) {
-    case TrainingStatus::finished:
-      return "finished";
-    case TrainingStatus::interrupted:
-      return "interrupted";
-    default:
-      return "diverged";
-  }
+  return result.status == TrainingStatus::finished      ? "finished"
+         : result.status == TrainingStatus::interrupted ? "interrupted"
+                                                        : "diverged";
 }
 
 /// How large the model's error is on motions that it has not seen, or why that is not known.
@@ -123,10 +118,8 @@ nlohmann::ordered_json json_of(const CommonFlags& flags, const Command& command,
   if (result.model.member_count() > 1) {
     json["member_validation_position_error_cm"] = result.member_validation_position_error_cm;
   }
-  json["prediction_error"] = nullptr;
-  if (result.model.prediction_error) {
-    json["prediction_error"] = to_json(*result.model.prediction_error);
-  }
+  json["prediction_error"] = result.model.prediction_error ? to_json(*result.model.prediction_error)
+                                                           : nlohmann::ordered_json();
   json["tube"] = result.model.tube ? to_json(*result.model.tube) : nlohmann::ordered_json();
   if (result.model.learnt) {
     json["learnt"] = to_json(*result.model.learnt, command);
@@ -134,10 +127,8 @@ nlohmann::ordered_json json_of(const CommonFlags& flags, const Command& command,
   if (result.model.bounds) {
     json["bounds"] = to_json(*result.model.bounds);
   }
-  json["long_rollout"] = nullptr;
-  if (result.long_rollout.frames > 0) {
-    json["long_rollout"] = to_json(result.long_rollout);
-  }
+  json["long_rollout"] =
+      result.long_rollout.frames > 0 ? to_json(result.long_rollout) : nlohmann::ordered_json();
   return json;
 }
 
@@ -252,10 +243,7 @@ void print_training_result(const CommonFlags& flags, const Command& command,
                            const std::optional<CrossValidation>& folds) {
   say_what_ran_away(flags, result);
   nlohmann::ordered_json json = json_of(flags, command, files, result, choice);
-  json["cross_validation"] = nullptr;
-  if (folds) {
-    json["cross_validation"] = to_json(*folds);
-  }
+  json["cross_validation"] = folds ? to_json(*folds) : nlohmann::ordered_json();
   if (changes) {
     json["fine_tuning"] = to_json(*changes);
   }

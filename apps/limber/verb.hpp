@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/arm/arm_description.hpp"
+#include "limber/common/atomic_file.hpp"
 #include "limber/common/printable.hpp"
 #include "limber/common/progress.hpp"
 #include "limber/common/standard_streams.hpp"
@@ -100,6 +101,14 @@ void print_result(const CommonFlags& flags, const nlohmann::ordered_json& result
 /// refuse_to_overwrite (common/atomic_file.hpp) for each of these that names a file: outputs that
 /// were not asked for are empty.
 void refuse_to_overwrite_given(std::initializer_list<std::string> paths, const CommonFlags& flags);
+
+/// Writes what `make` returns to the file that a flag names; does nothing where it names none.
+template <class Make>
+void write_given(const std::string& path, const Make& make) {
+  if (!path.empty()) {
+    write_file_atomically(path, make());
+  }
+}
 
 /// --arm, with `arm` as its default.
 void add_arm_flag(CLI::App& app, std::string& arm);

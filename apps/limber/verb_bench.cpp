@@ -2,7 +2,6 @@
 
 #include "episode_choice.hpp"
 #include "limber/arm/arm_description.hpp"
-#include "limber/common/atomic_file.hpp"
 #include "limber/lab/speed_benchmark.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/network/compensation_model.hpp"
@@ -64,17 +63,13 @@ class BenchVerb final : public Verb {
     if (!training_.empty()) {
       return run_training(arm, flags);
     }
-    std::optional<CompensationModel> model;
-    if (!model_.empty()) {
-      model = read_model_of_one_arm(model_, arm);
-    }
+    const std::optional<CompensationModel> model =
+        model_.empty() ? std::nullopt : std::optional(read_model_of_one_arm(model_, arm));
     SpeedSettings settings;
     settings.queries = quick_ ? kQuickQueries : queries_;
     take_common(flags, settings);
     const SpeedReport report = measure_speed(arm, model ? &*model : nullptr, settings);
-    if (!plot_.empty()) {
-      write_file_atomically(plot_, speed_chart(report).svg());
-    }
+    write_given(plot_, [&] { return speed_chart(report).svg(); });
     print_result(flags, to_json(report), to_text(report));
     return kExitDone;
   }

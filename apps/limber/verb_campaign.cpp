@@ -7,6 +7,7 @@
 #include "campaign_units.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/json_number.hpp"
 #include "limber/common/number_text.hpp"
 #include "limber/common/progress.hpp"
 #include "limber/lab/campaign_report.hpp"
@@ -209,10 +210,7 @@ class CampaignVerb final : public Verb {
     json["failed"] = status.failed;
     json["waiting"] = status.waiting;
     json["failures"] = status.failures;
-    json["left_s"] = nullptr;
-    if (const std::optional<double> left_s = status.left_s()) {
-      json["left_s"] = *left_s;
-    }
+    json["left_s"] = optional_json(status.left_s());
     return json;
   }
 

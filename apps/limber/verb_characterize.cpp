@@ -169,12 +169,8 @@ class CharacterizeVerb final : public Verb {
     // Everything is ready before the first file is written.
     const std::string yaml = with_strain_polynomials(read_file(arm_file), result.arm);
     const std::string svg = bench_chart(result, bench).svg();
-    if (!out_.empty()) {
-      write_file_atomically(out_, yaml);
-    }
-    if (!plot_.empty()) {
-      write_file_atomically(plot_, svg);
-    }
+    write_given(out_, [&] { return yaml; });
+    write_given(plot_, [&] { return svg; });
     report(flags, result, bench);
     return kExitDone;
   }

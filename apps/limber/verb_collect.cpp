@@ -85,10 +85,8 @@ class CollectVerb final : public Verb {
     options_.seed = flags.seed;
     set_schedule(arm.dimension);
     schedule_.limit_scale = driver_.limit_scale();
-    std::optional<PhysicsVariation> variation;
-    if (vary_physics_) {
-      variation = parse_physics_variation(*vary_physics_);
-    }
+    const std::optional<PhysicsVariation> variation =
+        vary_physics_ ? std::optional(parse_physics_variation(*vary_physics_)) : std::nullopt;
     CollectionSettings settings = variation
                                       ? related_collection(arm, schedule_, options_, *variation)
                                       : virtual_collection(arm, schedule_, options_);
@@ -109,7 +107,8 @@ class CollectVerb final : public Verb {
     const DriverFactory drivers = variation ? related_arm_factory(arm, options_, *variation)
                                             : virtual_arm_factory(arm, options_);
     const CollectionResult result = collect(arm, settings, drivers, out_);
-    return finish(flags, arm, result, nullptr);
+    report(flags, arm, result, nullptr);
+    return kExitDone;
   }
 
  private:
@@ -156,17 +155,6 @@ class CollectVerb final : public Verb {
     settings.episodes_are = describe(plans_, file_hash(model_file_));
   }
 
-  /// @param driver  that moved the arm; null: the virtual one
-  int finish(const CommonFlags& flags, const ArmDescription& arm, const CollectionResult& result,
-             const ProcessDriver* driver) const {
-    if (result.foreign_files > 0) {
-      say(flags, "{}.parts: {} files were not written by collect and stay", out_,
-          result.foreign_files);
-    }
-    report(flags, arm, result, driver);
-    return kExitDone;
-  }
-
   int print_dry_run(const ArmDescription& arm, const CollectionSettings& settings,
                     const CommonFlags& flags) const {
     return driver_.print_dry_run(arm, flags, [&](ArmDriver& driver) {
@@ -198,12 +186,17 @@ class CollectVerb final : public Verb {
     settings.jobs = 1;
     settings.partial = std::filesystem::path(out_).replace_extension(".partial.h5");
     const CollectionResult result = collect(arm, settings, on_one_driver(*driver), out_);
-    const int code = finish(flags, arm, result, driver.get());
-    return driver->last_vent().confirmed ? code : kExitFault;
+    report(flags, arm, result, driver.get());
+    return driver->last_vent().confirmed ? kExitDone : kExitFault;
   }
 
+  /// @param driver  that moved the arm; null: the virtual one
   void report(const CommonFlags& flags, const ArmDescription& arm, const CollectionResult& result,
               const ProcessDriver* driver) const {
+    if (result.foreign_files > 0) {
+      say(flags, "{}.parts: {} files were not written by collect and stay", out_,
+          result.foreign_files);
+    }
     const Recording& recording = result.recording;
     const IdentifiedValves valves =
         identify_valves(recording.episodes, arm, std::filesystem::path(out_).filename().string());

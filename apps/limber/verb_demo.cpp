@@ -7,10 +7,6 @@ namespace limber {
 
 namespace {
 
-std::string mean(const nlohmann::ordered_json& errors, const char* unit) {
-  return fmt::format("{:.2f} {}", errors.at("mean").get<double>(), unit);
-}
-
 /// If no plan was found, or none executed, there is no distance.
 std::string distance(const nlohmann::ordered_json& plans) {
   const nlohmann::ordered_json& mean_cm = plans.at("mean_distance_to_goal_cm");
@@ -21,11 +17,11 @@ std::string to_text(const nlohmann::ordered_json& summary, const std::string& fo
   const nlohmann::ordered_json& evaluation = summary.at("evaluation");
   const nlohmann::ordered_json& plans = summary.at("comparison");
   return fmt::format(
-      "open-loop tip error: no load {}, network {}: {:.0f} % less\n"
+      "open-loop tip error: no load {:.2f} cm, network {:.2f} cm: {:.0f} % less\n"
       "executed plans end off by: no load {}, network {}\n"
       "report in {}/report.html, figures in {}/summary.json",
-      mean(evaluation.at("no_load").at("open_loop").at("position_error_cm"), "cm"),
-      mean(evaluation.at("network").at("open_loop").at("position_error_cm"), "cm"),
+      evaluation.at("no_load").at("open_loop").at("position_error_cm").at("mean").get<double>(),
+      evaluation.at("network").at("open_loop").at("position_error_cm").at("mean").get<double>(),
       evaluation.at("reduction_percent").at("position").get<double>(),
       distance(plans.at("no_load")), distance(plans.at("network")), folder, folder);
 }

@@ -61,10 +61,8 @@ void wait_for_operator(const std::string& step) {
 }
 
 Json to_json(const std::optional<TimeInterval>& time) {
-  if (!time) {
-    return nullptr;
-  }
-  return {{"value_s", time->value_s}, {"low_s", time->low_s}, {"high_s", time->high_s}};
+  return time ? Json{{"value_s", time->value_s}, {"low_s", time->low_s}, {"high_s", time->high_s}}
+              : Json();
 }
 
 Json to_json(const std::vector<WireChannel>& channels) {

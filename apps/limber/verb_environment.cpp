@@ -114,9 +114,7 @@ class EnvironmentVerb final : public Verb {
     for (const std::string& warning : check.warnings) {
       text += "\nwarning: " + warning;
     }
-    if (!svg_.empty()) {
-      write_file_atomically(svg_, environment_picture(arm, environment));
-    }
+    write_given(svg_, [&] { return environment_picture(arm, environment); });
     print_result(flags, json, check.refusal ? "" : text);
     if (check.refusal) {
       print_error(text);

@@ -156,7 +156,13 @@ class EvaluateVerb final : public Verb {
       json["prediction_error"] = to_json(*error);
       text += to_text(*error) + "\n";
     }
-    store(model);
+    if (!out_.empty() && !error) {
+      throw InputError(
+          fmt::format("--out: in {} nothing moves that the error could be measured on", data_));
+    }
+    if (!out_.empty()) {
+      write_model(out_, model);
+    }
   }
 
   std::filesystem::path horizon_plot_path() const {
@@ -187,17 +193,6 @@ class EvaluateVerb final : public Verb {
       std::ranges::move(recording.episodes, std::back_inserter(episodes));
     }
     return episodes;
-  }
-
-  void store(const CompensationModel& model) const {
-    if (out_.empty()) {
-      return;
-    }
-    if (!model.prediction_error) {
-      throw InputError(
-          fmt::format("--out: in {} nothing moves that the error could be measured on", data_));
-    }
-    write_model(out_, model);
   }
 
   /// @throws InputError that names both files if the prediction diverges to infinity.

@@ -2,7 +2,6 @@
 #include "further_plans.hpp"
 #include "limber/arm/arm_identity.hpp"
 #include "limber/arm/pressure_limits.hpp"
-#include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/report/execution_report.hpp"
@@ -82,12 +81,9 @@ class ExecuteVerb final : public Verb {
     if (track_.is_asked()) {
       return track(arm, arm_file, disturbances, flags);
     }
-    using Asked = std::pair<const char*, std::string>;
-    for (const auto& [flag, value] :
-         {Asked{"--plan", plan_}, Asked{"--environment", environment_}}) {
-      if (value.empty()) {
-        throw InputError(std::string(flag) + " is required, unless --track follows a path");
-      }
+    if (plan_.empty() || environment_.empty()) {
+      throw InputError(fmt::format("{} is required, unless --track follows a path",
+                                   plan_.empty() ? "--plan" : "--environment"));
     }
     if (replan_.is_asked_for() && !model_.names_model()) {
       throw InputError("--replan: needs a network to plan with; give --model MODEL.safetensors");
@@ -232,9 +228,7 @@ class ExecuteVerb final : public Verb {
       recording.episodes = {run.result.episode};
       write_recording(out_, recording);
     }
-    if (!svg_.empty()) {
-      write_file_atomically(svg_, track_picture(run));
-    }
+    write_given(svg_, [&] { return track_picture(run); });
     nlohmann::ordered_json json = to_json(run);
     json["seed"] = flags.seed;
     if (!disturbance_.empty()) {
@@ -287,18 +281,11 @@ class ExecuteVerb final : public Verb {
     write_run(arm, plan, result, driver, flags);
     further_plans_.write(model_.model_file());
     write_adapted(result);
-    if (!svg_.empty()) {
-      write_file_atomically(svg_, execution_picture(arm, environment, plan, result));
-    }
-    if (!pressures_svg_.empty()) {
-      write_file_atomically(pressures_svg_, execution_pressures_picture(arm, plan, result));
-    }
-    if (!times_svg_.empty()) {
-      write_file_atomically(times_svg_, execution_times_picture(arm, environment, plan, result));
-    }
-    if (!animation_.empty()) {
-      write_file_atomically(animation_, execution_animation(arm, environment, plan, result));
-    }
+    write_given(svg_, [&] { return execution_picture(arm, environment, plan, result); });
+    write_given(pressures_svg_, [&] { return execution_pressures_picture(arm, plan, result); });
+    write_given(times_svg_,
+                [&] { return execution_times_picture(arm, environment, plan, result); });
+    write_given(animation_, [&] { return execution_animation(arm, environment, plan, result); });
     nlohmann::ordered_json json = to_json(result, environment);
     if (replan_.is_asked_for()) {
       json["motion_queries"] = replan_.settings().motion_queries;

@@ -185,7 +185,11 @@ class ExperimentVerb final : public Verb {
             "--forest and --build-forest: the default planner alone uses a forest; add --planner "
             "default, or leave them out");
       }
-      settings_.forest = forest(model, flags);
+      // For all environments: a trial refuses the forest if its environment starts differently.
+      const ArmStart start = start_state(settings_.environments.front().environment, settings_.arm);
+      settings_.forest =
+          forest_.forest(settings_.arm, model, settings_.model_file.string(), start, flags);
+      throw_if_interrupted();
     }
     const nlohmann::ordered_json table = run_experiment(settings_);
     print_result(
@@ -195,15 +199,6 @@ class ExperimentVerb final : public Verb {
   }
 
  private:
-  /// For all environments: a trial refuses the forest if its environment starts differently.
-  std::optional<Forest> forest(const MotionModel& network, const CommonFlags& flags) const {
-    const std::string model_file = settings_.model_file.string();
-    const ArmStart start = start_state(settings_.environments.front().environment, settings_.arm);
-    std::optional<Forest> forest = forest_.forest(settings_.arm, network, model_file, start, flags);
-    throw_if_interrupted();
-    return forest;
-  }
-
   std::string arm_ = "three_segment";
   std::vector<std::string> environments_;
   bool network_only_ = false;

@@ -67,12 +67,6 @@ class ImportVerb final : public Verb {
     if (!dry_run_) {
       write_recording(out_, result.recording);
     }
-    report(flags, result);
-    return kExitDone;
-  }
-
- private:
-  void report(const CommonFlags& flags, const ImportResult& result) const {
     nlohmann::ordered_json json;
     json["file"] = dry_run_ ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(out_);
     json["arm"] = result.recording.arm_name;
@@ -80,8 +74,10 @@ class ImportVerb final : public Verb {
     json.update(to_json(result.report));
     print_result(flags, json,
                  to_text(result.report) + (dry_run_ ? ". Nothing was written" : " in " + out_));
+    return kExitDone;
   }
 
+ private:
   std::string format_;
   std::vector<std::string> logs_;
   std::vector<std::string> command_logs_;

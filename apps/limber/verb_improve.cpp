@@ -4,6 +4,7 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/json_number.hpp"
 #include "limber/common/json_reader.hpp"
 #include "limber/training/training_settings.hpp"
 #include "verbs.hpp"
@@ -23,11 +24,6 @@ constexpr const char* kReplayShare = "0.75";
 
 void append(Words& to, const Words& more) {
   to.insert(to.end(), more.begin(), more.end());
-}
-
-template <class Number>
-Json or_null(const std::optional<Number>& number) {
-  return number ? Json(*number) : Json(nullptr);
 }
 
 /// Rounds of two other verbs, in this process: `collect --schedule plans`, then `train --from`.
@@ -121,9 +117,9 @@ class ImproveVerb final : public Verb {
                  {"model", file_hash(model_)},
                  {"data", Json::array()},
                  {"plans", plans_},
-                 {"max_queries", or_null(queries_)},
-                 {"epochs", or_null(epochs_)},
-                 {"limit_scale", or_null(limit_scale_)},
+                 {"max_queries", optional_json(queries_)},
+                 {"epochs", optional_json(epochs_)},
+                 {"limit_scale", optional_json(limit_scale_)},
                  {"driver", driver_},
                  {"seed", flags.seed}};
     for (const std::string& data : data_) {

@@ -315,10 +315,8 @@ class InspectVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
-    std::optional<ArmDescription> arm;
-    if (!arm_.empty()) {
-      arm = load_any_arm(arm_);
-    }
+    const std::optional<ArmDescription> arm =
+        arm_.empty() ? std::nullopt : std::optional(load_any_arm(arm_));
     file_ = find_any_file(file_);
     Finding finding = inspect_file(file_, arm);
     nlohmann::ordered_json json = {{"file", file_}};

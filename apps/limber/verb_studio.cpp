@@ -75,9 +75,7 @@ class StudioVerb final : public Verb {
       }
       settings_.driver = wire_.settings(driver_, arm, arm_file);
       settings_.driver->limit_scale = limit_scale_;
-      settings_.driver->say = [](const std::string& message) {
-        print_to_stderr(printable(message) + "\n");
-      };
+      settings_.driver->say = tell_of_arm(true);
     }
     Studio studio(settings_);
     CommonFlags spoken = flags;

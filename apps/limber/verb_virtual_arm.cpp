@@ -103,9 +103,6 @@ class VirtualArmVerb final : public Verb {
   }
 
   void misassemble(const ArmDescription& arm, const CommonFlags& flags) {
-    if (misassembled_) {
-      require_planar(arm, "--misassembled");
-    }
     if (!misassembled_) {
       if (!truth_.empty()) {
         throw InputError("--truth: goes with --misassembled SEED, whose truth it is");
@@ -115,6 +112,7 @@ class VirtualArmVerb final : public Verb {
       }
       return;
     }
+    require_planar(arm, "--misassembled");
     settings_.misassembly = bodies_ ? draw_misassembly_in_3d(arm, *misassembled_)
                                     : draw_misassembly(arm, *misassembled_);
     if (!truth_.empty()) {
