@@ -19,10 +19,7 @@ void require(bool done, Response& response) {
 void arm(ArmStation& station, const JsonReader& body, Response& response) {
   if (!body.at("confirmed").boolean()) {
     refuse(response, kBadRequest, "confirmed: expected true: arming is deliberate");
-    return;
-  }
-  const std::string lease = station.arm();
-  if (lease.empty()) {
+  } else if (const std::string lease = station.arm(); lease.empty()) {
     refuse(response, kConflict, "another page has armed the arm");
   } else {
     answer(response, {{"lease", lease}});

@@ -100,10 +100,8 @@ class DriveTarget {
 /// The one of `limber execute --disturbance obstacle`; none where none is wanted, or fits the plan.
 inline std::optional<AppearingObstacle> dropped_obstacle(bool wanted, const ArmDescription& arm,
                                                          const Plan& plan) {
-  if (!wanted) {
-    return std::nullopt;
-  }
-  return disturbed(arm, plan, parse_disturbances("obstacle"), plan.seed).obstacle;
+  return wanted ? disturbed(arm, plan, parse_disturbances("obstacle"), plan.seed).obstacle
+                : std::nullopt;
 }
 
 /// The path of a request: time_s, x_m and y_m of each point, flat, times from 0 on.

@@ -23,14 +23,9 @@ std::string Tabs::open() {
 }
 
 void Tabs::close(const std::string& id) {
-  std::unique_ptr<Tab> closed;  // joins its thread without the lock
-  {
-    const std::lock_guard lock(mutex_);
-    if (const auto found = tabs_.find(id); found != tabs_.end()) {
-      closed = std::move(found->second);
-      tabs_.erase(found);
-    }
-  }
+  decltype(tabs_)::node_type closed;  // joins its thread without the lock
+  const std::lock_guard lock(mutex_);
+  closed = tabs_.extract(id);
 }
 
 void Tabs::send_to_all(const std::string& kind, const std::string& json) {
