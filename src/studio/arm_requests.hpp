@@ -4,6 +4,7 @@
 #include <string>
 
 #include "arm_station.hpp"
+#include "connections.hpp"
 #include "limber/common/json_reader.hpp"
 #include "tabs.hpp"
 

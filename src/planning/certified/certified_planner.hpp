@@ -17,8 +17,9 @@ enum class Valves { as_given, left_out };
 /// (PlanJudge), so a refused plan does not cost any other plan. If every plan is refused the status
 /// is `not_certified`, and the cheapest is kept as `best_partial`.
 ///
-/// The goal's margin is subtracted from its tolerances, down to half of them. If there is a margin,
-/// plans aim at the inner quarter. If nothing keeps the clearance asked for, the last tenth of the
+/// The goal's margin is subtracted from its tolerances, down to a quarter of them; where that is
+/// less, it does not fit, and plans may use four fifths. If there is a margin, plans aim at the
+/// inner tenth. If nothing keeps the clearance asked for, the last tenth of the
 /// limits (at most a second) is spent on smaller ones, and the reason names the largest that gave a
 /// plan.
 /// @param valves  left_out: plans and certifies as if pressures were the set points, as the paper

@@ -109,8 +109,9 @@ SafetyGate::SafetyGate(const ArmDescription& arm, std::vector<PressureLimits> li
 
 std::string SafetyGate::check_command(const Eigen::Ref<const Pressures>& setpoint_kpa) {
   if (setpoint_kpa.size() != arm_.channel_count()) {
-    return fmt::format("{} set points; arm '{}' has {} segments. They were not sent",
-                       setpoint_kpa.size(), arm_.name, arm_.channel_count());
+    return fmt::format("{} set points; arm '{}' has {} {}. They were not sent", setpoint_kpa.size(),
+                       arm_.name, arm_.channel_count(),
+                       arm_.is_spatial() ? "chambers" : "segments");
   }
   const double step_kpa = arm_.pressure_step_limit_kpa();
   const std::string& unit = arm_.command.unit;
