@@ -9,6 +9,7 @@
 #include "limber/common/number_text.hpp"
 #include "limber/common/printable.hpp"
 #include "limber/common/units.hpp"
+#include "limber/network/arm_gain.hpp"
 #include "refusal.hpp"
 
 namespace limber {
@@ -21,12 +22,16 @@ constexpr std::size_t kMaxTraitName = 40;
 /// Makes the hidden layers those of arm e, or of the family again.
 void change_arm(CompensationModel& model, const Eigen::VectorXf& e, bool to_arm) {
   const Eigen::VectorXf shift = model.family->shifts * e;
-  const Eigen::VectorXf log_gain = model.family->log_gains * e;
-  const Eigen::VectorXf gain = (to_arm ? log_gain : -log_gain).array().exp();
+  const Eigen::MatrixXf& log_gains = model.family->log_gains;
+  const Eigen::VectorXf of_middle = log_gains.col(0);
+  const Eigen::VectorXf of_arm = of_middle + log_gains.rightCols(e.size()) * e;
+  const Eigen::ArrayXf log_gain =
+      of_arm.unaryExpr(&log_arm_gain<float>) - of_middle.unaryExpr(&log_arm_gain<float>);
+  const Eigen::ArrayXf gain = (to_arm ? log_gain : -log_gain).exp();
   Eigen::Index row = 0;
   for (std::size_t i = 0; i + 1 < model.layers.size(); ++i) {
     auto& [weight, bias] = model.layers[i];
-    const auto own = gain.segment(row, bias.size()).array();
+    const auto own = gain.segment(row, bias.size());
     const auto own_shift = shift.segment(row, bias.size()).array();
     weight.array().colwise() *= own;
     bias = to_arm ? (own * (bias.array() + own_shift)).matrix().eval()
@@ -35,17 +40,15 @@ void change_arm(CompensationModel& model, const Eigen::VectorXf& e, bool to_arm)
   }
 }
 
-void validate(const Eigen::MatrixXf& columns, const char* name, Eigen::Index units,
-              Eigen::Index size, const std::string& where) {
-  if (size < 1 || size > ArmFamily::kMaxSize || columns.rows() != units || columns.cols() != size) {
+/// @param columns  how many the tensor should have, in words where there is a choice
+void validate(const Eigen::MatrixXf& tensor, const char* name, Eigen::Index units, bool fits,
+              const std::string& columns, const std::string& where) {
+  if (!fits || tensor.rows() != units) {
     refuse(where, fmt::format("tensor {} is {} by {}; expected {}, the units of the hidden layers, "
                               "by {}",
-                              name, columns.rows(), columns.cols(), units,
-                              size < 1 || size > ArmFamily::kMaxSize
-                                  ? fmt::format("1 to {}", ArmFamily::kMaxSize)
-                                  : fmt::format("{}", size)));
+                              name, tensor.rows(), tensor.cols(), units, columns));
   }
-  require_finite(where, name, columns);
+  require_finite(where, name, tensor);
 }
 
 bool is_trait_name(const std::string& name) {
@@ -84,8 +87,12 @@ Eigen::Index hidden_units(const std::vector<Layer>& layers) {
 }
 
 void validate(const ArmFamily& family, const std::vector<Layer>& layers, const std::string& where) {
-  validate(family.shifts, "family.columns", hidden_units(layers), family.size(), where);
-  validate(family.log_gains, "family.gains", hidden_units(layers), family.size(), where);
+  const Eigen::Index units = hidden_units(layers);
+  const int size = family.size();
+  validate(family.shifts, "family.columns", units, size >= 1 && size <= ArmFamily::kMaxSize,
+           fmt::format("1 to {}", ArmFamily::kMaxSize), where);
+  validate(family.log_gains, "family.gains", units, family.log_gains.cols() == 1 + size,
+           fmt::format("{}", 1 + size), where);
   if (family.arms.rows() != family.size() || family.arms.cols() < 1) {
     refuse(where, fmt::format("tensor family.arms is {} by {}; expected {}, the columns of "
                               "family.columns, by at least 1",

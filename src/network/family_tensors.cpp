@@ -91,7 +91,7 @@ void read_family_into(CompensationModel& model, const Safetensors& content, Tens
     if (shifts.rows() == model.layers.front().weight.rows()) {
       shifts.conservativeResizeLike(Eigen::MatrixXf::Zero(units, shifts.cols()));
     }
-    log_gains.setZero(units, shifts.cols());
+    log_gains.setZero(units, 1 + shifts.cols());
   }
   model.family = {std::move(shifts), std::move(log_gains), tensors.matrix(prefix + "arms"),
                   read_traits(content, tensors, where)};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "limber/network/arm_gain.hpp"
 #include "training_kernels.hpp"
 
 namespace limber {
@@ -54,7 +55,7 @@ void ArmModulation<Scalar>::begin(const Scalar* parameters, int group) {
     kernels_.layer(stride_, 2 * units, layout_.arms().size, vector_.data(),
                    parameters + layout_.modulation_offset(layer), no_bias_.data(), false, own);
     std::transform(own, own + units * stride_, own,
-                   [](Scalar log_gain) { return std::exp(log_gain); });
+                   [](Scalar x) { return std::exp(log_arm_gain(x)); });
   }
 }
 
@@ -83,7 +84,11 @@ void ArmModulation<Scalar>::end_back(const Scalar* parameters, int group, Scalar
   gather_vectors(parameters, group);
   for (int layer = 0; layer < hidden_layers(); ++layer) {
     const int rows = 2 * layout_.outputs(layer);
-    const Scalar* back = share_back_.data() + first_row(layer) * stride_;
+    Scalar* back = share_back_.data() + first_row(layer) * stride_;
+    std::transform(back, back + rows / 2 * stride_, gains(group, layer), back,
+                   [](Scalar by_log_gain, Scalar gain) {
+                     return by_log_gain * log_arm_gain_slope(std::log(gain));
+                   });
     const Eigen::Index at = layout_.modulation_offset(layer);
     kernels_.weight_gradient(1, stride_, rows, size, back, vector_.data(), 0, gradient + at);
     kernels_.layer_back(stride_, rows, size, back, parameters + at, vector_back_.data());

@@ -6,6 +6,7 @@
 #include <Eigen/Cholesky>
 
 #include "limber/common/random_stream.hpp"
+#include "limber/network/arm_gain.hpp"
 
 namespace limber {
 
@@ -130,11 +131,14 @@ void make_family(const ParameterLayout& layout, const Eigen::VectorXf& parameter
     const Eigen::Index units = layout.outputs(layer);
     const auto log_gains = share.topRows(units);
     const auto shifts = share.bottomRows(units);
-    const Eigen::VectorXd gain = (log_gains * mean).array().exp();
+    const Eigen::VectorXd of_middle = log_gains * mean;
+    const Eigen::VectorXd gain = of_middle.unaryExpr(&log_arm_gain<double>).array().exp();
     auto& [weight, bias] = model.layers[static_cast<std::size_t>(layer)];
     weight = gain.cast<float>().asDiagonal() * weight;
     bias = (gain.array() * (bias.cast<double>() + shifts * mean).array()).cast<float>();
-    append_rows(log_gains * to_own_scale, family.log_gains);
+    append_rows(
+        (Eigen::MatrixXd(units, 1 + size) << of_middle, log_gains * to_own_scale).finished(),
+        family.log_gains);
     append_rows(gain.asDiagonal() * shifts * to_own_scale, family.shifts);
   }
   model.family = std::move(family);

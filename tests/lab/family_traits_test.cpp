@@ -24,7 +24,7 @@ struct PlainFamily {
   ArmDescription arm = sample_arm(1);
   VirtualArmParameters of_file = virtual_arm_parameters(arm);
   ArmFamily family = {
-      Eigen::MatrixXf::Zero(4, 3), Eigen::MatrixXf::Zero(4, 3), Eigen::MatrixXf(3, kArms), {}};
+      Eigen::MatrixXf::Zero(4, 3), Eigen::MatrixXf::Zero(4, 4), Eigen::MatrixXf(3, kArms), {}};
   std::vector<std::string> physics;
 
   VirtualArmParameters physics_of(int number) const {

@@ -75,7 +75,7 @@ TEST(ModelFile, FamiliesAndTheirArmsComeBack) {
   const auto path = folder.path() / "model.safetensors";
   CompensationModel family = untrained_model(sample_arm(2), BackboneLayout::gap_poses, {7, 9}, 1);
   family.family = ArmFamily{Eigen::MatrixXf::Random(16, 3),
-                            0.3F * Eigen::MatrixXf::Random(16, 3),
+                            0.3F * Eigen::MatrixXf::Random(16, 4),
                             Eigen::MatrixXf::Random(3, 20),
                             {}};
   family.family->traits = {{"tip_load_kg", 0.01F, 0.04F, 0.005F, Eigen::Vector3f(0.1F, 0.0F, -0.2F),
@@ -131,8 +131,10 @@ Eigen::VectorXf hidden_output(const CompensationModel& family, const Eigen::Vect
   for (std::size_t i = 0; i + 1 < family.layers.size(); ++i) {
     const auto& [weight, bias] = family.layers[i];
     const Eigen::VectorXf shift = family.family->shifts.middleRows(row, bias.size()) * e;
+    const Eigen::MatrixXf gains = family.family->log_gains.middleRows(row, bias.size());
+    const Eigen::ArrayXf of_arm = gains.col(0) + gains.rightCols(e.size()) * e;
     const Eigen::VectorXf gain =
-        (family.family->log_gains.middleRows(row, bias.size()) * e).array().exp();
+        (2.0F * (of_arm / 2.0F).tanh() - 2.0F * (gains.col(0).array() / 2.0F).tanh()).exp();
     x = gain.cwiseProduct((weight * x + bias + shift).cwiseMax(0.0F));
     row += bias.size();
   }

@@ -11,7 +11,7 @@ namespace {
 /// segment 1 is, in per cent.
 ArmFamily family_of_two_traits() {
   ArmFamily family{
-      Eigen::MatrixXf::Zero(4, 2), Eigen::MatrixXf::Zero(4, 2), Eigen::MatrixXf::Zero(2, 1), {}};
+      Eigen::MatrixXf::Zero(4, 2), Eigen::MatrixXf::Zero(4, 3), Eigen::MatrixXf::Zero(2, 1), {}};
   family.traits = {{"tip_load_kg", 0.0F, 0.02F, 0.003F, Eigen::Vector2f(0.001F, 0.0F),
                     Eigen::Vector2f(1000.0F, 0.0F)},
                    {sides_trait(1), 0.0F, 0.0F, 0.04F, Eigen::Vector2f(0.0F, 0.01F),

@@ -5,6 +5,7 @@
 
 #include "limber/arm/space_pose.hpp"
 #include "limber/network/arm_family.hpp"
+#include "limber/network/arm_gain.hpp"
 #include "limber/training/adaptation.hpp"
 #include "limber/training/arm_fit.hpp"
 #include "limber/training/fine_tuning.hpp"
@@ -107,7 +108,9 @@ TEST_F(SpaceFamily, TheAdaptedFileIsTheFamilyWithThatVectorInItsLayers) {
   CompensationModel by_hand = family();
   for (Eigen::Index unit = 0; unit < by_hand.layers[0].bias.size(); ++unit) {
     const float e = read.member_of_family->e[0];
-    const float gain = std::exp(by_hand.family->log_gains(unit, 0) * e);
+    const float g = by_hand.family->log_gains(unit, 0);
+    const float gain = std::exp(log_arm_gain(g + by_hand.family->log_gains(unit, 1) * e)) /
+                       std::exp(log_arm_gain(g));
     float& bias = by_hand.layers[0].bias[unit];
     bias = gain * (bias + by_hand.family->shifts(unit, 0) * e);
     by_hand.layers[0].weight.row(unit) *= gain;

@@ -132,7 +132,7 @@ TEST_F(LiveFit, OfTheLargestFamilyFindsItsArmToo) {
   const Eigen::Index own = family.family->size();
   family.family->traits.clear();  // of fewer numbers
   for (Eigen::MatrixXf* columns : {&family.family->shifts, &family.family->log_gains}) {
-    columns->conservativeResize(Eigen::NoChange, ArmFamily::kMaxSize);
+    columns->conservativeResize(Eigen::NoChange, columns->cols() + ArmFamily::kMaxSize - own);
     columns->rightCols(ArmFamily::kMaxSize - own).setZero();
   }
   family.family->arms.conservativeResize(ArmFamily::kMaxSize, Eigen::NoChange);
