@@ -134,7 +134,7 @@ Eigen::VectorXf hidden_output(const CompensationModel& family, const Eigen::Vect
     const Eigen::MatrixXf gains = family.family->log_gains.middleRows(row, bias.size());
     const Eigen::ArrayXf of_arm = gains.col(0) + gains.rightCols(e.size()) * e;
     const Eigen::VectorXf gain =
-        (2.0F * (of_arm / 2.0F).tanh() - 2.0F * (gains.col(0).array() / 2.0F).tanh()).exp();
+        (4.0F * (of_arm / 4.0F).tanh() - 4.0F * (gains.col(0).array() / 4.0F).tanh()).exp();
     x = gain.cwiseProduct((weight * x + bias + shift).cwiseMax(0.0F));
     row += bias.size();
   }

@@ -4,9 +4,9 @@
 
 namespace limber {
 
-/// Of a hidden unit's gain on an arm of a family: between 1/7.4 and 7.4. Without a bound, units
+/// Of a hidden unit's gain on an arm of a family: between 1/55 and 55. Without a bound, units
 /// whose gains went to 10⁵ made a training of 120 epochs diverge (docs/log/2026-11-30-families.md).
-inline constexpr double kMaxLogGain = 2.0;
+inline constexpr double kMaxLogGain = 4.0;
 
 /// log γ(x): x itself where it is small, never beyond the bound.
 template <class Scalar>
