@@ -254,9 +254,9 @@ void bound_back(const StateBoundsView<float>& bounds, int stride, const float* u
 }
 
 constexpr WindowKernels<float> window_kernels_of_this_level() {
-  return {kLanes,     layer,       layer_back,     weight_gradient, bias_gradient, relu_gradient,
-          modulate, modulate_back, gather,     add_scaled,  carry,          gated_change,    gated_carry,   bound,
-          bound_back, entry_error, chain<InPlane>, chain<InSpace>};
+  return {kLanes,      layer,         layer_back, weight_gradient, bias_gradient,  relu_gradient,
+          modulate,    modulate_back, gather,     add_scaled,      carry,          gated_change,
+          gated_carry, bound,         bound_back, entry_error,     chain<InPlane>, chain<InSpace>};
 }
 
 constexpr OptimiserKernels optimiser_kernels_of_this_level() {
