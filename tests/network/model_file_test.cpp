@@ -144,7 +144,7 @@ Eigen::VectorXf hidden_output(const CompensationModel& family, const Eigen::Vect
 TEST(ModelFile, AnArmsLayersAreWhatEMakesOfTheFamilys) {
   CompensationModel family = untrained_model(sample_arm(2), BackboneLayout::gap_poses, {7, 9}, 1);
   family.family = ArmFamily{Eigen::MatrixXf::Random(16, 3),
-                            Eigen::MatrixXf::Random(16, 3),
+                            Eigen::MatrixXf::Random(16, 4),
                             Eigen::MatrixXf::Random(3, 20),
                             {}};
   const FamilyMember member{"", Eigen::Vector3f(0.5F, -1.0F, 2.0F), Eigen::Matrix3f::Identity()};
@@ -170,7 +170,7 @@ TEST(ModelFile, AFamilyWhoseFirstLayerAloneReadsEIsRead) {
   const auto path = folder.path() / "model.safetensors";
   CompensationModel family = untrained_model(sample_arm(2), BackboneLayout::gap_poses, {7, 9}, 1);
   family.family = ArmFamily{Eigen::MatrixXf::Random(16, 3),
-                            Eigen::MatrixXf::Zero(16, 3),
+                            Eigen::MatrixXf::Zero(16, 4),
                             Eigen::MatrixXf::Random(3, 20),
                             {}};
   family.family->shifts.bottomRows(9).setZero();

@@ -41,6 +41,7 @@ struct ClosedLoop::Motion {
         start(start_of(PlanningProblem{arm, model, environment, 0.0}).backbone),
         feedback(the_arm, model.no_load(), model.valves()) {
     if (own) {
+      family = family_of(own->compensation());
       fit.emplace(arm, own->compensation());
       missed_by = fit->member().e;
     }
@@ -100,6 +101,7 @@ struct ClosedLoop::Motion {
 
   const ArmDescription& arm;
   std::unique_ptr<ForwardModel> own;
+  CompensationModel family;  // of `own`, for which each e gives the bits that `verify` has
   MotionModel model;
   std::optional<LiveArmFit> fit;
   int seen = -1;                    // ArmEstimate::frames: a frame may be asked about twice
@@ -174,8 +176,7 @@ void ClosedLoop::observe(const Moment& now) {
   motion.keep_room();
   if (motion.is_refitted) {
     motion.is_refitted = false;
-    *motion.own =
-        ForwardModel(motion.arm, model_of_arm(motion.own->compensation(), motion.fit->member()));
+    *motion.own = ForwardModel(motion.arm, model_of_arm(motion.family, motion.fit->member()));
     const Eigen::VectorXf& e = motion.fit->member().e;
     if ((e - motion.missed_by).norm() > kOtherArm * std::sqrt(static_cast<float>(e.size()))) {
       motion.missed_by = e;  // what another arm's model missed says nothing of this one
