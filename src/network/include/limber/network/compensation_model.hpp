@@ -87,8 +87,9 @@ using ArmChange = std::vector<TraitEstimate>;
 
 /// What makes a network one for a family of arms: k numbers e say which arm it is. A hidden layer,
 /// max(W x + b, 0) at e = 0, is (γ(g + G e) / γ(g)) ∘ max(W x + b + C e, 0) of arm e
-/// (docs/families.md; γ in network/arm_gain.hpp). e is in the family's own scale: over the arms that it learnt from, e has mean 0 and unit covariance, so that the origin is the
-/// family's middle, and an arm of it is about √k away. Plain values.
+/// (docs/families.md; γ in network/arm_gain.hpp). e is in the family's own scale: over the arms
+/// that it learnt from, e has mean 0 and unit covariance, so that the origin is the family's
+/// middle, and an arm of it is about √k away. Plain values.
 struct ArmFamily {
   static constexpr int kMaxSize = 64;  ///< of k
 
