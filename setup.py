@@ -8,6 +8,8 @@ import pathlib
 import re
 import shutil
 import subprocess
+import sys
+import sysconfig
 import tempfile
 
 from setuptools import Distribution, setup
@@ -39,8 +41,10 @@ class BuildWithModule(build_py):
                             prefix, "--strip"], check=True, stdout=subprocess.DEVNULL)
             for made in pathlib.Path(prefix).rglob("_limber*"):  # the module, and its stub
                 shutil.copy2(made, package)
-        if not list(package.glob("_limber*.so")):
-            raise SystemExit(f"{folder} holds no Python module; it needs pybind11-dev, python3-dev")
+        module = package / ("_limber" + sysconfig.get_config_var("EXT_SUFFIX"))
+        if not module.exists():
+            raise SystemExit(f"{folder} holds no {module.name}: it needs pybind11-dev and python3-dev, "
+                             f"and to be built for the Python that asks, {sys.executable}")
         for data in ("arms", "environments", "families"):
             shutil.copytree(ROOT / data, package / "data" / data, dirs_exist_ok=True)
 

@@ -32,18 +32,17 @@ class Page:
     example: list = dataclasses.field(default_factory=list)
 
 
-FLAG = re.compile(r"^  (-\w,)?(--[\w-]+)(.*)$")
+FLAG = re.compile(r"^  ((?:-\w,)?--[\w-]+(?:,--[\w-]+)*)(.*)$")
 VALUE = re.compile(r"^ (TEXT|INT|UINT|FLOAT|ENUM|\{[^}]*\})(\S*)")
 
 
 def read_flag(line):
     """A flag's line: its names, its value, and the text behind at least two spaces or column 30."""
-    short, name, rest = FLAG.match(line).groups()
+    names = FLAG.match(line)[1]
     head, text = (line[:30], line[30:]) if line[29:30] in ("", " ") else (line, "")
-    rest = head[line.index(name) + len(name):]
+    rest = head[2 + len(names):]
     found = VALUE.match(rest)
-    names = [short.rstrip(",")] if short else []
-    return Flag([*names, name], found[1] if found else "",
+    return Flag(names.split(","), found[1] if found else "",
                 (rest[found.end(1):] if found else rest).strip(), text.strip())
 
 

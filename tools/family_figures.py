@@ -191,7 +191,7 @@ class Family:
                                  "--seed", self.options.seed, *arguments)
         runs = [row["execution"] for row in rows if row.get("execution")]
         return {"plans": len(rows), "solved": len(runs),
-                "arrived": sum(run["goal_reached"] for run in runs),
+                "arrived": sum(bool(run["goal_reached"]) and not run["collided"] for run in runs),
                 "collided": sum(run["collided"] for run in runs)}
 
     def write_arm(self, name, physics):

@@ -48,9 +48,9 @@ class KeptParts:
                 for path in sorted((folder / "trials").glob("*.json"))]
 
     def random_environments(self, seed, count, name="random", arm="three_segment"):
-        """The folder of so many, which are sampled if it is not there."""
+        """The folder of so many, which are sampled if they are not all there."""
         folder = self.out / name
-        if not folder.exists():
+        if len(list(folder.glob("*.yaml"))) < count:
             self.limber("environment", "--json", "--random", "--arm", arm, "--seed", seed,
-                        "--count", count, "--out", folder)
+                        "--count", count, "--out", folder, "--force")
         return folder

@@ -57,15 +57,19 @@ def run(parts, options, kind, name, trial):
         "--out", options.out / f"{name}.h5", codes=(0, 1))
 
 
+def has_arrived(run):
+    return bool(run["goal_reached"]) and not run["collided"]
+
+
 def line(kind, runs, trials):
     searches = [ms for one in runs for ms in one["searches_ms"]]
     within = sum(ms <= SEARCH_MS for ms in searches)
-    simulated = sum(bool(trial["execution"]["goal_reached"]) for _, trial in trials)
+    simulated = sum(has_arrived(trial["execution"]) for _, trial in trials)
     share = f"{100 * within / len(searches):.1f} %" if searches else "–"
     late = [one["driver"]["late_ms"] for one in runs]
     distances = [one["distance_to_goal_cm"] for one in runs
                  if not one["stopped_ahead"] and one["distance_to_goal_cm"] is not None]
-    return (f"| {kind} | {sum(bool(one['goal_reached']) for one in runs)} of {len(runs)} ({simulated}) | "
+    return (f"| {kind} | {sum(map(has_arrived, runs))} of {len(runs)} ({simulated}) | "
             f"{sum(bool(one['collided']) for one in runs)} | "
             f"{sum(one['stopped_ahead'] and not one['collided'] for one in runs)} | "
             f"{statistics.median(distances):.2f} cm | "

@@ -147,7 +147,9 @@ class CampaignVerb final : public Verb {
     }
     const CampaignStatus status = look(campaign, folder);
     report(folder, status, figures, flags);
-    return (shares ? status.failed : failures.size()) == 0 ? kExitDone : kExitNoSolution;
+    // What failed on other ranks, they alone know; what is left undone, the folder.
+    const bool is_done = shares ? status.done == unit_count(campaign) : failures.empty();
+    return is_done ? kExitDone : kExitNoSolution;
   }
 
   /// Runs the unit. @return why it failed; empty where it did not

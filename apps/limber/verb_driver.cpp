@@ -292,6 +292,8 @@ class DriverVerb final : public Verb {
     write_file_atomically(folder / "report.html", driver_check_to_html(check, arm, valves));
     if (!valves.parameters.is_ideal()) {
       write_valves(folder / "valves.yaml", valves);
+    } else {
+      fs::remove(folder / "valves.yaml");  // of the check before, after --force
     }
     print_result(flags, json,
                  to_text(check) + "\n  " + to_text(valves, arm.command.unit, arm.dimension) +

@@ -116,7 +116,6 @@ class ExecuteVerb final : public Verb {
       if (program != nullptr) {
         require_within(plan, program->limits_kpa(), plan_, "the driver");
         settings_.max_start_error_m = max_start_error_m_.value_or(allowed_start_error_m(plan));
-        replan_.settings().corrections.limits = program->limits_kpa();
       }
       const ExecutionResult result = run_plan(arm, environment, plan, driver, flags);
       return finish(arm, environment, plan, result, program, flags);

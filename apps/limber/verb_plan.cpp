@@ -150,9 +150,9 @@ class PlanVerb final : public Verb {
     if (environment_.empty()) {
       return build_forest_alone(arm, model, flags);
     }
+    refuse_to_overwrite_given({out_, csv_, svg_, pressures_svg_, animation_}, flags);
     const Environment environment = environment_from(arm, arm_file, flags);
     room_.require_use(environment);
-    refuse_to_overwrite_given({out_, csv_, svg_, pressures_svg_, animation_}, flags);
     PlanResult result = search(arm, model, environment, flags);
     for (const std::string& warning : result.warnings) {
       say(flags, "warning: {}", warning);

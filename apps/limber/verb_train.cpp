@@ -193,16 +193,17 @@ class TrainVerb final : public Verb {
 
   /// @throws InputError where a file is in the way, or --resume has nothing to go on with.
   void require_free_paths(const CommonFlags& flags) const {
-    for (const fs::path& path : {fs::path(out_), curve_path(".curve.csv"), curve_path(".curve.svg"),
-                                 fs::path(checkpoint_path())}) {
+    for (const fs::path& path :
+         {fs::path(out_), curve_path(".curve.csv"), curve_path(".curve.svg"), checkpoint_path()}) {
       refuse_to_overwrite(path, flags.force || resume_ || path == checkpoint_path());
     }
-    if (resume_ && !fs::exists(checkpoint_path()) &&
-        !(takes_usual() && fs::exists(folds_path_of(checkpoint_path())))) {
+    const bool was_stopped = fs::exists(checkpoint_path()) ||
+                             (takes_usual() && fs::exists(folds_path_of(checkpoint_path())));
+    if (resume_ && !was_stopped) {
       throw InputError(fmt::format("--resume: there is no checkpoint {}; leave --resume out",
                                    checkpoint_path().string()));
     }
-    if (!resume_ && !flags.force && fs::exists(checkpoint_path())) {
+    if (!resume_ && !flags.force && was_stopped) {
       throw InputError(
           fmt::format("{}: a run that was stopped; --resume goes on with it, --force "
                       "starts over",

@@ -9,7 +9,7 @@
         limber.driver.serve(Mine())
 
 A busy notebook, a breakpoint in it or its end can't hold valves open: the driver vents at the end
-of its input, and when no request came for three frames.
+of its input, and when no `set` came for three frames.
 """
 
 from __future__ import annotations
@@ -22,6 +22,7 @@ import selectors
 import signal
 import sys
 import threading
+import time
 from collections.abc import Iterator, Sequence
 from types import FrameType
 from typing import Any, BinaryIO, Optional, Union
@@ -34,7 +35,7 @@ from ._limber import ArmState
 __all__ = ["Driver", "serve"]
 
 PROTOCOL = 1
-SILENT_FRAMES = 3  # without a request after a `set`, then it vents
+SILENT_FRAMES = 3  # without another `set`, then it vents
 LONGEST_LINE = 1 << 20  # bytes
 
 
@@ -84,12 +85,14 @@ class _Lines:
         self._selector.register(self._descriptor, selectors.EVENT_READ)
         self._waiting = b""
 
-    def next(self, timeout_s: Optional[float]) -> Optional[bytes]:
-        """The next line; empty at the end of the input, None where the time is up."""
+    def next(self, deadline_s: Optional[float]) -> Optional[bytes]:
+        """The next line; empty at the end of the input, None where time.monotonic() has passed the
+        deadline."""
         while b"\n" not in self._waiting:
             if len(self._waiting) > LONGEST_LINE:
                 return b""
-            if not self._selector.select(timeout_s):
+            left_s = None if deadline_s is None else max(0.0, deadline_s - time.monotonic())
+            if not self._selector.select(left_s):
                 return None
             read = os.read(self._descriptor, 1 << 16)
             if not read:
@@ -113,12 +116,12 @@ class _Server:
         self._frame_s = 1.0 / driver.rate_hz
 
     def run(self, lines: _Lines) -> None:
-        open_since_set = False
+        vent_at_s: Optional[float] = None
         while True:
-            line = lines.next(SILENT_FRAMES * self._frame_s if open_since_set else None)
+            line = lines.next(vent_at_s)
             if line is None:
                 self._driver.vent()
-                open_since_set = False
+                vent_at_s = None
                 continue
             if not line:
                 return
@@ -126,11 +129,14 @@ class _Server:
             kind = message.get("type")
             if kind == "bye":
                 return
-            open_since_set = kind == "set"
             try:
                 self._answer(kind, message)
+                if kind == "set":
+                    vent_at_s = time.monotonic() + SILENT_FRAMES * self._frame_s
+                elif kind == "vent":
+                    vent_at_s = None
             except Exception as error:  # the device's failure, whatever it is: vented and told
-                open_since_set = False
+                vent_at_s = None
                 self._driver.vent()
                 self._say({"type": "fault", "message": f"{type(error).__name__}: {error}"})
 

@@ -197,18 +197,21 @@ class Check {
   }
 
   /// Raises every pressure to `kPulseShare`-sized ones that a deadman has to take away.
-  double pressurise() {
+  /// @return what is read then; 0 of a channel that the driver allows nothing
+  Pressures pressurise() {
     Pressures wanted(channels());
     for (int s = 0; s < channels(); ++s) {
       const double sign = limit_kpa(s, 1.0) != 0.0 ? 1.0 : -1.0;
       wanted[s] = static_cast<float>(2.0 * kPulseShare * limit_kpa(s, sign));
     }
     hold(wanted, kPulseS);
-    // A channel that the driver allows nothing stays at zero.
-    const auto is_moved = (wanted.array() != 0.0F);
-    return is_moved
-        .select(driver_->state().pressure_kpa.cwiseAbs().array(), std::numeric_limits<float>::max())
-        .minCoeff();
+    return (wanted.array() != 0.0F).select(above_zero_kpa(driver_->state()).array(), 0.0F);
+  }
+
+  /// Sizes of the readings, without what the sensors say of no pressure.
+  Pressures above_zero_kpa(const ArmState& state) const {
+    const Eigen::Map<const Eigen::VectorXd> zero_kpa(result_.zero_kpa.data(), channels());
+    return (state.pressure_kpa - zero_kpa.cast<float>()).cwiseAbs();
   }
 
   void test_silence() {
@@ -216,27 +219,27 @@ class Check {
       return;  // a simulation that keeps no frames
     }
     result_.silence.tested = true;
-    result_.silence.before_kpa = pressurise();
+    const Pressures before_kpa = pressurise();
     const ArmState after = driver_->read_after_silence(kSilenceS);
-    judge(result_.silence, after, "no set came for three frames");
+    judge(result_.silence, before_kpa, after, "no set came for three frames");
   }
 
   void test_end_of_input() {
     DeadmanResult& deadman = result_.end_of_input;
     deadman.tested = true;
-    deadman.before_kpa = pressurise();
+    const Pressures before_kpa = pressurise();
     driver_->abandon();
     std::this_thread::sleep_for(std::chrono::duration<double>(kSilenceS));
-    judge(deadman, start_again(), "its input was closed");
+    judge(deadman, before_kpa, start_again(), "its input was closed");
     deadman.starts_vented = deadman.vented && starts_vented();
   }
 
   /// What was read at the end of input counts only where a start shows what is there: killed under
   /// pressure, a driver had no time to vent, nor had the device for its 0.3 s.
   bool starts_vented() {
-    const double before_kpa = pressurise();
+    const Pressures before_kpa = pressurise();
     driver_->abandon(true);
-    return largest_kpa(start_again()) < kVentedShare * before_kpa;
+    return !held_channel(before_kpa, above_zero_kpa(start_again()));
   }
 
   const ArmState& start_again() {
@@ -247,18 +250,31 @@ class Check {
     return driver_->first_state();
   }
 
-  static double largest_kpa(const ArmState& state) {
-    return state.pressure_kpa.cwiseAbs().maxCoeff();
+  /// A channel that has kept its pressure; none: all were vented.
+  static std::optional<int> held_channel(const Pressures& before_kpa, const Pressures& after_kpa) {
+    for (int s = 0; s < before_kpa.size(); ++s) {
+      if (before_kpa[s] != 0.0F && !(after_kpa[s] < kVentedShare * before_kpa[s])) {
+        return s;
+      }
+    }
+    return std::nullopt;
   }
 
-  void judge(DeadmanResult& deadman, const ArmState& after, const char* when) {
-    deadman.after_kpa = largest_kpa(after);
-    deadman.vented = deadman.after_kpa < kVentedShare * deadman.before_kpa;
-    if (!deadman.vented) {
-      complain(fmt::format(
-          "the driver did not vent when {}: {:.1f} kPa before, {:.1f} kPa after. docs/driver.md "
-          "says what it has to do",
-          when, deadman.before_kpa, deadman.after_kpa));
+  void judge(DeadmanResult& deadman, const Pressures& before_kpa, const ArmState& after,
+             const char* when) {
+    const Pressures after_kpa = above_zero_kpa(after);
+    const std::optional<int> held = held_channel(before_kpa, after_kpa);
+    Eigen::Index shown = 0;
+    before_kpa.maxCoeff(&shown);
+    shown = held.value_or(static_cast<int>(shown));
+    deadman.vented = !held;
+    deadman.before_kpa = before_kpa[shown];
+    deadman.after_kpa = after_kpa[shown];
+    if (held) {
+      complain(
+          fmt::format("the driver did not vent when {}: {:.1f} kPa before, {:.1f} kPa after, {}. "
+                      "docs/driver.md says what it has to do",
+                      when, deadman.before_kpa, deadman.after_kpa, name(*held)));
     }
   }
 

@@ -393,7 +393,7 @@ bool ProcessDriver::was_any_left_unsafe() {
   return any_left_unsafe || ChildProcess::was_any_left();
 }
 
-const std::vector<PressureLimits>& ProcessDriver::limits_kpa() const {
+std::vector<PressureLimits> ProcessDriver::limits_kpa() const {
   return session_->limits_kpa();
 }
 

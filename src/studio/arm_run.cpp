@@ -128,7 +128,6 @@ ArmRunReport run_on_arm(const ArmRunJob& job, const StudioScene& scene,
   };
   std::optional<ClosedLoop> loop;
   if (job.replan) {
-    loop_settings.corrections.limits = driver.limits_kpa();
     loop.emplace(arm, scene.motion(), environment, error_room(scene.motion().forward()),
                  loop_settings, plan.seed);
     settings.controller = &*loop;

@@ -122,6 +122,14 @@ class Served(InFolder):
         self.assertEqual(self.process.wait(LIMIT_S), 0)
         self.assertIn("vent", self.logged()[before])
 
+    def test_other_requests_do_not_keep_valves_open(self):
+        self.set(10.0, 10.0)
+        before = len(self.logged())
+        self.ask(type="hello", protocol=1)
+        self.process.stdin.write('{"type": "unknown"}\n')
+        self.process.stdin.flush()
+        self.wait_for_vent(before)
+
     def test_silence_after_a_set_vents_once(self):
         self.set(10.0, 10.0)
         before = len(self.logged())

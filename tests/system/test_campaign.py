@@ -143,6 +143,8 @@ class Campaigns(InFolder):
     def test_budgets_in_seconds_and_unknown_flags_are_refused(self):
         for flag, wanted in (("time-limit-s: 3", "budgets are"), ("jobs: 3", "limber campaign"),
                              ("dry-run: true", "give --dry-run to limber campaign"),
+                             ("build-forest: true", "grow it first"),
+                             ("forest: none.forest", "'none.forest': not found; grow it first"),
                              ("nonsense: 3", "nonsense")):
             self.write("c.yaml", COLLECT.replace("count: 6", f"count: 6, {flag}"))
             message = self.campaign(code=2).stderr

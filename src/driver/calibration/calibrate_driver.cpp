@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "limber/arm/names.hpp"
+#include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/driver/calibration_log.hpp"
@@ -84,7 +85,7 @@ class CalibrationRecorder {
     rig_.vent();
   }
 
-  /// By how far the last body turned while held up.
+  /// By how far the body that moved most came while held up.
   int channel_that_bends_most() const {
     int most = 0;
     double largest = -1.0;
@@ -186,10 +187,10 @@ class JumpWatch {
   int frames_ = 0;
 };
 
-double smallest_limit_kpa(const ProcessDriver& driver) {
-  double smallest = driver.limits_kpa().front().upper_kpa;
-  for (const PressureLimits& limits : driver.limits_kpa()) {
-    smallest = std::min({smallest, limits.upper_kpa, -limits.lower_kpa});
+double smallest_side_kpa(const std::vector<PressureLimits>& limits) {
+  double smallest = limits.front().upper_kpa;
+  for (const PressureLimits& one : limits) {
+    smallest = std::min({smallest, one.upper_kpa, -one.lower_kpa});
   }
   return smallest;
 }
@@ -201,8 +202,6 @@ std::optional<Eigen::MatrixX3d> seen_positions(const CalibrationFrame& frame) {
 }
 
 double calibration_pulse_kpa(const ArmDescription& arm) {
-  constexpr double kCalibrationPulseShare = 0.1;
-  double smallest = arm.segments.front().pressure_limit_kpa.upper_kpa;
   for (int s = 0; s < arm.segment_count(); ++s) {
     const PressureLimits& limits = arm.segments[static_cast<std::size_t>(s)].pressure_limit_kpa;
     if (limits.lower_kpa == 0.0 || limits.upper_kpa == 0.0) {
@@ -211,9 +210,8 @@ double calibration_pulse_kpa(const ArmDescription& arm) {
                       "segment to either side, since channels may be crossed",
                       segment_name(s)));
     }
-    smallest = std::min({smallest, limits.upper_kpa, -limits.lower_kpa});
   }
-  return kCalibrationPulseShare * smallest;
+  return kCalibrationLimitShare * smallest_side_kpa(limits_of(arm));
 }
 
 CalibrationLog record_calibration(const ArmDescription& arm, double pulse_kpa,
@@ -257,7 +255,7 @@ DriverCalibration calibrate_driver(const ArmDescription& arm,
 
   DriverCalibration result;
   result.hello = driver.hello();
-  const double pulse_kpa = smallest_limit_kpa(driver);
+  const double pulse_kpa = smallest_side_kpa(driver.limits_kpa());
   if (!(pulse_kpa > 0.0)) {
     throw InputError(
         "the driver allows nothing on one side of a "

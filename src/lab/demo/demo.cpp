@@ -44,6 +44,7 @@ constexpr const char* kFiles[] = {"arm.yaml",
                                   "learning_curve.svg",
                                   "evaluation.json",
                                   "plots/inflate_deflate.svg",
+                                  "plots/valves.svg",
                                   "report.html",
                                   "plots/bench.svg",
                                   "summary.json"};

@@ -311,7 +311,7 @@ nlohmann::ordered_json to_json(const DemoResults& results) {
   return {{"networks", training.model.member_count()},
           {"shape", training.model.shape()},
           {"preset", training.model.preset},
-          {"epochs", results.recipe.training.epoch_count()},
+          {"epochs", training.curve.back().epoch},
           {"best_epoch", training.best_epoch},
           {"best_validation_position_error_cm", training.best_validation_position_error_cm},
           {"frames", results.training_recording.frame_count()},

@@ -29,11 +29,12 @@ constexpr float kOtherArm = 0.1F;      // e moved by so much of the family's spr
 
 struct ClosedLoop::Motion {
   Motion(const ArmDescription& the_arm, const MotionModel& the_model,
-         const Environment& environment, const ErrorRoom& the_room,
+         const Environment& the_environment, const ErrorRoom& the_room,
          const ClosedLoopSettings& the_settings, std::uint64_t the_seed)
       : arm(the_arm),
         own(own_of(the_arm, the_model, the_settings)),
         model(own ? MotionModel(*own, the_model.valves()) : the_model),
+        environment(the_environment),
         room(the_room),
         settings(the_settings),
         seed(the_seed),
@@ -45,7 +46,6 @@ struct ClosedLoop::Motion {
       fit.emplace(arm, own->compensation());
       missed_by = fit->member().e;
     }
-    move_in(environment);
   }
 
   /// What the arm's e is changed in; none: it is left alone.
@@ -57,6 +57,7 @@ struct ClosedLoop::Motion {
   }
 
   void move_in(const Environment& now) {
+    settings.corrections.max_replans -= corrections ? corrections->replans() : 0;
     corrections.emplace(arm, model, now, room, settings.corrections, seed);
     guide.emplace(arm, model, now, room, settings, *planner, certificate_check(arm, model), seed);
     gate.emplace(arm, model, now, MotionGuide::kShareInMotion * room.margin_m,
@@ -103,6 +104,7 @@ struct ClosedLoop::Motion {
   std::unique_ptr<ForwardModel> own;
   CompensationModel family;  // of `own`, for which each e gives the bits that `verify` has
   MotionModel model;
+  const Environment& environment;  // that the run begins in
   std::optional<LiveArmFit> fit;
   int seen = -1;                    // ArmEstimate::frames: a frame may be asked about twice
   Eigen::VectorXf missed_by;        // e of the model whose misses the estimate holds
@@ -144,6 +146,22 @@ ClosedLoop::~ClosedLoop() = default;
 
 EstimateModel ClosedLoop::estimate_with() const {
   return {&motion_->model, motion_->start};
+}
+
+void ClosedLoop::begin(const RunStart& start) {
+  PlanController::begin(start);
+  if (!start.limits.empty()) {
+    motion_->settings.corrections.limits = start.limits;
+  }
+  motion_->move_in(motion_->environment);
+}
+
+/// The frames in between go unobserved: those beside them are no neighbours.
+void ClosedLoop::held() {
+  PlanController::held();
+  if (motion_->fit) {
+    motion_->fit->lose_track();
+  }
 }
 
 /// All that predict hold the one model that is changed here, while none of them is at work.
@@ -202,8 +220,10 @@ FrameSetpoint ClosedLoop::setpoint(const PlanProgress& at, std::size_t next,
   }
   const bool is_over = next + static_cast<std::size_t>(plan.hold_frame_count) >= plan.frames.size();
   const std::size_t following = std::min(frame + 1, plan.frames.size() - 1);
-  std::vector<CertifiedFrame::Wanted> wanted{{led_kpa, next},
-                                             {at.setpoint_kpa(following), following}};
+  std::vector<CertifiedFrame::Wanted> wanted{{led_kpa, next}};
+  if (following != next || at.setpoint_kpa(following) != led_kpa) {
+    wanted.push_back({at.setpoint_kpa(following), following});
+  }
   if (next != frame) {
     wanted.push_back({held_kpa, is_over ? next : frame});
   }

@@ -21,7 +21,7 @@ struct SampledMotion {
 /// Friction holds an arm that is hardly moved, for the model too: slopes at rest say little of
 /// where a step leads, and from some places no straight step leads where another one before it
 /// does. Obstacles are not looked at.
-/// @param queries  of the model at 20 Hz, about as many, and half as many around the best
+/// @param queries  of the model at 20 Hz, about as many; those around the best come on top
 std::vector<SampledMotion> sampled_motions(const PlanningProblem& problem, std::uint64_t queries,
                                            std::uint64_t seed);
 

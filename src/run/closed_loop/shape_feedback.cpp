@@ -23,13 +23,14 @@ double turn_rad(const NoLoadModel& model, int segment, double kpa) {
   return shape.curvature_per_m * shape.length_m;
 }
 
-/// Whether all pressures are less than half the way to new set points after a frame.
-bool is_slow(const ValveModel& valves) {
+/// Whether all pressures are less than half the way to new set points after a frame, of the largest
+/// change that a frame allows: valves with a dead band don't follow small ones at all.
+bool is_slow(const ArmDescription& arm, const ValveModel& valves) {
   const Eigen::Index n = valves.segment_count();
-  const Pressures step_kpa = Pressures::Ones(n);
+  const auto step_kpa = static_cast<float>(arm.pressure_step_limit_kpa());
   Eigen::VectorXf state = valves.settled_state(Pressures::Zero(n));
-  valves.step(step_kpa, state);
-  return state.head(n).maxCoeff() < 0.5F;
+  valves.step(Pressures::Constant(n, step_kpa), state);
+  return state.head(n).maxCoeff() < 0.5F * step_kpa;
 }
 
 }  // namespace
@@ -39,8 +40,8 @@ ShapeFeedback::ShapeFeedback(const ArmDescription& arm, const NoLoadModel& model
     : limits_(limits_of(arm)),
       plates_{0},
       kpa_per_rad_(Eigen::VectorXd::Zero(arm.segment_count())),
-      proportional_(is_slow(valves) ? kSlowProportional : kProportional),
-      integral_per_s_(is_slow(valves) ? kSlowIntegralPerS : kIntegralPerS),
+      proportional_(is_slow(arm, valves) ? kSlowProportional : kProportional),
+      integral_per_s_(is_slow(arm, valves) ? kSlowIntegralPerS : kIntegralPerS),
       step_limit_kpa_(arm.pressure_step_limit_kpa()),
       frame_period_s_(arm.frame_period_s()),
       off_plan_(Backbone::Zero(arm.point_count(), kPoseSize)) {

@@ -201,15 +201,19 @@ ArmEstimate::~ArmEstimate() = default;
 void ArmEstimate::observe(const Pressures& setpoint_kpa, const ArmState& measured) {
   Parts& now = *parts_;
   ++now.frames;
+  ArmState fresh = measured;
+  if (now.frames > 0 && measured.time_s == now.measured.time_s) {
+    fresh.backbone.reset();  // the sample of before, passed on again: the arm has gone on
+  }
   now.setpoint_kpa = setpoint_kpa;
   now.measured = measured;
-  now.frames_unseen = measured.backbone ? 0 : now.frames_unseen + 1;
+  now.frames_unseen = fresh.backbone ? 0 : now.frames_unseen + 1;
   now.rest.observe(measured.backbone);
   now.lag_frames = now.said_lag.note(setpoint_kpa, measured);
   if (now.predicted) {
     const int found = now.predicted->pressure_lag(setpoint_kpa, measured.pressure_kpa);
     now.lag_frames = measured.setpoint_kpa ? now.lag_frames : found;
-    now.predicted->observe(setpoint_kpa, measured, static_cast<std::size_t>(now.lag_frames));
+    now.predicted->observe(setpoint_kpa, fresh, static_cast<std::size_t>(now.lag_frames));
   }
 }
 

@@ -73,6 +73,11 @@ bool LiveArmFit::observe(const Pressures& pressure_kpa, const std::optional<Back
   return has_changed;
 }
 
+void LiveArmFit::lose_track() {
+  recent_.clear();
+  ahead_.reset();
+}
+
 bool LiveArmFit::has_left_family() const {
   return strange_ >= kStrangeWindows;
 }

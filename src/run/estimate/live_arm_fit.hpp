@@ -28,6 +28,9 @@ class LiveArmFit {
   /// @return whether e is another one now
   bool observe(const Pressures& pressure_kpa, const std::optional<Backbone>& shape);
 
+  /// What was seen so far is not followed by what is seen next.
+  void lose_track();
+
   /// As far as it is known now.
   const FamilyMember& member() const { return member_; }
   /// What of the arm's physics may have changed since the start, as far as its motion tells.

@@ -1,24 +1,33 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <functional>
 #include <future>
 #include <utility>
+
+#include "limber/common/interrupt.hpp"
 
 namespace limber {
 
 /// One of a controller's questions at a time. In real time it is worked out on a thread of its own,
 /// so that no set point waits for it; in simulated time at once, so that runs can be repeated.
 ///
-/// Threads: used by one. The destructor waits for the other, if there is one.
+/// Threads: used by one. The destructor stops the other, if there is one, and waits for it.
 class BackgroundQuestion {
  public:
   explicit BackgroundQuestion(bool in_real_time) : in_real_time_(in_real_time) {}
+  ~BackgroundQuestion() { stop_ = true; }
+  BackgroundQuestion(const BackgroundQuestion&) = delete;
+  BackgroundQuestion& operator=(const BackgroundQuestion&) = delete;
 
   /// @pre the one before was answered
   void begin(std::function<void()> question) {
     if (in_real_time_) {
-      answered_ = std::async(std::launch::async, std::move(question));
+      answered_ = std::async(std::launch::async, [this, asked = std::move(question)] {
+        const StopScope scope(&stop_);
+        asked();
+      });
     } else {
       question();
     }
@@ -39,7 +48,8 @@ class BackgroundQuestion {
 
  private:
   bool in_real_time_;
-  std::future<void> answered_;
+  std::atomic<bool> stop_{false};
+  std::future<void> answered_;  // waits when it goes, with `stop_` still there
 };
 
 }  // namespace limber

@@ -53,7 +53,8 @@ class Execution {
       watch_.start(plan_);
       require_start();
       estimate_.observe(start_kpa, driver_.state());
-      controller_.begin({arm_, plan_, settings_.hold_s, driver_.is_real_time()});
+      controller_.begin(
+          {arm_, plan_, settings_.hold_s, driver_.is_real_time(), driver_.limits_kpa()});
       follow();
     } catch (const SystemFault& fault) {
       result_.status = ExecutionStatus::fault;

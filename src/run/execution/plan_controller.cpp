@@ -248,8 +248,8 @@ std::optional<Decision> PlanController::end_asking(const Moment& now) {
 
 Decision PlanController::end() const {
   Decision decision;
-  decision.reason = stop_reason_;
   decision.has_left_plan = !is_at_end();
+  decision.reason = decision.has_left_plan ? stop_reason_ : "";  // came to its end all the same
   return decision;
 }
 

@@ -54,13 +54,13 @@ const Environment* RunWatch::take_in(const Pressures& setpoint_kpa, int motion) 
 }
 
 void RunWatch::see() {
+  now_s_ = driver_.state().time_s;
   if (std::optional<BackboneD> seen = look_()) {
-    const double time_s = driver_.state().time_s;
-    observe(time_s, *seen);
+    observe(now_s_, *seen);
     shape_ = std::move(seen);
     shape_frame_ = frames_;
-    shape_time_s_ = time_s;
-    goal_time_.see(time_s, tip_pose(*shape_));
+    shape_time_s_ = now_s_;
+    goal_time_.see(now_s_, tip_pose(*shape_));
   }
 }
 
@@ -80,8 +80,7 @@ bool RunWatch::is_in_goal() const {
 }
 
 bool RunWatch::is_seen() const {
-  return shape_ &&
-         driver_.state().time_s - shape_time_s_ <= ArmEstimate::kUnknownAfterS + kRoundingS;
+  return shape_ && now_s_ - shape_time_s_ <= ArmEstimate::kUnknownAfterS + kRoundingS;
 }
 
 void RunWatch::judge(ExecutionResult& result) {

@@ -113,7 +113,7 @@ class RunWatch {
  private:
   void see();
   bool is_in_goal() const;
-  /// Whether it was seen in the last 0.25 s.
+  /// Whether it was seen in the last 0.25 s before the last frame; while it vents nobody looks.
   bool is_seen() const;
 
   const Environment& environment_;
@@ -130,6 +130,7 @@ class RunWatch {
   int frames_not_seen_ = 0;
   int shape_frame_ = -1;
   double shape_time_s_ = 0.0;
+  double now_s_ = 0.0;  // of the last frame
   bool started_ = false;
   double start_time_s_ = 0.0;
   double start_error_m_ = 0.0;

@@ -106,6 +106,39 @@ TEST_F(ClosedLoopTest, KeepsLimitsAndFrameRuleWithAnArmThatBendsFartherThanItsMo
             float(weaker.pressure_step_limit_kpa()) + 1e-3F);
 }
 
+/// Its device allows less than the arm's file.
+class LimitedArm final : public ArmDriver {
+ public:
+  LimitedArm(const ArmDescription& arm, double limit_kpa)
+      : inner_(arm, kInstant_s), limits_(arm.segments.size(), PressureLimits(limit_kpa)) {}
+  const ArmState& state() const override { return inner_.state(); }
+  const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) override {
+    return inner_.command(setpoint_kpa);
+  }
+  std::vector<PressureLimits> limits_kpa() const override { return limits_; }
+  void vent() noexcept override { inner_.vent(); }
+
+ private:
+  FakeArm inner_;
+  std::vector<PressureLimits> limits_;
+};
+
+// The arm bends less than its model: whoever leads it would go on to more pressure.
+TEST_F(ClosedLoopTest, KeepsToWhatTheDriverAllows) {
+  const ArmDescription stronger = bending(arm_, 1.5);
+  const Plan plan = plan_of(stronger);
+  float planned_kpa = 0.0F;
+  for (const PlanFrame& frame : plan.frames) {
+    planned_kpa = std::max(planned_kpa, frame.setpoint_kpa.cwiseAbs().maxCoeff());
+  }
+  FakeArm free(arm_, kInstant_s);
+  const ExecutionResult unlimited = run(stronger, plan, free, few_queries());
+  ASSERT_GT(unlimited.episode.setpoint_kpa.cwiseAbs().maxCoeff(), planned_kpa + 1.0F);
+  LimitedArm driver(arm_, planned_kpa + 1.0F);
+  const ExecutionResult limited = run(stronger, plan, driver, few_queries());
+  EXPECT_LE(limited.episode.setpoint_kpa.cwiseAbs().maxCoeff(), planned_kpa + 1.0F);
+}
+
 /// Nobody sees it from a frame on, for some frames.
 class LosingArm final : public ArmDriver {
  public:

@@ -65,6 +65,22 @@ TEST_F(ShapeFeedbackTest, DoesNotSwingWhereAnArmFollowsAtOnceAndBendsMoreThanMod
   }
 }
 
+// They follow at once what is not small: with the gains of slow valves their arm would swing.
+TEST_F(ShapeFeedbackTest, ADeadBandMakesNoValveSlow) {
+  const ValveModel valves(
+      known_, {true, std::vector<SegmentValves>(2, {{0.0, 100.0}, {0.0, 100.0}, 0.0, 1.5})});
+  ShapeFeedback with_band(known_, model_, valves);
+  ShapeFeedback ideal(known_, model_, ValveModel::ideal(2));
+  const Backbone goal = planned(there_kpa_);
+  const Backbone behind = planned(Pressures::Constant(2, 15.0F));
+  for (ShapeFeedback* feedback : {&with_band, &ideal}) {
+    feedback->learn(goal, goal);
+    feedback->learn(goal, behind);
+  }
+  EXPECT_EQ(with_band.setpoint(there_kpa_, there_kpa_, {}),
+            ideal.setpoint(there_kpa_, there_kpa_, {}));
+}
+
 TEST_F(ShapeFeedbackTest, KeepsTheFrameRuleAndTheLimitsAndWindsNothingUp) {
   ShapeFeedback feedback(known_, model_, ValveModel::ideal(2));
   const Backbone straight = planned(Pressures::Zero(2));

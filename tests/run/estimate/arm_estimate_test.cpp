@@ -19,11 +19,13 @@ struct EstimateSetting {
   ArmStart rest = start_state(Environment{}, arm);
   MotionState state = state_of(rest, model);
   MotionModel::Workspace workspace;
+  double time_s = 0.0;
 
   /// What the model itself does.
   ArmState after(const Pressures& setpoint_kpa) {
     model.step(setpoint_kpa, state, workspace);
-    return {0.0, state.pressure_kpa(), std::nullopt, state.backbone};
+    time_s += arm.frame_period_s();
+    return {time_s, state.pressure_kpa(), std::nullopt, state.backbone};
   }
   Pressures setpoint(int k) const { return Pressures::Constant(2, 3.0F * float(k)); }
 };
@@ -48,6 +50,7 @@ TEST(ArmEstimate, OfADriverThatAnswersAtOnceIsWhereTheSetPointsLead) {
   ArmEstimate estimate(s.arm, {&s.model, std::nullopt});
   ArmState shown{0.0, s.rest.pressures_kpa, s.rest.pressures_kpa, s.rest.backbone};
   estimate.observe(s.rest.pressures_kpa, shown);
+  shown.time_s += 0.5 * s.arm.frame_period_s();  // still at rest
   for (int k = 1; k < 10; ++k) {
     estimate.observe(s.setpoint(k), shown);
     ASSERT_TRUE(estimate.shown_state().backbone == *shown.backbone) << "a frame behind";
@@ -73,6 +76,24 @@ TEST(ArmEstimate, BridgesUnseenFramesByPrediction) {
   }
   estimate.observe(s.setpoint(6), s.after(s.setpoint(6)));
   EXPECT_EQ(estimate.frames_unseen(), 0);
+}
+
+// A tracker that is out of step with the frames has a driver say the same sample again.
+TEST(ArmEstimate, ASampleThatIsSaidAgainIsNoNewShape) {
+  EstimateSetting s;
+  ArmEstimate estimate(s.arm, {&s.model, std::nullopt});
+  estimate.observe(s.rest.pressures_kpa,
+                   {0.0, s.rest.pressures_kpa, std::nullopt, s.rest.backbone});
+  ArmState shown;
+  for (int k = 1; k < 12; ++k) {
+    const ArmState now = s.after(s.setpoint(k));
+    const bool is_new = k % 3 != 0;
+    shown = is_new ? now : ArmState{shown.time_s, now.pressure_kpa, std::nullopt, shown.backbone};
+    estimate.observe(s.setpoint(k), shown);
+    EXPECT_EQ(estimate.frames_unseen(), is_new ? 0 : 1) << k;
+    ASSERT_TRUE(estimate.state() == s.state) << k;
+  }
+  EXPECT_EQ(estimate.miss().sum.norm(), 0.0);
 }
 
 TEST(ArmEstimate, TakesWhatIsMeasuredAndSumsWhatTheModelMisses) {

@@ -2,10 +2,12 @@
 #include <chrono>
 #include <functional>
 #include <thread>
+#include <utility>
 
 #include <gmock/gmock.h>
 
 #include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
 #include "limber/run/controller.hpp"
 #include "limber/run/executor.hpp"
 #include "support/bending_plan.hpp"
@@ -131,6 +133,42 @@ TEST_F(ControllerTest, ASecondQuestionIsRefusedAndTheArmIsVentedBeforeTheFirstIs
   EXPECT_THAT([&] { (void)execute(arm_, environment_, plan_, driver, settings); },
               ThrowsMessage<InputError>(HasSubstr("a second question")));
   EXPECT_GE(vents_when_answered, 1);
+}
+
+/// Asks once, and goes on holding what it has.
+class AskingOnce final : public Controller {
+ public:
+  explicit AskingOnce(std::function<void()> question) : question_(std::move(question)) {}
+  Decision step(const Moment& now) override {
+    Decision decision;
+    decision.setpoint_kpa = now.arm.setpoint_kpa();
+    decision.question = std::exchange(question_, nullptr);
+    return decision;
+  }
+
+ private:
+  std::function<void()> question_;
+};
+
+// Else a run that has vented would not end before its search does.
+TEST_F(ControllerTest, AFaultEndsTheQuestionThatIsWorkedOut) {
+  FakeFaults faults;
+  faults.fails_at_s = 0.25;
+  std::atomic<bool> was_told = false;
+  AskingOnce controller([&] {
+    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (!interrupt_requested() && std::chrono::steady_clock::now() < until) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    was_told = interrupt_requested();
+  });
+  ExecutionSettings settings;
+  settings.controller = &controller;
+  int vents = 0;
+  RealTimeArm driver(arm_, faults, &vents);
+  EXPECT_EQ(execute(arm_, environment_, plan_, driver, settings).status, ExecutionStatus::fault);
+  EXPECT_TRUE(was_told);
+  EXPECT_FALSE(interrupt_requested()) << "of that thread alone";
 }
 
 TEST_F(ControllerTest, AFaultIsSaidWhateverAQuestionThrows) {

@@ -111,8 +111,8 @@ class ProcessDriver final : public ArmDriver {
   /// Whether any driver of this process was left with an arm whose last vent is not confirmed,
   /// broke while it vented, or could not be ended; `say` was told.
   static bool was_any_left_unsafe();
-  /// In force: the arm's, scaled, or the driver's own where those are lower.
-  const std::vector<PressureLimits>& limits_kpa() const;
+  /// The arm's, scaled, or the driver's own where those are lower.
+  std::vector<PressureLimits> limits_kpa() const override;
 
  private:
   class Session;

@@ -9,8 +9,8 @@
 namespace limber {
 
 /// Where a vented arm lies, once it lies still: pressures are down long before it has stopped
-/// swinging, by centimetres. It does when no plate has moved by more than 3 mm in 0.25 s, which a
-/// tracker's noise of 0.5 mm hides mostly.
+/// swinging, by centimetres. RestAverage tells when it does: 3 mm in 0.5 s are more than most of a
+/// tracker's noise of 0.5 mm.
 /// @param look  a fresh state of the arm, a frame after the last one
 /// @throws SystemFault where nothing tracks it, or after 10 s; Interrupted.
 ArmStart vented_rest(const ArmDescription& arm, const std::function<const ArmState&()>& look);

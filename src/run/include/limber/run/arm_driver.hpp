@@ -2,9 +2,11 @@
 // For those who move an arm, real or virtual.
 
 #include <optional>
+#include <vector>
 
 #include <Eigen/Core>
 
+#include "limber/arm/arm_description.hpp"
 #include "limber/arm/backbone.hpp"
 
 namespace limber {
@@ -44,6 +46,9 @@ class ArmDriver {
   /// as it was).
   /// @throws SystemFault if the arm fails; it has been vented.
   virtual const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) = 0;
+
+  /// In force for set points, where they are narrower than the arm's; empty: the arm's.
+  virtual std::vector<PressureLimits> limits_kpa() const { return {}; }
 
   /// Whether a frame takes its time: then a set point is due in each, also while somebody thinks.
   virtual bool is_real_time() const { return false; }

@@ -87,7 +87,8 @@ class ArmEstimate {
   int frames_unseen() const;
 
   /// The mean shape of an arm at rest: what was measured in the last 0.5 s, one frame after
-  /// another, if the means of its halves differ by at most 1 mm at every plate. Else none.
+  /// another, if no plate was farther than 3 mm from its mean, and the means of both halves differ
+  /// by at most 1 mm. Else none.
   std::optional<Backbone> rest() const;
 
   /// Whether there is a model and the arm was tracked at least once; before that there is no state.

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/backbone.hpp"
@@ -26,6 +27,7 @@ struct RunStart {
   const Plan& plan;   ///< certified; it is never changed
   double hold_s;      ///< ExecutionSettings::hold_s
   bool in_real_time;  ///< a set point is due in each frame, also while somebody thinks
+  std::vector<PressureLimits> limits;  ///< ArmDriver::limits_kpa
 };
 
 /// What a controller decides. Neither set points nor question: the run ends.

@@ -36,6 +36,8 @@ class ClosedLoop final : public PlanController {
   ~ClosedLoop() override;
 
   EstimateModel estimate_with() const override;
+  void begin(const RunStart& start) override;
+  void held() override;
   void obstacle_appeared(const Environment& now) override;
   void report(ExecutionResult& result) const override;
 

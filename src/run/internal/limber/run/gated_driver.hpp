@@ -19,6 +19,7 @@ class GatedDriver final : public ArmDriver {
   const ArmState& state() const override;
   /// @throws SystemFault, before anything is sent, where the gate refuses; as ArmDriver.
   const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) override;
+  std::vector<PressureLimits> limits_kpa() const override { return driver_.limits_kpa(); }
   bool is_real_time() const override { return driver_.is_real_time(); }
   void vent() noexcept override { driver_.vent(); }
 

@@ -64,6 +64,8 @@ class Replanner {
   const Environment& planned_for() const { return planned_for_; }
   /// Whether the last plan was for an arm whose plan had ended, or that stood in the goal.
   bool is_correction() const { return is_correction_; }
+  /// Plans that were found so far.
+  int replans() const { return replans_; }
   /// What is known of it since.
   const RestMiss& missed() const { return missed_; }
 

@@ -64,7 +64,7 @@ struct ServerSettings {
 /// frames of wall time.
 ///
 /// The device, a process of its own where it has a log, stands for the board behind a real driver:
-/// it vents when the driver is silent for 0.25 s. Every line of its log has the monotonic clock's
+/// it vents when the driver is silent for 0.2 s. Every line of its log has the monotonic clock's
 /// time.
 /// @throws InputError where a setting is out of its range; SystemFault where the log can't be
 /// written.
