@@ -55,7 +55,7 @@ export class App {
   view = { tree: false, tube: false, reach: true };
   readonly planner = new LivePlanner(() => this.tab, (seen = true) => this.refreshSoon(seen));
   readonly armLink = new ArmLink(() => this.tab, () => this.armChanged());
-  readonly stage: Stage;
+  stage!: Stage;
   private readonly plan = new PlanMode(this);
   private readonly play = new PlayMode(this);
   private readonly follow = new FollowMode(this);
@@ -68,15 +68,6 @@ export class App {
   private measured: Plan | null = null;
   private due = false; // a refresh
   private draws = false; // it paints the stage too
-
-  constructor() {
-    this.stage = new Stage(byId<HTMLCanvasElement>('canvas'), () => this.scene(), {
-      down: (at, reach, event) => this.down(at, reach, event),
-      drag: (at, event) => this.modes[this.mode].drag?.(at, event.timeStamp),
-      up: () => this.modes[this.mode].up?.(),
-    });
-    this.stage.painted = () => this.measure();
-  }
 
   get environment(): Environment {
     return this.history.now;
@@ -100,6 +91,13 @@ export class App {
 
   async start(): Promise<void> {
     await this.readProject();
+    this.offerVent(); // before all that may fail or take long
+    this.stage = new Stage(byId<HTMLCanvasElement>('canvas'), () => this.scene(), {
+      down: (at, reach, event) => this.down(at, reach, event),
+      drag: (at, event) => this.modes[this.mode].drag?.(at, event.timeStamp),
+      up: () => this.modes[this.mode].up?.(),
+    });
+    this.stage.painted = () => this.measure();
     byId('folder').textContent = `${this.project.folder} · limber ${this.project.version}`;
     await this.attempt(async () => void (await this.openLink(location.hash)));
     if (!this.environmentName) await this.openLink('');
@@ -110,10 +108,6 @@ export class App {
       byId(`mode-${name}`).addEventListener('click', () => this.enter(name));
     }
     document.addEventListener('keydown', (event) => this.key(event));
-    byId('arm').hidden = this.project.driver === '';
-    if (this.project.driver !== '') this.armLink.prepare();
-    byId('vent').addEventListener('click', () => this.vent());
-    document.addEventListener('keydown', (event) => this.ventKey(event), { capture: true });
     addEventListener('beforeunload', (event) => {
       if (this.isChanged) event.preventDefault();
     });
@@ -281,6 +275,13 @@ export class App {
     );
   }
 
+  private offerVent(): void {
+    byId('arm').hidden = this.project.driver === '';
+    if (this.project.driver !== '') this.armLink.prepare();
+    // As soon as it is pressed; a click is that of a keyboard or an assistive technology too.
+    for (const kind of ['pointerdown', 'click']) byId('vent').addEventListener(kind, () => this.vent());
+    document.addEventListener('keydown', (event) => this.ventKey(event), { capture: true });
+  }
   private vent(): void {
     void this.attempt(() => this.armLink.vent());
   }
