@@ -145,6 +145,7 @@ export class App {
             this.plan.onFitting({ request, step: '' });
             this.say(message);
           } else if (this.mode === 'plan') this.planner.onFault(request, message);
+          else if (this.mode === 'play') this.play.onFault(request, message);
           else if (this.mode === 'follow') this.follow.onFault(request, message);
           else if (this.mode === 'results') this.results.onFault(request, message);
           else this.say(message);

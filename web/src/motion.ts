@@ -5,6 +5,12 @@ import { frameAt, tipOf } from './shape';
 export const durationOf = (motion: Motion): number =>
   Math.max(0, motion.setpoints_kpa.length - 1, ...motion.tracks.map(({ shapes }) => shapes.length - 1)) / motion.frame_rate_hz;
 
+export type RunOptions = { replan: boolean; obstacle: boolean };
+
+/** What of it goes with that model: the simple one has no closed loop. */
+export const possible = ({ replan, obstacle }: RunOptions, model: string): RunOptions =>
+  ({ replan: replan && model !== '', obstacle });
+
 /** The track that is the most real, of those that have moved at all. */
 export function mainOf({ tracks }: Motion): Track {
   const of = (wanted: TrackKey) => tracks.find(({ key, shapes }) => key === wanted && shapes.length > 0);

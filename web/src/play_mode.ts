@@ -4,7 +4,7 @@ import { ArmPanel } from './arm_panel';
 import { button, checkbox, h } from './dom';
 import type { Point } from './environment';
 import { exportRow } from './export';
-import { durationOf, environmentAt, figuresAt, mainOf } from './motion';
+import { durationOf, environmentAt, figuresAt, mainOf, possible, type RunOptions } from './motion';
 import { tracksPanel } from './panels';
 import type { Figure, Scene } from './picture';
 import { Player } from './player';
@@ -16,7 +16,7 @@ export class PlayMode implements Mode {
   private run: Motion | null = null;
   private shown = new Set<TrackKey>(['simple', 'network', 'virtual_arm', 'arm']);
   private request = 0;
-  private options = { replan: false, obstacle: false };
+  private readonly options: RunOptions = { replan: false, obstacle: false }; // as they were ticked
   private trail: Point[] = []; // of the arm's tip, while it moves
   private player: Player = new Player(() => (this.run ? durationOf(this.run) : 0), () => this.app.refresh(), () => this.toggle());
   private stop = button('Stop', () => void this.app.attempt(() => this.app.armLink.stop().then(() => {})));
@@ -65,8 +65,11 @@ export class PlayMode implements Mode {
     this.player.halt(0);
     this.tracks.replaceChildren(h('p', { class: 'hint', 'aria-live': 'polite' }, 'Moving the models …'));
     this.plots.show([], 1, this.shown);
-    this.app.refresh();
-    void this.app.attempt(() => post('run', { tab: this.app.tab, request: ++this.request, ...this.options }));
+    const { app } = this;
+    app.refresh();
+    const request = ++this.request;
+    void app.attempt(() => post<void>('run', { tab: app.tab, request, ...possible(this.options, app.model) })
+      .catch((error: Error) => this.onFault(request, error.message)));
   }
 
   onRun(run: Run): void {
@@ -74,6 +77,10 @@ export class PlayMode implements Mode {
     this.show(run);
     if (this.options.obstacle && !run.appeared) this.app.say('No obstacle fits into the way: the motion is too short');
     if (!this.armPanel.isChosen) this.toggle();
+  }
+
+  onFault(request: number, message: string): void {
+    if (request === this.request) this.tracks.replaceChildren(h('p', { class: 'warning' }, message));
   }
 
   /** The arm's own motion, once it is over: beside the models' of the same plan. */
@@ -109,7 +116,7 @@ export class PlayMode implements Mode {
       if (armLink.runs) return void app.attempt(() => armLink.pause(!armLink.paused));
       this.trail = [];
       this.player.seek(0);
-      return void app.attempt(() => armLink.run({ ...this.options, limit_scale: this.armPanel.limitScale }));
+      return void app.attempt(() => armLink.run({ ...possible(this.options, app.model), limit_scale: this.armPanel.limitScale }));
     }
     if (this.run) this.player.toggle();
   }

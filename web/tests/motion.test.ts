@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import template from '../public/animation.html?raw';
 import { animationOf, animationPage, motionOf } from '../src/animation_data';
 import type { Arm, Environment, Motion, Track, TrackKey } from '../src/api';
-import { durationOf, environmentAt, figuresAt, mainOf } from '../src/motion';
+import { durationOf, environmentAt, figuresAt, mainOf, possible } from '../src/motion';
 import { packed, unpacked } from '../src/packing';
 import { chartsOf } from '../src/plots';
 import { SvgBrush } from '../src/svg_brush';
@@ -104,5 +104,13 @@ describe('drawings', () => {
     expect(brush.text).toBe(
       '<path fill="none" stroke-linejoin="round" stroke-width="2.00" d="M100.00 50.00L150.00 25.00" stroke="rgb(255,0,0)"/>' +
       '<circle cx="100.00" cy="50.00" r="10.00" fill="rgb(0,0,255)" fill-opacity="0.500"/>');
+  });
+});
+
+describe('a run', () => {
+  it('is closed loop only with a network, whatever was ticked before another model was chosen', () => {
+    const ticked = { replan: true, obstacle: true };
+    expect(possible(ticked, 'model.safetensors')).toEqual(ticked);
+    expect(possible(ticked, '')).toEqual({ replan: false, obstacle: true });
   });
 });
