@@ -1,7 +1,5 @@
-#include <algorithm>
 #include <chrono>
 #include <optional>
-#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
@@ -26,6 +24,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kMaxEdges = 5000;
 constexpr double kDoubtAfterS = 0.4;  // without a plan: then it is said what may be in the way
 constexpr double kBetweenPlansS = 0.25;
+constexpr double kBetweenWordsS = 0.5;  // without a plan: each costs the search the browser's time
 constexpr double kBetweenTreesS = 0.4;  // 5000 edges are 130 kB of text
 constexpr double kDoubtForS = 0.3;
 
@@ -43,14 +42,14 @@ class PlanReporter {
         found_(found) {}
 
   bool note(const PlannerProgress& progress) {
+    bool is_due = progress.best_cost_kpa || now_s() > words_sent_s_ + kBetweenWordsS;
     if (!progress.best_cost_kpa && !doubted_ && progress.time_s > kDoubtAfterS) {
-      doubted_ = true;
+      doubted_ = is_due = true;
       doubt_ = doubt();
     }
-    Json json = progress_to_json(progress);
-    json["request"] = job_.request;
-    json["doubt"] = doubt_;
-    events_.push("progress", json.dump());
+    if (is_due) {
+      send_words(progress);
+    }
     if (job_.with_tree && now_s() > tree_sent_s_ + kBetweenTreesS) {
       tree_sent_s_ = now_s();
       events_.push("tree", Json{{"request", job_.request},
@@ -90,6 +89,13 @@ class PlanReporter {
   }
 
  private:
+  void send_words(const PlannerProgress& progress) {
+    words_sent_s_ = now_s();
+    Json json = progress_to_json(progress);
+    json["request"] = job_.request;
+    json["doubt"] = doubt_;
+    events_.push("progress", json.dump());
+  }
   double now_s() const { return seconds_since(begin_); }
   /// What may be in the way, as far as the simple model tells; else what has not been found yet.
   std::string doubt() const {
@@ -116,6 +122,7 @@ class PlanReporter {
   const std::function<void(FoundPlan)>& found_;
   std::optional<Plan> better_;  // than what was sent
   double sent_s_ = 0.0;
+  double words_sent_s_ = 0.0;
   double tree_sent_s_ = 0.0;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   int plans_ = 0;
@@ -133,7 +140,6 @@ void run_plan_job(const PlanJob& job, const StudioScene& scene, const std::atomi
   PlanReporter reporter(job, scene, environment, stop, events, found);
   PlanSettings settings;
   settings.callback = [&](const PlannerProgress& progress) { return reporter.note(progress); };
-  settings.jobs = std::max(1, int(std::thread::hardware_concurrency()) - 1);  // one for the browser
   settings.on_plan = [&](const Plan& plan) { reporter.take(plan); };
   settings.within = limits_of(with_scaled_limits(scene.arm(), job.limit_scale));
   PlannerLimits limits;
