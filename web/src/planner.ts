@@ -9,9 +9,12 @@ export type PlanQuestion = {
   limit_scale: number;
 };
 
+/** So long a search goes on although there is a newer question: else a quick hand sees no plan. */
+const kPatience_ms = 80;
+
 /**
- * Asks for plans. While one question is on its way only the newest of those that follow waits, so
- * that a drag never queues. Answers to older questions are dropped.
+ * Asks for plans. While one question waits for its first answer, only the newest of those that
+ * follow waits, so that a drag never queues. Answers to older questions are dropped.
  */
 export class LivePlanner {
   plan: Plan | null = null;
@@ -24,6 +27,7 @@ export class LivePlanner {
   private sending = false;
   private next: { question: PlanQuestion; asked_ms: number } | null = null;
   private asked_ms = 0;
+  private heard = () => {}; // the question that was sent needs no more patience
 
   constructor(
     private readonly tab: () => string,
@@ -47,14 +51,19 @@ export class LivePlanner {
     this.progress = this.result = this.tree = null;
     this.fault = '';
     void this.send();
-    this.changed();
   }
 
-  forget(): void {
+  /** No further answer is awaited; a plan is of another scene if a newer question still waited. */
+  end(): void {
+    if (this.next !== null) ++this.request;
     this.next = null;
+    this.searching = false;
+    this.heard();
+  }
+  forget(): void {
+    this.end();
     ++this.request;
     this.plan = this.progress = this.result = this.tree = null;
-    this.searching = false;
     this.fault = '';
   }
 
@@ -68,8 +77,7 @@ export class LivePlanner {
   }
 
   async stop(): Promise<void> {
-    this.next = null;
-    this.searching = false;
+    this.end();
     this.changed();
     await post('stop', { tab: this.tab() });
   }
@@ -82,6 +90,7 @@ export class LivePlanner {
   onPlan(plan: Plan): void {
     if (plan.request !== this.request) return;
     this.plan = plan;
+    this.heard();
     this.changed();
   }
   onProgress(progress: Progress): void {
@@ -99,6 +108,7 @@ export class LivePlanner {
     this.result = result;
     this.tree = result.tree;
     this.searching = false;
+    this.heard();
     if (result.status !== 'solved') this.plan = null;
     this.changed();
   }
@@ -107,6 +117,7 @@ export class LivePlanner {
     this.fault = message;
     this.plan = null;
     this.searching = false;
+    this.heard();
     this.changed();
   }
 
@@ -117,8 +128,13 @@ export class LivePlanner {
     this.sending = true;
     this.asked_ms = asked_ms;
     const request = ++this.request;
+    const heard = new Promise<void>((done) => {
+      this.heard = done;
+      setTimeout(done, kPatience_ms);
+    });
     try {
       await post('plan', { ...question, request, seed: 1, tab: this.tab() });
+      await heard;
     } catch (error) {
       this.onFault(request, (error as Error).message);
     } finally {

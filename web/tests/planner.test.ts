@@ -26,6 +26,49 @@ describe('the live planner', () => {
     answers[1](); // a page's next post waits for it
   });
 
+  it('lets a search go on until it is heard, or for its patience, before the next question ends it', async () => {
+    const sent: number[] = [];
+    vi.stubGlobal('fetch', async (_: string, { body }: { body: string }) => {
+      sent.push(JSON.parse(body).request);
+      return new Response('{}');
+    });
+    const planner = new LivePlanner(() => 'tab', () => {});
+    const ended: [string, (request: number) => unknown][] = [
+      ['plan', (request) => planner.onPlan(plan(request))],
+      ['result', (request) => planner.onResult({ request, status: 'limit', tree: null } as never)],
+      ['fault', (request) => planner.onFault(request, 'no')],
+    ];
+    for (const [, end] of ended) {
+      const request = sent.length + 1;
+      planner.ask(question, 0);
+      await vi.waitFor(() => expect(sent).toHaveLength(request));
+      planner.ask(question, 0);
+      await new Promise((done) => setTimeout(done, 20));
+      expect(sent).toHaveLength(request); // it still waits
+      end(request);
+      await new Promise((done) => setTimeout(done, 20));
+      expect(sent).toHaveLength(request + 1);
+      end(request + 1);
+      await new Promise((done) => setTimeout(done));
+    }
+    planner.ask(question, 0);
+    planner.ask(question, 0);
+    await vi.waitFor(() => expect(sent).toHaveLength(8)); // without any answer
+    planner.forget();
+  });
+
+  it('has no plan for a scene whose question is given up before it is sent', async () => {
+    const { sent, answers } = heldFetch('request');
+    const planner = new LivePlanner(() => 'tab', () => {});
+    planner.ask(question, 0);
+    await vi.waitFor(() => expect(sent).toEqual([1]));
+    planner.ask(question, 3);
+    planner.onPlan(plan(1));
+    planner.end();
+    expect(planner.isCurrent).toBe(false);
+    answers[0]();
+  });
+
   it('shows the plan of the last question that was sent, while the newest of those that follow waits', async () => {
     const { sent, answers } = heldFetch('request');
     const planner = new LivePlanner(() => 'tab', () => {});
