@@ -33,6 +33,9 @@ export interface Mode {
 
 type ModeName = 'plan' | 'play' | 'follow' | 'drive' | 'results';
 
+/** A drag's own frame waits so long: the plan that it asks for mostly comes with it. */
+const kPlanIsNear_ms = 20;
+
 const kLost = 'The studio does not answer. Is limber studio still running, in fewer than six tabs?';
 
 /** Everything that modes share: the project, the document and its history, the search, the stage. */
@@ -67,7 +70,7 @@ export class App {
   private mode: ModeName = 'plan';
   private measured: Plan | null = null;
   private due = false; // a refresh
-  private draws = false; // it paints the stage too
+  private late: ReturnType<typeof setTimeout> | undefined; // a drag's frame, if no other comes first
 
   get environment(): Environment {
     return this.history.now;
@@ -97,7 +100,7 @@ export class App {
       drag: (at, event) => this.modes[this.mode].drag?.(at, event.timeStamp),
       up: () => this.modes[this.mode].up?.(),
     });
-    this.stage.painted = () => this.measure();
+    this.stage.painted = () => this.painted();
     byId('folder').textContent = `${this.project.folder} · limber ${this.project.version}`;
     await this.attempt(async () => void (await this.openLink(location.hash)));
     if (!this.environmentName) await this.openLink('');
@@ -264,8 +267,13 @@ export class App {
     this.refresh();
   }
 
-  /** Asks for a plan of what is shown. @param at_ms  when the hand asked */
-  ask(at_ms = performance.now()): void {
+  /** Asks for a plan of what is shown. */
+  ask(): void {
+    this.question(performance.now());
+    this.refresh();
+  }
+  /** @param at_ms  when the hand asked */
+  private question(at_ms: number): void {
     if (this.isFamily) return this.planner.forget();
     this.planner.ask(
       {
@@ -316,9 +324,10 @@ export class App {
     if (this.selected !== null && this.selected !== 'goal' && !this.environment.obstacles[this.selected]) {
       this.selected = null;
     }
-    if (this.live) this.ask(dragged_ms);
+    if (this.live) this.question(dragged_ms ?? performance.now());
     else this.planner.forget(); // its plan is of another scene
     if (dragged_ms === undefined) this.refresh();
+    else if (this.live) this.late ??= setTimeout(() => this.refreshSoon(), kPlanIsNear_ms);
     else this.refreshSoon();
   }
   select(selected: Selection): void {
@@ -357,15 +366,18 @@ export class App {
 
   /** With the next frame of the screen, however much happens until then. */
   private refreshSoon(draws = true): void {
-    this.draws ||= draws;
+    if (draws) this.stage.draw();
     if (this.due) return;
     this.due = true;
     requestAnimationFrame(() => {
       this.due = false;
       this.modes[this.mode].refresh();
-      if (this.draws) this.stage.drawNow();
-      this.draws = false;
     });
+  }
+  private painted(): void {
+    clearTimeout(this.late);
+    this.late = undefined;
+    this.measure();
   }
 
   scene(): Scene {

@@ -57,7 +57,7 @@ export class PlanMode implements Mode {
       checkbox(label, app.view[key], (on) => {
         app.view[key] = on;
         if (key === 'tree' && on && app.planner.tree === null) app.ask();
-        app.refresh();
+        else app.refresh();
       });
     const limits = h('select', { 'aria-label': 'Seconds to search for' },
       ...[1, 5, 20].map((s) => h('option', { value: s, selected: s === app.timeLimit_s }, `${s} s`)));
@@ -137,6 +137,7 @@ export class PlanMode implements Mode {
       ? familyPanel(this.fitting, () => void this.fit())
       : planPanel(app.planner, app.unit, app.model === ''));
     if (this.drawn?.[0] === app.environment && this.drawn[1] === app.selected) return; // somebody may be typing
+    if (app.stage.isHeld) return; // their numbers follow when the hand lets go
     this.drawn = [app.environment, app.selected];
     refill(this.things, thingsList(app.environment, app.selected, (what) => app.select(what)));
     refill(this.selection,

@@ -69,8 +69,7 @@ export class Stage {
     if (this.due) return;
     this.due = true;
     requestAnimationFrame(() => {
-      this.due = false;
-      this.drawNow();
+      if (this.due) this.drawNow();
     });
   }
 
@@ -90,7 +89,8 @@ export class Stage {
     this.draw();
   }
 
-  drawNow(): void {
+  private drawNow(): void {
+    this.due = false;
     const { x, y, m_per_px, width, height } = this.camera;
     Object.assign(this.view, {
       left: x - (width / 2) * m_per_px,
@@ -141,8 +141,7 @@ export class Stage {
     this.canvas.setPointerCapture(event.pointerId);
     this.pointers.set(event.pointerId, this.at(event));
     if (this.pointers.size > 1) {
-      if (this.grabbed) this.events.up();
-      this.grabbed = false;
+      this.letGo();
       return;
     }
     const reach = (event.pointerType === 'touch' ? kFinger_px : kMouse_px) * this.camera.m_per_px;
@@ -174,8 +173,12 @@ export class Stage {
 
   private up(event: PointerEvent): void {
     this.pointers.delete(event.pointerId);
-    if (this.grabbed) this.events.up();
+    this.letGo();
+  }
+  private letGo(): void {
+    const held = this.grabbed;
     this.grabbed = false;
+    if (held) this.events.up();
   }
 
   private wheel(event: WheelEvent): void {
