@@ -227,13 +227,15 @@ const asJson = (body: object): RequestInit => ({
   body: JSON.stringify(body),
 });
 
-let lastPost: Promise<unknown> = Promise.resolve();
+type Chain = 'arm' | 'rest';
+const lastPost: Record<Chain, Promise<unknown>> = { arm: Promise.resolve(), rest: Promise.resolve() };
 
-/** One after another: what is asked for later arrives later. */
+/** One after another: what is asked for later arrives later. The arm waits for nothing else. */
 export function post<T>(path: string, body: object): Promise<T> {
   const { signal } = others;
-  const answer = lastPost.then(() => ask<T>(path, asJson(body), signal));
-  lastPost = answer.catch(() => {});
+  const chain: Chain = path.startsWith('arm/') ? 'arm' : 'rest';
+  const answer = lastPost[chain].then(() => ask<T>(path, asJson(body), signal));
+  lastPost[chain] = answer.catch(() => {});
   return answer;
 }
 
@@ -244,7 +246,7 @@ const kVentPatience_ms = 500;
 export async function vent(): Promise<void> {
   others.abort();
   others = new AbortController();
-  lastPost = Promise.resolve();
+  lastPost.arm = lastPost.rest = Promise.resolve();
   const send = () =>
     fetch('/api/arm/vent', {
       ...asJson({}),
@@ -263,10 +265,15 @@ export async function vent(): Promise<void> {
   }
 }
 
-/** The page's own stream. A browser connects again by itself after a loss, as another tab. */
+const kAskAgain_ms = 2000;
+
+/**
+ * The page's own stream. A browser connects again by itself after a loss, as another tab; but not
+ * after a refusal.
+ */
 export function listen(
   handlers: { [Kind in keyof Events]: (event: Events[Kind]) => void },
-  lost: () => void,
+  lost: (isRefused: boolean) => void,
 ): void {
   const source = new EventSource('/api/events');
   for (const kind of Object.keys(handlers) as (keyof Events)[]) {
@@ -274,5 +281,9 @@ export function listen(
       (handlers[kind] as (event: unknown) => void)(JSON.parse((message as MessageEvent).data));
     });
   }
-  source.onerror = lost;
+  source.onerror = () => {
+    const isRefused = source.readyState === EventSource.CLOSED;
+    lost(isRefused);
+    if (isRefused) setTimeout(() => listen(handlers, lost), kAskAgain_ms);
+  };
 }

@@ -1,4 +1,4 @@
-import { type Arm, type Environment, get, listen, type Opened, type Plan, type Project } from './api';
+import { type Arm, type Environment, get, listen, type Opened, type Plan, type Project, Refusal } from './api';
 import { ArmLink } from './arm_link';
 import { toWorld } from './camera';
 import { byId } from './dom';
@@ -36,7 +36,8 @@ type ModeName = 'plan' | 'play' | 'follow' | 'drive' | 'results';
 /** A drag's own frame waits so long: the plan that it asks for mostly comes with it. */
 const kPlanIsNear_ms = 20;
 
-const kLost = 'The studio does not answer. Is limber studio still running, in fewer than six tabs?';
+const kLost = 'The studio does not answer. Is limber studio still running, in fewer than five tabs?';
+const kForeign = 'The studio was started again: open the address that it has printed.';
 
 /** Everything that modes share: the project, the document and its history, the search, the stage. */
 export class App {
@@ -123,8 +124,9 @@ export class App {
       {
         tab: ({ id }) => {
           this.tab = id;
-          if (byId('notice').textContent === kLost) this.say('');
-          if (this.mode === 'plan') return this.ask();
+          this.armLink.renews(true);
+          if ([kLost, kForeign].includes(byId('notice').textContent!)) this.say('');
+          if (this.mode === 'plan' && !this.isFamily) return this.ask();
           this.planner.forget(); // it was another tab's: the studio has it no more
           this.enter(this.mode);
         },
@@ -154,9 +156,14 @@ export class App {
           else this.say(message);
         },
       },
-      () => {
+      (isRefused) => {
         this.tab = '';
         this.say(kLost);
+        if (!isRefused) return;
+        this.armLink.renews(false); // a page that can't see the arm has no business with it
+        this.readProject().catch((error: unknown) => {
+          if (error instanceof Refusal && error.status === 403) this.say(kForeign);
+        });
       },
     );
   }

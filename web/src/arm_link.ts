@@ -14,6 +14,7 @@ export class ArmLink {
   /** Whether what runs, or has just run, is this page's plan. */
   ownRun = false;
   private lease = '';
+  private renewed = ''; // the same, until VENT is pressed
   private worker: Worker | null = null;
   private ready: Promise<void> | null = null;
 
@@ -49,8 +50,8 @@ export class ArmLink {
   async arm(): Promise<void> {
     await this.ready;
     const { lease } = await post<{ lease: string }>('arm/arm', { confirmed: true });
-    this.lease = lease;
-    this.worker?.postMessage(lease);
+    this.lease = this.renewed = lease;
+    this.renews(true);
     this.changed();
   }
   async disarm(): Promise<void> {
@@ -77,8 +78,14 @@ export class ArmLink {
     return post('arm/stop', { lease: this.lease });
   }
   vent(): Promise<void> {
-    this.worker?.postMessage(''); // where the request is lost, the lease runs out
+    this.renewed = ''; // where the request is lost, the lease runs out
+    this.renews(false);
     return vent();
+  }
+
+  /** Whether the lease, if there is one, is renewed. */
+  renews(on: boolean): void {
+    this.worker?.postMessage(on ? this.renewed : '');
   }
 
   onStatus(status: ArmStatus): void {
@@ -92,12 +99,12 @@ export class ArmLink {
   }
   onFrame(frame: ArmFrame): void {
     this.frame = frame;
-    this.changed();
+    if (this.ownRun) this.changed(); // nothing is shown of another page's
   }
 
   private drop(): void {
-    this.worker?.postMessage('');
-    this.lease = '';
+    this.lease = this.renewed = '';
+    this.renews(false);
     this.changed();
   }
 }

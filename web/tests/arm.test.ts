@@ -1,0 +1,163 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { listen, post, vent } from '../src/api';
+import { ArmLink } from '../src/arm_link';
+
+type Sent = { path: string; signal?: AbortSignal; answer: (status?: number) => void };
+
+/** Requests that wait until they are answered. */
+function heldFetch(): Sent[] {
+  const sent: Sent[] = [];
+  vi.stubGlobal('fetch', (path: string, { signal }: RequestInit) => new Promise((resolve, reject) => {
+    signal?.addEventListener('abort', () => reject(signal.reason));
+    const answer = (status = 200) => resolve(new Response('{"lease": "secret"}', { status }));
+    sent.push({ path: path.replace('/api/', ''), signal: signal ?? undefined, answer });
+  }));
+  return sent;
+}
+
+describe('requests about the arm', () => {
+  it('wait for none about anything else, and one for another', async () => {
+    const sent = heldFetch();
+    const paths = () => sent.map(({ path }) => path);
+    void post('plan', {});
+    void post('run', {});
+    void post('arm/pause', {});
+    void post('arm/stop', {});
+    await vi.waitFor(() => expect(paths()).toEqual(['plan', 'arm/pause']));
+    sent[1].answer();
+    await vi.waitFor(() => expect(paths()).toEqual(['plan', 'arm/pause', 'arm/stop']));
+    sent[0].answer();
+    sent[2].answer();
+    await vi.waitFor(() => expect(paths()).toContain('run'));
+    sent[3].answer();
+  });
+});
+
+describe('VENT', () => {
+  it('makes whatever else is under way give up its connection', async () => {
+    const sent = heldFetch();
+    const given = Promise.all(['plan', 'arm/stop'].map((path) => expect(post(path, {})).rejects.toThrow('VENT was pressed')));
+    await vi.waitFor(() => expect(sent).toHaveLength(2));
+    const vented = vent();
+    await given;
+    sent[2].answer();
+    await vented;
+  });
+});
+
+describe('the event stream', () => {
+  it('is asked for again once it was refused, and not where a browser connects again by itself', () => {
+    vi.useFakeTimers();
+    const sources: { readyState: number; onerror: () => void }[] = [];
+    class Source {
+      static CLOSED = 2;
+      readyState = 0;
+      onerror = () => {};
+      constructor() {
+        sources.push(this);
+      }
+      addEventListener(): void {}
+    }
+    vi.stubGlobal('EventSource', Source);
+    const lost: boolean[] = [];
+    listen({} as never, (isRefused) => lost.push(isRefused));
+    sources[0].onerror();
+    vi.advanceTimersByTime(10_000);
+    expect(sources).toHaveLength(1);
+    sources[0].readyState = Source.CLOSED;
+    sources[0].onerror();
+    vi.advanceTimersByTime(10_000);
+    expect(sources).toHaveLength(2);
+    expect(lost).toEqual([false, true]);
+    vi.useRealTimers();
+  });
+});
+
+describe('the lease worker', () => {
+  let sent: Sent[];
+  const said: string[] = [];
+  const worker = { postMessage: (text: string) => said.push(text), onmessage: (_: { data: string }) => {} };
+  beforeEach(async () => {
+    vi.useFakeTimers();
+    sent = heldFetch();
+    said.length = 0;
+    vi.stubGlobal('self', worker);
+    vi.resetModules();
+    await import('../src/lease_worker');
+  });
+  afterEach(() => void vi.useRealTimers());
+
+  it('renews with one request at a time, and with the next one where an answer does not come', async () => {
+    worker.onmessage({ data: 'a' });
+    await vi.advanceTimersByTimeAsync(600);
+    expect(sent).toHaveLength(1);
+    await vi.advanceTimersByTimeAsync(300);
+    expect(sent).toHaveLength(2);
+    sent[1].answer();
+    await vi.advanceTimersByTimeAsync(200);
+    expect(sent).toHaveLength(3);
+    expect(said).toEqual(['ready']);
+  });
+  it('says that a lease is over', async () => {
+    worker.onmessage({ data: 'a' });
+    await vi.advanceTimersByTimeAsync(200);
+    sent[0].answer(409);
+    await vi.advanceTimersByTimeAsync(1000);
+    expect(said).toEqual(['ready', 'over']);
+    expect(sent).toHaveLength(1);
+  });
+  it('gives up its connection at once when there is none to renew, and says nothing of an old one', async () => {
+    worker.onmessage({ data: 'a' });
+    await vi.advanceTimersByTimeAsync(200);
+    worker.onmessage({ data: '' });
+    expect(sent[0].signal?.aborted).toBe(true);
+    worker.onmessage({ data: 'b' });
+    sent[0].answer(409);
+    await vi.advanceTimersByTimeAsync(200);
+    expect(sent).toHaveLength(2);
+    expect(said).toEqual(['ready']);
+  });
+});
+
+describe('the arm, as a page sees it', () => {
+  const told: string[] = [];
+  let changes = 0;
+  let link: ArmLink;
+  beforeEach(() => {
+    vi.stubGlobal('window', { addEventListener: () => {} });
+    vi.stubGlobal('Worker', class {
+      onmessage: (message: { data: string }) => void = () => {};
+      constructor() {
+        queueMicrotask(() => this.onmessage({ data: 'ready' }));
+      }
+      postMessage(lease: string): void {
+        told.push(lease);
+      }
+    });
+    link = new ArmLink(() => 'tab', () => ++changes);
+  });
+
+  it('moves nothing on the page while it runs for another one', async () => {
+    vi.stubGlobal('fetch', async () => new Response('{}'));
+    link.onStatus({ state: 'running', message: '', recording: '' });
+    const before = changes;
+    link.onFrame({} as never);
+    expect(changes).toBe(before);
+    expect(link.live).toBeNull();
+    await link.run({ limit_scale: 1, replan: false, obstacle: false });
+    link.onFrame({} as never);
+    expect(changes).toBe(before + 1);
+    expect(link.live).not.toBeNull();
+  });
+  it('renews its lease no more once VENT was pressed, nor while its events are refused', async () => {
+    vi.stubGlobal('fetch', async () => new Response('{"lease": "secret"}'));
+    link.prepare();
+    await link.arm();
+    told.length = 0;
+    link.renews(false);
+    link.renews(true);
+    await link.vent();
+    link.renews(true);
+    expect(told).toEqual(['', 'secret', '', '']);
+  });
+});
