@@ -23,7 +23,7 @@ class Admission {
                                          httplib::Response& response);
 
  private:
-  static constexpr double kRequestsPerS = 400.0;  // a hand drags at the screen's rate, in five tabs
+  static constexpr double kRequestsPerS = 400.0;  // a hand drags at the screen's rate, in four tabs
   static constexpr double kRequestsAtOnce = 400.0;
 
   httplib::Server::HandlerResponse enter(const httplib::Request& request,

@@ -10,11 +10,11 @@
 namespace limber {
 
 /// All open tabs by their number. A browser holds six connections to one address and an event
-/// stream takes one of them, so that with more tabs than kMax a page could ask nothing any more.
+/// stream takes one of them: two are left, for the renewal of a lease and for VENT.
 /// Threads: any.
 class Tabs {
  public:
-  static constexpr std::size_t kMax = 5;
+  static constexpr std::size_t kMax = 4;
 
   explicit Tabs(const ProjectFolder& project) : project_(project) {}
 

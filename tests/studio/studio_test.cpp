@@ -266,7 +266,7 @@ TEST_F(StudioServer, ConnectionsThatComeAtOnceAreAllAnswered) {
 TEST_F(StudioServer, StreamsAreFewAndEndWithTheirPage) {
   const std::string line = "GET /api/events HTTP/1.1\r\n" + own_headers() + "\r\n";
   std::vector<std::unique_ptr<RawClient>> pages;
-  for (int i = 0; i < 5; ++i) {
+  for (int i = 0; i < 4; ++i) {
     pages.push_back(std::make_unique<RawClient>(studio_->port()));
     pages.back()->send(line);
     EXPECT_THAT(pages.back()->read_until("event: tab"), StartsWith("HTTP/1.1 200"));
