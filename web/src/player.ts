@@ -5,6 +5,7 @@ export class Player {
   readonly element: HTMLElement;
   time_s = 0;
   playing = false;
+  private turn = 0; // of steps: those of another one end
   readonly slider = h('input', { type: 'range', min: 0, step: 'any', value: 0, 'aria-label': 'Time in seconds' });
   private readonly clock = h('output');
   readonly press: HTMLButtonElement;
@@ -33,9 +34,10 @@ export class Player {
   toggle(): void {
     this.playing = !this.playing;
     if (this.playing && this.time_s >= this.duration_s()) this.time_s = 0;
+    const own = ++this.turn;
     let last_ms = performance.now();
     const step = (now_ms: number): void => {
-      if (!this.playing) return;
+      if (!this.playing || own !== this.turn) return;
       const next_s = this.time_s + Math.max(0, now_ms - last_ms) / 1000;
       last_ms = now_ms;
       if (next_s >= this.duration_s()) this.playing = false;
