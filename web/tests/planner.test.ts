@@ -27,34 +27,33 @@ describe('the live planner', () => {
   });
 
   it('lets a search go on until it is heard, or for its patience, before the next question ends it', async () => {
+    vi.useFakeTimers();
     const sent: number[] = [];
     vi.stubGlobal('fetch', async (_: string, { body }: { body: string }) => {
       sent.push(JSON.parse(body).request);
-      return new Response('{}');
+      return { ok: true, json: async () => ({}) };
     });
     const planner = new LivePlanner(() => 'tab', () => {});
-    const ended: [string, (request: number) => unknown][] = [
-      ['plan', (request) => planner.onPlan(plan(request))],
-      ['result', (request) => planner.onResult({ request, status: 'limit', tree: null } as never)],
-      ['fault', (request) => planner.onFault(request, 'no')],
+    const ends: ((request: number) => unknown)[] = [
+      (request) => planner.onPlan(plan(request)),
+      (request) => planner.onResult({ request, status: 'limit', tree: null } as never),
+      (request) => planner.onFault(request, 'no'),
+      () => {}, // without an answer
     ];
-    for (const [, end] of ended) {
-      const request = sent.length + 1;
+    for (const [i, end] of ends.entries()) {
       planner.ask(question, 0);
-      await vi.waitFor(() => expect(sent).toHaveLength(request));
+      await vi.advanceTimersByTimeAsync(1);
+      expect(sent).toHaveLength(2 * i + 1);
       planner.ask(question, 0);
-      await new Promise((done) => setTimeout(done, 20));
-      expect(sent).toHaveLength(request); // it still waits
-      end(request);
-      await new Promise((done) => setTimeout(done, 20));
-      expect(sent).toHaveLength(request + 1);
-      end(request + 1);
-      await new Promise((done) => setTimeout(done));
+      await vi.advanceTimersByTimeAsync(50);
+      expect(sent).toHaveLength(2 * i + 1);
+      end(sent[2 * i]);
+      await vi.advanceTimersByTimeAsync(i < 3 ? 1 : 40);
+      expect(sent).toHaveLength(2 * i + 2);
+      planner.forget();
+      await vi.advanceTimersByTimeAsync(1);
     }
-    planner.ask(question, 0);
-    planner.ask(question, 0);
-    await vi.waitFor(() => expect(sent).toHaveLength(8)); // without any answer
-    planner.forget();
+    vi.useRealTimers();
   });
 
   it('has no plan for a scene whose question is given up before it is sent', async () => {
