@@ -1,12 +1,12 @@
-import { type Arm, type Environment, get, listen, type Opened, type Plan, type Project, Refusal } from './api';
+import { type Arm, type Environment, get, listen, type Opened, type Plan, post, type Project, Refusal } from './api';
 import { ArmLink } from './arm_link';
 import { toWorld } from './camera';
-import { byId } from './dom';
+import { byId, h, refilled } from './dom';
 import { DriveMode } from './drive_mode';
-import { added, newObstacle, type Point, removed, type Selection } from './environment';
+import { added, newObstacle, type Point, removed, type Selection, stillSelected } from './environment';
 import { FollowMode } from './follow_mode';
 import { History } from './history';
-import { keyEdit } from './keys';
+import { onKey, tabAfter } from './keys';
 import type { Scene } from './picture';
 import { PlanMode } from './plan_mode';
 import { LivePlanner } from './planner';
@@ -14,6 +14,7 @@ import { PlayMode } from './play_mode';
 import { ResultsMode } from './results_mode';
 import { fragmentOf, linkOf } from './scene_link';
 import { Stage } from './stage';
+import { offerVent, showArmState } from './vent_button';
 
 /** One of the things to do; each fills the panel and says what is shown. */
 export interface Mode {
@@ -70,6 +71,7 @@ export class App {
   };
   private mode: ModeName = 'plan';
   private measured: Plan | null = null;
+  private choice = 0; // of arm, environment and model: the last one wins
   private due = false; // a refresh
   private late: ReturnType<typeof setTimeout> | undefined; // a drag's frame, if no other comes first
 
@@ -95,7 +97,7 @@ export class App {
 
   async start(): Promise<void> {
     await this.readProject();
-    this.offerVent(); // before all that may fail or take long
+    offerVent(this); // before all that may fail or take long
     this.stage = new Stage(byId<HTMLCanvasElement>('canvas'), () => this.scene(), {
       down: (at, reach, event) => this.down(at, reach, event),
       drag: (at, event) => this.modes[this.mode].drag?.(at, event.timeStamp),
@@ -108,10 +110,17 @@ export class App {
     addEventListener('hashchange', () => void this.attempt(async () => {
       if (await this.openLink(location.hash, true)) this.replan();
     }));
-    for (const name of Object.keys(this.modes) as ModeName[]) {
-      byId(`mode-${name}`).addEventListener('click', () => this.enter(name));
+    const tabs = (Object.keys(this.modes) as ModeName[]).map((name) => {
+      const tab = byId(`mode-${name}`);
+      tab.addEventListener('click', () => this.enter(name));
+      return tab;
+    });
+    for (const [i, tab] of tabs.entries()) {
+      tab.addEventListener('keydown', ({ key }) => tabs[tabAfter(tabs.length, i, key) ?? i].focus());
     }
-    document.addEventListener('keydown', (event) => this.key(event));
+    document.addEventListener('keydown', (event) => {
+      if (this.mode === 'plan') onKey(this, event);
+    });
     addEventListener('beforeunload', (event) => {
       if (this.isChanged) event.preventDefault();
     });
@@ -181,15 +190,26 @@ export class App {
     }
   }
 
+  /** Asks; but not while the arm moves: a dialog lets nobody press VENT. */
+  confirms(question: string): boolean {
+    if (!this.armLink.runs) return confirm(question);
+    this.say('Not while the arm moves');
+    return false;
+  }
   /** Whether what is not saved may go. */
   mayLose(what: string): boolean {
-    return !this.isChanged || confirm(`What you changed is not saved. ${what}`);
+    return !this.isChanged || this.confirms(`What you changed is not saved. ${what}`);
   }
 
-  /** An arm and an environment for it: both, or where one is refused neither. */
-  async open(armName: string, environmentName: string, environment: Environment | null = null): Promise<void> {
+  /**
+   * An arm and an environment for it: both, or where one is refused neither.
+   * @return whether they are open: nothing else was chosen meanwhile
+   */
+  async open(armName: string, environmentName: string, environment: Environment | null = null): Promise<boolean> {
+    const choice = ++this.choice;
     const arm = armName === this.armName ? this.arm : await get<Arm>('arm', { name: armName });
     const shown = environment ?? (await get<Environment>('environment', { name: environmentName, arm: armName }));
+    if (choice !== this.choice) return false;
     this.planner.forget();
     if (arm !== this.arm) {
       const { length_m } = arm;
@@ -201,6 +221,13 @@ export class App {
     this.saved = this.environment;
     this.environmentName = environmentName;
     this.selected = null;
+    return true;
+  }
+  /** The model for the same arm and environment. */
+  choose(model: string): boolean {
+    ++this.choice;
+    this.model = model;
+    return true;
   }
 
   /**
@@ -218,11 +245,10 @@ export class App {
     } else if (asks && !this.mayLose('Open the link?')) {
       this.link(); // the address says again what is open; that makes no hashchange
       return false;
-    } else {
-      await this.open(arm, environmentName, environment);
+    } else if (!(await this.open(arm, environmentName, environment))) {
+      return false;
     }
-    this.model = model;
-    return true;
+    return this.choose(model);
   }
   /** The page's address, so that a bookmark opens what is chosen. @param environment  with it */
   link(environment: Environment | null = null): string {
@@ -234,8 +260,8 @@ export class App {
   /** A plan of an experiment, with all that it was made for: it is played. */
   private async onOpened({ request, arm, model, environment, plan }: Opened): Promise<void> {
     if (!this.planner.isAwaited(request)) return;
-    await this.open(arm, environment);
-    this.model = model;
+    if (!(await this.open(arm, environment))) return;
+    this.choose(model);
     this.planner.take(plan);
     this.link();
     this.enter('play');
@@ -254,24 +280,28 @@ export class App {
 
   enter(mode: ModeName): void {
     this.modes[this.mode].leave();
+    const isAnother = mode !== this.mode;
     this.mode = mode;
     for (const name of Object.keys(this.modes)) {
-      byId(`mode-${name}`).ariaSelected = String(name === mode);
+      const tab = byId(`mode-${name}`);
+      tab.ariaSelected = String(name === mode);
+      tab.tabIndex = name === mode ? 0 : -1; // arrow keys lead to the others
     }
-    const panel = byId('panel');
-    panel.replaceChildren();
     byId('tools').hidden = mode !== 'plan';
-    this.modes[mode].enter(panel);
-    byId('legend').replaceChildren(
-      ...this.modes[mode].legend().map(([swatch, words]) => {
-        const item = document.createElement('li');
-        const mark = document.createElement('i');
-        mark.className = `swatch ${swatch}`;
-        item.append(mark, words);
-        return item;
-      }),
-    );
-    this.refresh();
+    if (isAnother && byId('panel').contains(document.activeElement)) byId(`mode-${mode}`).focus();
+    this.show();
+  }
+  /** The mode's panel and legend, from the start. */
+  show(): void {
+    const mode = this.modes[this.mode];
+    const panel = byId('panel');
+    refilled(panel, () => {
+      panel.replaceChildren();
+      mode.enter(panel);
+      byId('legend').replaceChildren(...mode.legend().map(([swatch, words]) =>
+        h('li', {}, h('i', { class: `swatch ${swatch}` }), words)));
+      this.refresh();
+    });
   }
 
   /** Asks for a plan of what is shown. */
@@ -291,33 +321,13 @@ export class App {
     );
   }
 
-  private offerVent(): void {
-    byId('arm').hidden = this.project.driver === '';
-    if (this.project.driver !== '') this.armLink.prepare();
-    // As soon as it is pressed; a click is that of a keyboard or an assistive technology too.
-    for (const kind of ['pointerdown', 'click']) byId('vent').addEventListener(kind, () => this.vent());
-    document.addEventListener('keydown', (event) => this.ventKey(event), { capture: true });
+  /** Ends what the studio does for this page, but for its arm. */
+  endWork(): void {
+    if (this.tab !== '') void post('stop', { tab: this.tab }).catch(() => {}); // it has ended then
   }
-  private vent(): void {
-    void this.attempt(() => this.armLink.vent());
-  }
-  /**
-   * While the arm moves, before anybody else gets them; and on the page that has armed it, where
-   * Space would else press Play once more just after a run's end.
-   */
-  private ventKey(event: KeyboardEvent): void {
-    const { runs, isMine } = this.armLink;
-    const isField = event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement;
-    if ((event.key !== ' ' && event.key !== 'Escape') || !(runs || (isMine && !isField))) return;
-    event.preventDefault();
-    event.stopImmediatePropagation();
-    if (!event.repeat) this.vent();
-  }
+
   private armChanged(): void {
-    const { status, isMine } = this.armLink;
-    const words = { off: '', armed: isMine ? 'armed here' : 'armed by another page', running: 'the arm moves' };
-    byId('arm-state').textContent = words[status.state];
-    byId('arm-state').className = status.state;
+    showArmState(this);
     this.refresh();
   }
 
@@ -328,9 +338,6 @@ export class App {
   }
   /** @param dragged_ms  when a hand moved something that it holds: then the plan is asked for first */
   edited(dragged_ms?: number): void {
-    if (this.selected !== null && this.selected !== 'goal' && !this.environment.obstacles[this.selected]) {
-      this.selected = null;
-    }
     if (this.live) this.question(dragged_ms ?? performance.now());
     else this.planner.forget(); // its plan is of another scene
     if (dragged_ms === undefined) this.refresh();
@@ -356,12 +363,16 @@ export class App {
   }
   undo(): void {
     if (this.stage.isHeld) return; // a drag under way would be half in the past
-    this.history.undo();
-    this.edited();
+    this.turnBack(() => this.history.undo());
   }
   redo(): void {
     if (this.stage.isHeld) return;
-    this.history.redo();
+    this.turnBack(() => this.history.redo());
+  }
+  private turnBack(turn: () => void): void {
+    const before = this.environment;
+    turn();
+    this.selected = stillSelected(this.selected, before, this.environment);
     this.edited();
   }
 
@@ -405,30 +416,6 @@ export class App {
   private down(at: Point, reach_m: number, event: PointerEvent): boolean {
     byId('canvas').focus({ preventScroll: true });
     return event.button <= 0 && (this.modes[this.mode].down?.(at, reach_m) ?? false);
-  }
-
-  private key(event: KeyboardEvent): void {
-    if (this.mode !== 'plan' || event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement) return;
-    const control = event.ctrlKey || event.metaKey;
-    const letter = event.key.toLowerCase();
-    if (control && (letter === 'z' || letter === 'y')) {
-      event.preventDefault();
-      if (letter === 'y' || event.shiftKey) this.redo();
-      else this.undo();
-    }
-    if (control || event.target !== byId('canvas')) return;
-    const acts: Record<string, () => void> = {
-      Escape: () => this.select(null),
-      Delete: () => this.removeSelected(),
-      Backspace: () => this.removeSelected(),
-      '+': () => this.stage.zoom(1.25),
-      '-': () => this.stage.zoom(0.8),
-      '0': () => this.stage.refit(),
-    };
-    const next = keyEdit(this.environment, this.selected, event.key, event.shiftKey);
-    if (next || acts[event.key]) event.preventDefault();
-    if (next) this.edit(next);
-    else acts[event.key]?.();
   }
 
   /** From the hand to the screen: the frame after the first one that shows a certified plan. */

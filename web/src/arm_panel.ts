@@ -1,6 +1,6 @@
 import type { Plan } from './api';
 import type { App } from './app';
-import { button, checkbox, field, h } from './dom';
+import { button, checkbox, field, h, refill } from './dom';
 import { neededScale, scaleChoice } from './panels';
 
 const kFirstScale = 0.1;
@@ -32,7 +32,7 @@ export class ArmPanel {
     const shown = JSON.stringify([status, isMine, live?.holds, this.limitScale, this.isConfirmed, needed]);
     if (shown === this.drawn) return;
     this.drawn = shown;
-    this.element.replaceChildren(...this.parts(needed));
+    refill(this.element, ...this.parts(needed));
   }
 
   private parts(needed: number): HTMLElement[] {
@@ -60,7 +60,8 @@ export class ArmPanel {
         }),
         h('div', { class: 'row' }, arm));
     }
-    if (message) parts.push(h('p', { class: message.includes('NOT CONFIRMED') ? 'alarm' : 'outcome', role: 'status' }, message));
+    const isAlarm = message.includes('NOT CONFIRMED');
+    if (message) parts.push(h('p', { class: isAlarm ? 'alarm' : 'outcome', role: isAlarm ? 'alert' : 'status' }, message));
     if (recording) parts.push(h('p', { class: 'hint' }, `Recorded: ${recording}`));
     return parts;
   }

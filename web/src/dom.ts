@@ -30,6 +30,22 @@ export function button(text: string, press: () => void, attributes: Attributes =
   return h('button', { type: 'button', onclick: press, ...attributes }, text);
 }
 
+/** Where it differs: else a screen reader would say the same words again. */
+export function changeText(element: HTMLElement, text: string): void {
+  if (element.textContent !== text) element.textContent = text;
+}
+
+/** Fills it again; whoever has the focus in it keeps it, by its place. */
+export function refilled(container: HTMLElement, fill: () => void): void {
+  const focusable = () => [...container.querySelectorAll<HTMLElement>('button, input, select')];
+  const place = focusable().indexOf(document.activeElement as HTMLElement);
+  fill();
+  if (place >= 0) focusable()[place]?.focus({ preventScroll: true });
+}
+export function refill(container: HTMLElement, ...children: Node[]): void {
+  refilled(container, () => container.replaceChildren(...children));
+}
+
 /** A label and what it names. */
 export function field(label: string, input: HTMLElement, unit = ''): HTMLElement {
   return h('label', { class: 'field' }, h('span', {}, label), input, unit && h('small', {}, unit));

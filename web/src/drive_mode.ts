@@ -5,10 +5,9 @@ import type { Point } from './environment';
 import { trackNames } from './names';
 import { cm, driveSliders, familySliders } from './panels';
 import type { Figure, Scene } from './picture';
-import { distance, tipOf } from './shape';
+import { distance, kTrail, tipOf } from './shape';
 
 const kKeys: Exclude<TrackKey, 'arm'>[] = ['virtual_arm', 'network', 'simple'];
-const kTrail = 1200; // frames: a minute
 
 /** Pressures by hand: every model gets the same ones at once. */
 export class DriveMode implements Mode {
@@ -71,7 +70,7 @@ export class DriveMode implements Mode {
 
   leave(): void {
     this.now = null;
-    void this.app.attempt(() => post('stop', { tab: this.app.tab }));
+    this.app.endWork();
   }
 
   private restart(): void {

@@ -206,3 +206,11 @@ export function added(environment: Environment, obstacle: Obstacle): Environment
 export function removed(environment: Environment, i: number): Environment {
   return { ...environment, obstacles: environment.obstacles.filter((_, k) => k !== i) };
 }
+
+/** What is selected after a step back or forth: the same obstacle, wherever it stands in the list. */
+export function stillSelected(selected: Selection, before: Environment, after: Environment): Selection {
+  if (typeof selected !== 'number') return selected;
+  const same = after.obstacles.indexOf(before.obstacles[selected]);
+  if (same >= 0) return same;
+  return after.obstacles.length === before.obstacles.length ? selected : null; // it was changed, or has gone
+}

@@ -58,6 +58,7 @@ export class FollowMode implements Mode {
     this.player.seek(0);
     this.run = null;
     ++this.request; // what is still on its way is of no use
+    this.app.endWork();
   }
 
   down(at: Point): boolean {

@@ -1,18 +1,10 @@
 import { type Environment, type Fitted, type Fitting, post, Refusal } from './api';
 import type { App, Mode } from './app';
-import { button, byId, checkbox, choice, field, h } from './dom';
+import { button, byId, changeText, checkbox, choice, field, h, refill } from './dom';
 import { dragged, type Handle, hit, type Point, type Selection } from './environment';
 import { exportRow } from './export';
 import { familyPanel, planPanel, scaleChoice, selectionPanel, thingsList } from './panels';
 import type { Scene } from './picture';
-
-/** Replaces what is inside; whoever had the focus keeps it, by its place. */
-function refill(container: HTMLElement, ...children: Node[]): void {
-  const focusable = () => [...container.querySelectorAll<HTMLElement>('button, input, select')];
-  const place = focusable().indexOf(document.activeElement as HTMLElement);
-  container.replaceChildren(...children);
-  if (place >= 0) focusable()[place]?.focus({ preventScroll: true });
-}
 
 /** Arm, obstacles and goal by hand; a plan that follows. */
 export class PlanMode implements Mode {
@@ -24,6 +16,7 @@ export class PlanMode implements Mode {
   private fitting = ''; // what is being done; empty: nothing
   private buttons: Record<'undo' | 'redo' | 'stop' | 'savePlan', HTMLButtonElement> | null = null;
   private grip: { handle: Handle; from: Point; begin: Environment } | null = null;
+  private nameOf: Environment | null = null; // as opened or saved
   private name = h('input', { type: 'text', id: 'name', 'aria-label': 'Name to save as' });
 
   constructor(private readonly app: App) {}
@@ -48,10 +41,15 @@ export class PlanMode implements Mode {
       tool('+', 'Zoom in', () => stage.zoom(1.25)),
       tool('⤢', 'Show everything', () => stage.refit()),
     );
-    const reopen = (open: () => Promise<void>) =>
+    const reopen = (open: () => Promise<boolean>) =>
       void app.attempt(async () => {
-        await open();
-        app.reopened();
+        let isOpen = false;
+        try {
+          isOpen = await open();
+        } finally {
+          if (isOpen) app.reopened();
+          else this.show(); // what is open is chosen again
+        }
       });
     const toggle = (label: string, key: keyof App['view']) =>
       checkbox(label, app.view[key], (on) => {
@@ -66,7 +64,8 @@ export class PlanMode implements Mode {
       app.limitScale = scale;
       app.ask();
     });
-    this.name.value = app.environment.name;
+    if (this.nameOf !== app.saved) this.name.value = app.environment.name; // of another document
+    this.nameOf = app.saved;
     panel.append(
       h('section', {}, this.status,
         h('div', { class: 'row' },
@@ -78,20 +77,17 @@ export class PlanMode implements Mode {
       h('section', {}, h('h2', {}, 'Scene'),
         field('Arm', choice(project.arms, app.armName, (name) =>
           reopen(async () => {
-            if (!app.mayLose('Open another arm?')) return;
-            await app.open(name, app.environmentName);
-            app.model = '';
+            if (!app.mayLose('Open another arm?')) return false;
+            return (await app.open(name, app.environmentName)) && app.choose('');
           }))),
         field('Model', choice(project.models, app.model, (name) =>
-          reopen(async () => void (app.model = name)), 'Simple model',
+          reopen(async () => app.choose(name)), 'Simple model',
           (name) => (project.families.includes(name) ? ' (family)' : ''))),
         field('Environment', choice(project.environments, app.environmentName, (name) =>
-          reopen(async () => {
-            if (app.mayLose('Open another environment?')) await app.open(app.armName, name);
-          }))),
+          reopen(async () =>
+            app.mayLose('Open another environment?') && app.open(app.armName, name)))),
         field('Name', this.name),
-        h('div', { class: 'row' }, button('Save environment', () =>
-          this.save('environment', { arm: app.armName, environment: this.named() })),
+        h('div', { class: 'row' }, button('Save environment', () => this.saveEnvironment()),
           button('Copy link', () => void app.attempt(() => this.copyLink()),
             { title: 'A link that restores the scene' }))),
       h('section', {}, h('h2', {}, 'Goal and obstacles'), this.things, this.selection),
@@ -100,10 +96,17 @@ export class PlanMode implements Mode {
   }
 
   leave(): void {
+    const { app } = this;
     byId('tools').replaceChildren();
+    changeText(byId('said'), '');
+    if (app.planner.searching || this.fitting) app.endWork();
+    app.planner.end();
     this.fitting = '';
     ++this.request;
-    this.app.planner.searching = false; // what comes next ends it
+  }
+  /** The panel again, unless it was left. */
+  private show(): void {
+    if (this.name.isConnected) this.app.show();
   }
 
   down(at: Point, reach_m: number): boolean {
@@ -133,9 +136,10 @@ export class PlanMode implements Mode {
     buttons.redo.disabled = !app.history.canRedo;
     buttons.stop.disabled = !app.planner.searching;
     buttons.savePlan.disabled = !app.planner.plan || !app.planner.isCurrent;
-    this.status.replaceChildren(app.isFamily
+    refill(this.status, app.isFamily
       ? familyPanel(this.fitting, () => void this.fit())
       : planPanel(app.planner, app.unit, app.model === ''));
+    changeText(byId('said'), this.status.querySelector('strong')?.firstChild?.textContent ?? '');
     if (this.drawn?.[0] === app.environment && this.drawn[1] === app.selected) return; // somebody may be typing
     if (app.stage.isHeld) return; // their numbers follow when the hand lets go
     this.drawn = [app.environment, app.selected];
@@ -207,27 +211,37 @@ export class PlanMode implements Mode {
     app.say(`Fitted: ${model}` + (error_cm === null ? '' : `, ${error_cm.toFixed(1)} cm off on seconds that it had not seen`));
   }
 
+  /** The environment's file becomes what is open, unless that has changed meanwhile. */
+  private saveEnvironment(): void {
+    const { app } = this;
+    const from = app.environment;
+    const environment = this.named();
+    this.save('environment', { arm: app.armName, environment }, (name) => {
+      app.project = { ...app.project, environments: [...new Set([...app.project.environments, name])] };
+      if (app.environment === from) {
+        app.history.change(environment); // no step: undo would take back nothing that is seen
+        this.nameOf = app.saved = environment;
+        app.environmentName = name;
+        app.link();
+      }
+      this.show();
+    });
+  }
   /** Asks before it replaces a file. */
-  private save(path: string, body: object): void {
+  private save(path: string, body: object, saved: (name: string) => void = () => {}): void {
     const { app } = this;
     const send = async (overwrite: boolean): Promise<void> => {
       const name = this.name.value.trim();
-      const saved = await post<{ name: string }>(path, { ...body, tab: app.tab, name, overwrite });
-      app.project = { ...app.project, environments: [...new Set([...app.project.environments, ...(path === 'environment' ? [saved.name] : [])])] };
-      if (path === 'environment') {
-        app.history.set(this.named());
-        app.saved = app.environment;
-        app.environmentName = saved.name;
-        app.enter('plan');
-      }
-      app.say(`Saved ${saved.name}`);
+      const answer = await post<{ name: string }>(path, { ...body, tab: app.tab, name, overwrite });
+      saved(answer.name);
+      app.say(`Saved ${answer.name}`);
     };
     void app.attempt(async () => {
       try {
         await send(false);
       } catch (error) {
-        if (!(error instanceof Refusal) || error.status !== 412 || !confirm(`${error.message}. Replace it?`)) throw error;
-        await send(true);
+        if (!(error instanceof Refusal) || error.status !== 412) throw error;
+        if (app.confirms(`${error.message}. Replace it?`)) await send(true);
       }
     });
   }

@@ -1,4 +1,4 @@
-import { type Motion, post, type Run, type TrackKey } from './api';
+import { type ArmFrame, type Motion, post, type Run, type TrackKey } from './api';
 import type { App, Mode } from './app';
 import { ArmPanel } from './arm_panel';
 import { button, checkbox, h } from './dom';
@@ -9,7 +9,7 @@ import { tracksPanel } from './panels';
 import type { Figure, Scene } from './picture';
 import { Player } from './player';
 import { chartsOf, Plots } from './plots';
-import { tipOf } from './shape';
+import { kTrail, tipOf } from './shape';
 
 /** The plan by every model and by the arm, over one another, with a slider for the time. */
 export class PlayMode implements Mode {
@@ -18,6 +18,7 @@ export class PlayMode implements Mode {
   private request = 0;
   private readonly options: RunOptions = { replan: false, obstacle: false }; // as they were ticked
   private trail: Point[] = []; // of the arm's tip, while it moves
+  private seen: ArmFrame | null = null; // the last one of the trail
   private player: Player = new Player(() => (this.run ? durationOf(this.run) : 0), () => this.app.refresh(), () => this.toggle());
   private stop = button('Stop', () => void this.app.attempt(() => this.app.armLink.stop().then(() => {})));
   private tracks = h('div');
@@ -58,6 +59,8 @@ export class PlayMode implements Mode {
 
   leave(): void {
     this.player.halt(0);
+    ++this.request; // what is still on its way would play unseen
+    if (!this.run) this.app.endWork();
   }
 
   private ask(): void {
@@ -130,7 +133,9 @@ export class PlayMode implements Mode {
     this.stop.disabled = !armLink.runs || !armLink.isMine;
     if (live) {
       player.halt(live.time_s);
-      if (live.shape) this.trail.push(tipOf(live.shape));
+      if (live.shape && live !== this.seen) this.trail.push(tipOf(live.shape));
+      if (this.trail.length > kTrail) this.trail.shift();
+      this.seen = live;
     }
     player.slider.disabled = isLive;
     player.press.disabled = isLive && !armLink.isMine;

@@ -104,7 +104,7 @@ export class ResultsMode implements Mode {
     this.measuring = false;
     ++this.request;
     this.refresh();
-    void this.app.attempt(() => post('stop', { tab: this.app.tab }));
+    this.app.endWork();
   }
 
   onMeasuring(request: number, share: number): void {

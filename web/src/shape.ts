@@ -6,6 +6,8 @@ import type { Point } from './environment';
 export type Pose = { x: number; y: number; theta: number };
 export type Station = Pose & { gap: number };
 
+export const kTrail = 1200; // frames that a tip's trail holds: a minute
+
 export const plateCount = (shape: number[]): number => shape.length / 3;
 export const plate = (shape: number[], i: number): Pose => ({
   x: shape[3 * i],

@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import type { Environment } from '../src/api';
 import {
-  added, centreOf, dragged, handlesOf, hit, isInside, newObstacle, outlineOf, removed, rotated,
+  added, centreOf, dragged, handlesOf, hit, isInside, newObstacle, outlineOf, removed, rotated, stillSelected,
 } from '../src/environment';
-import { keyEdit } from '../src/keys';
+import { keyEdit, tabAfter } from '../src/keys';
 
 const environment: Environment = {
   name: 'test',
@@ -121,5 +121,24 @@ describe('new and removed obstacles', () => {
       expect(y).toBeCloseTo(0.2);
       expect(removed(next, 3)).toEqual(environment);
     }
+  });
+});
+
+describe('what is selected', () => {
+  it('stays the same obstacle when a step is undone or done again', () => {
+    const fewer = removed(environment, 0);
+    expect(stillSelected(1, fewer, environment)).toBe(2);
+    expect(stillSelected(2, environment, fewer)).toBe(1);
+    expect(stillSelected(0, environment, fewer)).toBeNull();
+    expect(stillSelected('goal', environment, fewer)).toBe('goal');
+    const moved = dragged(environment, { of: 1, part: 'body' }, [0.5, -0.2], [0.4, -0.2]);
+    expect(stillSelected(1, moved, environment)).toBe(1);
+  });
+});
+
+describe('the tabs', () => {
+  it('are gone through by arrow keys, from the last one to the first', () => {
+    expect(['ArrowLeft', 'ArrowRight', 'Home', 'End', 'a'].map((key) => tabAfter(5, 0, key))).toEqual([4, 1, 0, 4, undefined]);
+    expect(tabAfter(5, 4, 'ArrowRight')).toBe(0);
   });
 });

@@ -1,0 +1,33 @@
+import type { App } from './app';
+import { byId, changeText } from './dom';
+
+/** VENT and its keys, from when the project is known. */
+export function offerVent(app: App): void {
+  const { driver } = app.project;
+  byId('arm').hidden = driver === '';
+  if (driver !== '') app.armLink.prepare();
+  const vent = () => void app.attempt(() => app.armLink.vent());
+  // As soon as it is pressed; a click is that of a keyboard or an assistive technology too.
+  for (const kind of ['pointerdown', 'click']) byId('vent').addEventListener(kind, vent);
+  document.addEventListener('keydown', (event) => onVentKey(app, event, vent), { capture: true });
+}
+
+/**
+ * While the arm moves, before anybody else gets them; and on the page that has armed it, where
+ * Space would else press Play once more just after a run's end.
+ */
+function onVentKey(app: App, event: KeyboardEvent, vent: () => void): void {
+  const { runs, isMine } = app.armLink;
+  const isField = event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement;
+  if ((event.key !== ' ' && event.key !== 'Escape') || !(runs || (isMine && !isField))) return;
+  event.preventDefault();
+  event.stopImmediatePropagation();
+  if (!event.repeat) vent();
+}
+
+/** The arm's state beside the button. */
+export function showArmState({ armLink: { status: { state }, isMine } }: App): void {
+  const words = { off: '', armed: isMine ? 'armed here' : 'armed by another page', running: 'the arm moves' };
+  changeText(byId('arm-state'), words[state]);
+  byId('arm-state').className = state;
+}
