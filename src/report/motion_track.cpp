@@ -45,7 +45,8 @@ MotionTrack executed_track(const char* key, const ArmDescription& arm,
       has_appeared = true;
       track.add_obstacle(result.appeared->circle);
     }
-    track.add(episode.pressure_kpa.row(k).transpose(), backbone_at(episode.backbone, k));
+    track.add(episode.pressure_kpa.row(k).transpose(), backbone_at(episode.backbone, k),
+              episode.was_tracked(k));
   }
   track.set_outcome(outcome_text(environment.goal, result));
   return track;

@@ -1,6 +1,7 @@
 #include "limber/report/track_report.hpp"
 
 #include <functional>
+#include <limits>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -19,7 +20,7 @@ namespace {
 constexpr int kTimesWidthPx = 900;
 constexpr int kTimesHeightPx = 300;
 
-/// A number of each of `count` frames.
+/// A number of each of `count` frames; NaN leaves a gap.
 std::vector<double> each_frame(int count, const std::function<double(int)>& number) {
   std::vector<double> values;
   for (int k = 0; k < count; ++k) {
@@ -45,6 +46,12 @@ struct RunTimes {
         run_s(each_frame(run.frame_count(), [&](int t) { return run.time_s[t]; })) {}
 
   const PlanFrame& planned_frame(int k) const { return plan.frames[static_cast<std::size_t>(k)]; }
+  /// A number of each frame of the run; none of those in which nobody saw the arm.
+  std::vector<double> each_seen(const std::function<double(int)>& number) const {
+    return each_frame(episode.frame_count(), [&](int t) {
+      return episode.was_tracked(t) ? number(t) : std::numeric_limits<double>::quiet_NaN();
+    });
+  }
 };
 
 Chart times_chart(const std::string& title, const std::string& y_label) {
@@ -88,11 +95,10 @@ Chart tip_chart(const RunTimes& run) {
                             return kCmPerM * double(shape(shape.rows() - 1, axis));
                           }),
                {.color = color, .width_px = 1.5, .dashed = true});
-    chart.line(
-        fmt::format("{}: the arm", name), run.run_s,
-        each_frame(run.episode.frame_count(),
-                   [&](int t) { return kCmPerM * double(run.episode.backbone(t, tip + axis)); }),
-        {.color = color});
+    chart.line(fmt::format("{}: the arm", name), run.run_s, run.each_seen([&](int t) {
+      return kCmPerM * double(run.episode.backbone(t, tip + axis));
+    }),
+               {.color = color});
   }
   return chart;
 }
@@ -114,9 +120,9 @@ Chart clearance_chart(const RunTimes& run, const Environment& environment,
                                               run.planned_frame(k).backbone);
                         }),
              {.width_px = 1.5, .dashed = true});
-  chart.line("the arm", run.run_s, each_frame(run.episode.frame_count(), [&](int t) {
-               return clearance_cm(run.run_s[std::size_t(t)], backbone_at(run.episode.backbone, t));
-             }));
+  chart.line("the arm", run.run_s, run.each_seen([&](int t) {
+    return clearance_cm(run.run_s[std::size_t(t)], backbone_at(run.episode.backbone, t));
+  }));
   chart.horizontal_line("contact", 0.0, {.color = "#b2182b", .width_px = 1.0});
   return chart;
 }

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include "limber/report/motion_track.hpp"
 #include "limber/run/appearing_obstacle.hpp"
 #include "support/bending_plan.hpp"
 #include "support/fake_arm.hpp"
@@ -70,6 +71,29 @@ TEST(ExecutionTimes, ARunThatNobodySawHasNoTip) {
   const std::string svg = execution_times_picture(arm, environment, plan, result);
   EXPECT_THAT(svg, HasSubstr("segment 0: predicted"));
   EXPECT_THAT(svg, Not(HasSubstr("y: the arm")));
+}
+
+TEST(ExecutionTimes, WhereNobodySawTheArmThereIsNeitherTipNorClearance) {
+  const ArmDescription arm = small_arm();
+  Environment environment;
+  environment.obstacles = {Circle{0.3, 0.3, 0.02}};
+  const Plan plan = bending_plan(arm, environment);
+  FakeFaults faults;
+  faults.drop_every = 4;
+  FakeArm driver(arm, kLag_s, faults);
+  const ExecutionResult result = execute(arm, environment, plan, driver);
+  const nlohmann::ordered_json track = executed_track("arm", arm, environment, result).json();
+  const auto& clearances_m = track["clearances_m"];
+  ASSERT_EQ(static_cast<int>(clearances_m.size()), result.episode.frame_count());
+  int unseen = 0;
+  for (int t = 0; t < result.episode.frame_count(); ++t) {
+    const bool is_seen = result.episode.was_tracked(t);
+    EXPECT_EQ(clearances_m[static_cast<std::size_t>(t)].is_null(), !is_seen) << "frame " << t;
+    unseen += is_seen ? 0 : 1;
+  }
+  EXPECT_GT(unseen, 0);
+  EXPECT_THAT(execution_times_picture(arm, environment, plan, result),
+              HasSubstr("not drawn: not finite"));
 }
 
 TEST(ExecutionTimes, ClearanceFallsWhenAnObstacleAppears) {
