@@ -30,7 +30,7 @@ class ArmStation {
 
   /// Whoever confirms it gets the lease. @return empty: another page has armed the arm
   std::string arm();
-  /// False: nothing is armed with that lease any more. Waits for nothing.
+  /// False: nothing is armed with that lease any more. Waits for no run.
   bool renew(const std::string& lease);
   /// @return why not; empty: it runs
   std::string run(const std::string& lease, ArmRunJob job);

@@ -74,6 +74,9 @@ class PlanReporter {
   }
   /// What is shown is what is kept.
   void send(const Plan& plan) {
+    if (stop_) {
+      return;
+    }
     const double time_s = now_s();
     sent_s_ = time_s;
     Plan kept = plan;
@@ -83,9 +86,7 @@ class PlanReporter {
     json["request"] = job_.request;
     json["time_s"] = time_s;
     json["first_s"] = first_s_;
-    if (!stop_) {
-      events_.push("plan", json.dump());
-    }
+    events_.push("plan", json.dump());
   }
 
  private:
