@@ -1,12 +1,14 @@
-import { type Arm, type Environment, get, listen, type Opened, type Plan, post, type Project, Refusal } from './api';
+import { type Arm, type Environment, get, listen, type Opened, post, type Project, type Refusal } from './api';
 import { ArmLink } from './arm_link';
 import { toWorld } from './camera';
-import { byId, h, refilled } from './dom';
+import { byId, changeText, h, refilled } from './dom';
 import { DriveMode } from './drive_mode';
 import { added, newObstacle, type Point, removed, type Selection, stillSelected } from './environment';
 import { FollowMode } from './follow_mode';
 import { History } from './history';
 import { onKey, tabAfter } from './keys';
+import { Latency } from './latency';
+import type { Mode } from './mode';
 import type { Scene } from './picture';
 import { PlanMode } from './plan_mode';
 import { LivePlanner } from './planner';
@@ -15,22 +17,6 @@ import { ResultsMode } from './results_mode';
 import { fragmentOf, linkOf } from './scene_link';
 import { Stage } from './stage';
 import { offerVent, showArmState } from './vent_button';
-
-/** One of the things to do; each fills the panel and says what is shown. */
-export interface Mode {
-  enter(panel: HTMLElement): void;
-  leave(): void;
-  /** Something has changed: the panel follows. */
-  refresh(): void;
-  scene(): Partial<Scene>;
-  /** What a pointer does, in metres. Whether it grabs something: else it moves the stage. */
-  down?(at: Point, reach_m: number): boolean;
-  /** @param at_ms  when the hand was there */
-  drag?(at: Point, at_ms: number): void;
-  up?(): void;
-  /** What stands for what on the stage: class of the swatch, and words. */
-  legend(): [string, string][];
-}
 
 type ModeName = 'plan' | 'play' | 'follow' | 'drive' | 'results';
 
@@ -70,7 +56,7 @@ export class App {
     plan: this.plan, play: this.play, follow: this.follow, drive: this.drive, results: this.results,
   };
   private mode: ModeName = 'plan';
-  private measured: Plan | null = null;
+  private readonly latency = new Latency(this.planner);
   private choice = 0; // of arm, environment and model: the last one wins
   private due = false; // a refresh
   private late: ReturnType<typeof setTimeout> | undefined; // a drag's frame, if no other comes first
@@ -167,18 +153,17 @@ export class App {
       },
       (isRefused) => {
         this.tab = '';
-        this.say(kLost);
-        if (!isRefused) return;
+        if (!isRefused) return this.say(kLost);
         this.armLink.renews(false); // a page that can't see the arm has no business with it
-        this.readProject().catch((error: unknown) => {
-          if (error instanceof Refusal && error.status === 403) this.say(kForeign);
-        });
+        this.readProject().then(
+          () => this.say(kLost),
+          (error: Refusal) => this.say(error.status === 403 ? kForeign : kLost));
       },
     );
   }
 
   say(text: string): void {
-    byId('notice').textContent = text;
+    changeText(byId('notice'), text);
   }
   /** Runs what may be refused, and says why it was. */
   async attempt(work: () => Promise<void>): Promise<void> {
@@ -395,7 +380,7 @@ export class App {
   private painted(): void {
     clearTimeout(this.late);
     this.late = undefined;
-    this.measure();
+    this.latency.measure();
   }
 
   scene(): Scene {
@@ -416,16 +401,5 @@ export class App {
   private down(at: Point, reach_m: number, event: PointerEvent): boolean {
     byId('canvas').focus({ preventScroll: true });
     return event.button <= 0 && (this.modes[this.mode].down?.(at, reach_m) ?? false);
-  }
-
-  /** From the hand to the screen: the frame after the first one that shows a certified plan. */
-  private measure(): void {
-    const { plan } = this.planner;
-    if (!plan || !this.planner.isCurrent || this.measured?.request === plan.request) return;
-    this.measured = plan;
-    const start = this.planner.askedAt_ms;
-    requestAnimationFrame((end) => {
-      performance.measure('certified plan painted', { start, end: Math.max(start, end), detail: plan.request });
-    });
   }
 }

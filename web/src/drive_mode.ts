@@ -1,7 +1,8 @@
 import { type Drive, type Family, get, post, type TrackKey } from './api';
-import type { App, Mode } from './app';
+import type { App } from './app';
 import { button, facts, h } from './dom';
 import type { Point } from './environment';
+import type { Mode } from './mode';
 import { trackNames } from './names';
 import { cm, driveSliders, familySliders } from './panels';
 import type { Figure, Scene } from './picture';

@@ -1,8 +1,9 @@
 import { type Followed, post } from './api';
-import type { App, Mode } from './app';
+import type { App } from './app';
 import { button, choice, field, h } from './dom';
 import type { Point } from './environment';
 import { save } from './export';
+import type { Mode } from './mode';
 import { durationOf, figuresAt, mainOf } from './motion';
 import { tracksPanel } from './panels';
 import { csvOf, figureOf, pathOf, timed } from './path';

@@ -1,12 +1,12 @@
 import type { Arm, Environment, Family, Motion, Obstacle, TrackKey, Trait } from './api';
-import { button, checkbox, choice, facts, field, h, numberInput } from './dom';
+import { button, checkbox, facts, field, h, numberInput } from './dom';
 import { kindOf, type Point, type Selection, withObstacle } from './environment';
 import { trackNames } from './names';
 import type { LivePlanner } from './planner';
 import { valueOf, withValue } from './traits';
 
 const seconds = (s: number): string => (s < 1 ? `${Math.round(s * 1000)} ms` : `${s.toFixed(1)} s`);
-const cm = (m: number): string => `${(m * 100).toFixed(2)} cm`;
+export const cm = (m: number): string => `${(m * 100).toFixed(2)} cm`;
 const thousands = (n: number): string => Math.round(n).toLocaleString('en');
 
 /** Numbers of what is selected, to type. */
@@ -208,5 +208,3 @@ export function familySliders(
       !all ? `${shown > 0 ? 'More' : 'The numbers behind it'}: ${e.length - shown}` : shown > 0 ? 'Fewer' : 'What they tell of',
       more, { 'aria-expanded': String(all) }));
 }
-
-export { cm, choice };

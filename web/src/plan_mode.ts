@@ -1,8 +1,9 @@
 import { type Environment, type Fitted, type Fitting, post, Refusal } from './api';
-import type { App, Mode } from './app';
+import type { App } from './app';
 import { button, byId, changeText, checkbox, choice, field, h, refill } from './dom';
 import { dragged, type Handle, hit, type Point, type Selection } from './environment';
 import { exportRow } from './export';
+import type { Mode } from './mode';
 import { familyPanel, planPanel, scaleChoice, selectionPanel, thingsList } from './panels';
 import type { Scene } from './picture';
 

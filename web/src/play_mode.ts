@@ -1,9 +1,10 @@
 import { type ArmFrame, type Motion, post, type Run, type TrackKey } from './api';
-import type { App, Mode } from './app';
+import type { App } from './app';
 import { ArmPanel } from './arm_panel';
 import { button, checkbox, h } from './dom';
 import type { Point } from './environment';
 import { exportRow } from './export';
+import type { Mode } from './mode';
 import { durationOf, environmentAt, figuresAt, mainOf, possible, type RunOptions } from './motion';
 import { tracksPanel } from './panels';
 import type { Figure, Scene } from './picture';

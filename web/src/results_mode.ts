@@ -1,6 +1,7 @@
 import { type Experiment, get, type Measured, post, type TrialRun } from './api';
-import type { App, Mode } from './app';
+import type { App } from './app';
 import { button, choice, field, h } from './dom';
+import type { Mode } from './mode';
 import type { Scene } from './picture';
 import { coverageMaps, experimentTable, horizonChart } from './results';
 

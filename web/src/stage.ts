@@ -1,5 +1,6 @@
 import * as THREE from 'three';
 import { axisLabels, type Camera, fitted, panned, toWorld, zoomed } from './camera';
+import { h } from './dom';
 import type { Point } from './environment';
 import { Painter } from './painter';
 import { Picture, type Scene } from './picture';
@@ -24,7 +25,7 @@ export class Stage {
   private readonly painter = new Painter();
   private readonly picture: Picture;
   private readonly pointers = new Map<number, Point>();
-  private readonly labels: HTMLElement;
+  private readonly labels = h('div', { class: 'grid-labels', 'aria-hidden': 'true' });
   private grabbed = false;
   private due = false;
   private fitTo: [Point, Point] = [[-0.1, -0.5], [0.8, 0.5]];
@@ -42,9 +43,6 @@ export class Stage {
     this.picture = new Picture(this.painter, this.camera);
     this.world.add(this.painter.mesh);
     this.view.position.z = 1;
-    this.labels = document.createElement('div');
-    this.labels.className = 'grid-labels';
-    this.labels.ariaHidden = 'true';
     canvas.after(this.labels);
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => {
@@ -112,10 +110,8 @@ export class Stage {
     this.labels.dataset.shown = shown;
     this.labels.replaceChildren(
       ...labels.map(({ axis, at, text }) => {
-        const span = document.createElement('span');
-        span.className = axis;
+        const span = h('span', { class: axis }, text);
         span.style[axis === 'x' ? 'left' : 'top'] = `${at}px`;
-        span.textContent = text;
         return span;
       }),
     );

@@ -84,6 +84,7 @@ pageTest('what is saved is a file that limber verifies', async (page) => {
   await page.getByRole('textbox', { name: 'Name to save as' }).fill('my own');
   await page.getByRole('button', { name: 'Save environment' }).click();
   await page.waitForFunction(() => document.getElementById('notice').textContent.startsWith('Saved'));
+  assert.match(page.url(), /my\+own/, 'the address names the file');
   const environment = join(shared.studio.project, 'environments/my own.yaml');
   assert.match(readFileSync(environment, 'utf8'), /^schema: limber\/environment\/1\nname: "my own"/);
   await page.getByRole('textbox', { name: 'Name to save as' }).fill('my own');
@@ -193,6 +194,16 @@ pageTest('an obstacle is dropped into the way; open loop the arm strikes it, clo
   assert.notEqual(await outcome(), open);
 });
 
+pageTest('the simple model’s plan is played although a closed loop was ticked for the network', async (page) => {
+  await page.getByRole('tab', { name: 'Play' }).click();
+  await page.getByLabel('Closed loop').check();
+  await page.getByRole('tab', { name: 'Plan' }).click();
+  await page.getByLabel('Model').selectOption('');
+  await certified(page);
+  await page.getByRole('tab', { name: 'Play' }).click();
+  await page.waitForSelector('.tracks');
+});
+
 pageTest('driven there and back, the simple model returns and the virtual arm does not', async (page) => {
   await page.getByRole('tab', { name: 'Drive' }).click();
   const slider = page.getByRole('slider', { name: /Segment 0/ });
@@ -229,6 +240,10 @@ pageTest('everything goes by keyboard alone', async (page) => {
       .filter((e) => !(e.ariaLabel || e.getAttribute('aria-label') || e.textContent.trim() || e.labels?.[0]?.textContent.trim()))
       .map((e) => e.outerHTML));
   assert.deepEqual(nameless, []);
+  await page.focus('#mode-plan');
+  await page.keyboard.press('ArrowLeft');
+  await page.keyboard.press('Enter');
+  await page.waitForSelector('#mode-results[aria-selected=true]:focus');
 });
 
 pageTest('a finger drags, two fingers zoom', async (page) => {

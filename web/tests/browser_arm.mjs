@@ -77,6 +77,7 @@ test('armed by hand, the arm runs the plan within its limits, pauses, goes on an
 
 for (const [name, press] of [
   ['the VENT button of another page', async (page, other) => other.getByRole('button', { name: 'VENT' }).click()],
+  ['the VENT button before it is let go', async (page) => page.getByRole('button', { name: 'VENT' }).dispatchEvent('pointerdown')],
   ['Space', (page) => page.keyboard.press('Space')],
   ['Escape', (page) => page.keyboard.press('Escape')],
   ['Escape on another page', (page, other) => other.keyboard.press('Escape')],
