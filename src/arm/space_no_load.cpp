@@ -12,6 +12,13 @@ namespace limber {
 
 namespace {
 
+constexpr double kSameColumn = 1e-9;  // of the largest: angles and radii have fewer digits
+
+Eigen::Index rank_of(const Eigen::MatrixXd& matrix) {
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> parts(matrix);
+  return parts.setThreshold(kSameColumn).rank();
+}
+
 /// Of a segment whose chambers are springs of equal stiffness: the constant strain that fits all of
 /// their own strains best. A chamber at (y, z) has ε = ε0 − κz y + κy z.
 Eigen::MatrixXd shape_of_chambers(const Segment& segment) {
@@ -23,9 +30,15 @@ Eigen::MatrixXd shape_of_chambers(const Segment& segment) {
     places.row(i) << chamber.radius_m * std::sin(angle_rad),
         -chamber.radius_m * std::cos(angle_rad), 1.0;
   }
-  // Two chambers can't bend it both ways, and then bend it one way only.
-  const Eigen::MatrixXd fit = places.completeOrthogonalDecomposition().pseudoInverse();
-  Eigen::MatrixXd shape = fit;
+  // Two opposite chambers bend it one way only. Two pairs of tendons at right angles, a chamber
+  // each, bend it both ways: what bends can do is no extension then, and the length stays.
+  const Eigen::MatrixXd bends = places.leftCols<2>();
+  Eigen::MatrixXd shape = Eigen::MatrixXd::Zero(kShapeRows, count);
+  if (rank_of(places) > rank_of(bends)) {
+    shape = places.completeOrthogonalDecomposition().pseudoInverse();
+  } else {
+    shape.topRows<2>() = bends.completeOrthogonalDecomposition().pseudoInverse();
+  }
   shape.topRows<2>() *= segment.length_m;  // curvature times length
   return shape;
 }

@@ -99,6 +99,30 @@ TEST(SpaceNoLoad, ThreeAlikeChambersHaveTheirClosedForm) {
   EXPECT_NEAR(shape.length_m, 0.18 * (1.0 + f.head<3>().mean()), 1e-12);
 }
 
+// Two motors that pull a pair each: nothing tells an extension, so that each bends its own way.
+TEST(SpaceNoLoad, PairsOfTendonsAtRightAnglesBendItAndKeepItsLength) {
+  const ArmDescription arm = space_arm(R"(schema: limber/arm/1
+name: tendons
+dimension: 3
+no_load: chambers
+frame_rate_hz: 20
+pressure_rate_limit_kpa_per_s: 100
+actuator_radius_m: 0.004
+segments:
+  - {length_m: 0.2, width_m: 0.05, gaps: 2, chambers: [
+      {angle_deg: 0, radius_m: 0.02, sense: extending, pressure_limit_kpa: [-100, 100],
+       strain_polynomial: [0.002, 0, 0, 0]},
+      {angle_deg: 90, radius_m: 0.02, sense: extending, pressure_limit_kpa: [-100, 100],
+       strain_polynomial: [0.002, 0, 0, 0]}]}
+)");
+  const SpaceNoLoad no_load(arm);
+  const Eigen::VectorXd f = no_load.strains(Eigen::Vector2d(50.0, -20.0));
+  const SpaceSegmentShape shape = no_load.segment_shape(0, f);
+  EXPECT_NEAR(shape.rotation_rad.z(), -0.2 * f[0] / 0.02, 1e-12);
+  EXPECT_NEAR(shape.rotation_rad.y(), 0.2 * f[1] / 0.02, 1e-12);
+  EXPECT_NEAR(shape.length_m, 0.2, 1e-12);
+}
+
 constexpr const char* kPlanar = R"(schema: limber/arm/1
 name: flat
 frame_rate_hz: 20
