@@ -1,6 +1,7 @@
 #include "space_alignment.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -16,6 +17,9 @@ namespace {
 
 constexpr double kMostRows = 0.95;
 constexpr double kAlongSine = 1e-3;           // sine of the least angle between two axes
+// Of the arm's x along the log's own, above which y is made of another axis: arms that hang or lie,
+// or stand at 30 or 45 degrees, are far from it, so that noise never turns the frame of a log.
+constexpr double kAlongLogsX = 0.8;
 constexpr std::size_t kRotationSample = 101;  // rotations compared with all others of the sample
 constexpr double kNearRotation_rad = 0.25;
 
@@ -105,9 +109,7 @@ Eigen::Quaterniond rotation_of_axes(const std::string& log, const Eigen::Vector3
     }
     y = *left;
   } else {
-    Eigen::Index axis = 0;
-    x.cwiseAbs().minCoeff(&axis);
-    y = Eigen::Vector3d::Unit(axis);
+    y = Eigen::Vector3d::Unit(std::abs(x.x()) < kAlongLogsX ? 0 : 1);
   }
   y = (y - x * x.dot(y)).normalized();
   Eigen::Matrix3d axes;
