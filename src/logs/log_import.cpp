@@ -218,7 +218,7 @@ ImportResult import_logs(const std::vector<fs::path>& logs, const ImportOptions&
           result.recording.episodes.push_back(std::move(episode));
         }
       } catch (const SlowLog&) {
-        if (logs.size() > 1 && !arm.is_spatial()) {
+        if (logs.size() > 1) {
           refuse_all_slow_logs(logs, options, arm, read_runs);
         }
         throw;
