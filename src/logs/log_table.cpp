@@ -38,7 +38,7 @@ class LogFile {
       names_ = mapping.columns;
       return;
     }
-    while (csv_.next(row)) {
+    while (next_line(row)) {
       if (!is_comment(row)) {
         read_header(row);
         return;
@@ -77,10 +77,10 @@ class LogFile {
   /// The next row that is neither blank nor a comment. Where rows are the clock, one without
   /// anything in its cells is a moment in which nothing was logged.
   bool next(std::vector<CsvCell>& row) {
-    while (csv_.next(row)) {
+    while (next_line(row)) {
       const bool is_moment = mapping_.time.column.empty() && row.size() > 1;
       if (!is_comment(row) || (is_moment && is_blank(row))) {
-        ++rows_read_;
+        width_ = rows_read_++ == 0 ? number_count(row) : width_;
         return true;
       }
     }
@@ -89,6 +89,19 @@ class LogFile {
 
   /// By `next`, those that can't be read among them.
   std::size_t rows_read() const { return rows_read_; }
+  /// Cells with numbers that the first row has, at least as many as there are columns.
+  std::size_t width() const { return width_; }
+
+  /// Cells of a row up to its last number, at least as many as there are columns: text beyond them
+  /// is a remark.
+  std::size_t number_count(const std::vector<CsvCell>& row) const {
+    std::size_t count = std::max(row.size(), names_.size());
+    double ignored = 0.0;
+    while (count > names_.size() && !parse(row[count - 1].text, ignored)) {
+      --count;
+    }
+    return count;
+  }
 
   bool parse(std::string_view text, double& value) const {
     if (!mapping_.decimal_comma) {
@@ -102,6 +115,12 @@ class LogFile {
   const CsvReader& csv() const { return csv_; }
 
  private:
+  /// A quote in a comment begins no cell.
+  bool next_line(std::vector<CsvCell>& row) {
+    csv_.skip_lines_with('#');
+    return csv_.next(row);
+  }
+
   static bool is_comment(const std::vector<CsvCell>& row) {
     return is_blank(row) || row.front().text.starts_with('#');
   }
@@ -128,6 +147,7 @@ class LogFile {
   CsvReader csv_;
   std::vector<std::string> names_;
   std::size_t rows_read_ = 0;
+  std::size_t width_ = 0;
 };
 
 struct Column {
@@ -170,6 +190,9 @@ std::vector<Column> columns_of(const LogFile& file, const WantedColumns& wanted,
 std::string read_row(const LogFile& file, const std::vector<CsvCell>& row,
                      const std::vector<Column>& columns, std::vector<double>& values) {
   values.clear();
+  if (const std::size_t count = file.number_count(row); count > file.width()) {
+    return fmt::format("line {}: {} cells; expected {}", file.csv().line(), count, file.width());
+  }
   for (const Column& column : columns) {
     double value = std::numeric_limits<double>::quiet_NaN();
     if (column.counts_rows) {
@@ -236,6 +259,11 @@ LogTable read_log_table(const std::filesystem::path& path, const ImportMapping& 
     report.note("rows left out that can't be read",
                 fmt::format("{}: {}", path.filename().string(), first_bad),
                 static_cast<std::int64_t>(bad));
+  }
+  if (file.width() > file.names().size()) {
+    report.note("rows hold more numbers than the header has names: those beyond are left out",
+                fmt::format("{} and {}; has the first column no name?", file.width(),
+                            file.names().size()));
   }
   if (table.row_count() == 0) {
     throw InputError(fmt::format("{}: no rows below the header", table.file));

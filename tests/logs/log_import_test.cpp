@@ -249,6 +249,24 @@ TEST_F(CsvImport, LeavesOutSingleBrokenRowsAndSaysSo) {
   EXPECT_THAT(found->first, AllOf(HasSubstr("line 252"), HasSubstr("'ERROR' is not a number")));
 }
 
+// Two writers in one file, or a decimal comma: its numbers stand in other columns.
+TEST_F(CsvImport, LeavesOutARowWithMoreNumbersThanTheHeaderHasNames) {
+  const ImportResult result = import(replaced(log(), "\n2.500000,", "\n2.500000,7,"), mapping());
+  const ImportNote* found = note(result, "can't be read");
+  ASSERT_NE(found, nullptr);
+  EXPECT_EQ(found->count, 1);
+  EXPECT_THAT(found->first, AllOf(HasSubstr("line 252: 53 cells"), HasSubstr("expected 52")));
+  const std::string remark = replaced(log(), "\n2.510000,", ",touched!\n2.510000,");
+  EXPECT_EQ(note(import(remark, mapping()), "can't be read"), nullptr);
+}
+
+TEST_F(CsvImport, PassesOverQuotesInComments) {
+  const ImportResult result =
+      import(replaced(log(), "\n2.500000,", "\n#, \"tube of 5 m\n2.500000,"), mapping());
+  EXPECT_EQ(result.report.runs.front().rows, rows_);
+  EXPECT_EQ(note(result, "can't be read"), nullptr);
+}
+
 // It would be infinite in the recording, and refused there, by another file's name.
 TEST_F(CsvImport, LeavesOutARowWithANumberThatNoRecordingHolds) {
   const std::string text = log();
