@@ -222,6 +222,28 @@ CommandTrack commands_of(const LogTable& table, std::size_t first, const RowGrou
   return track;
 }
 
+void take_repeated(const std::vector<std::size_t>& order, CommandTrack& track) {
+  const auto take = [](Eigen::MatrixXd& matrix, Eigen::Index from, Eigen::Index to) {
+    if (matrix.size() > 0) {
+      const auto given = matrix.row(from).array().isFinite();
+      matrix.row(to) = given.select(matrix.row(from), matrix.row(to)).eval();
+    }
+  };
+  for (std::size_t row = 0; row < track.time_s.size(); ++row) {
+    const auto kept = std::ranges::lower_bound(
+        order, track.time_s[row], {}, [&](std::size_t other) { return track.time_s[other]; });
+    // Of rows at one time the first is kept.
+    if (kept == order.end() || *kept >= row || !(track.time_s[*kept] <= track.time_s[row])) {
+      continue;
+    }
+    take(track.values, Eigen::Index(row), Eigen::Index(*kept));
+    take(track.setpoint, Eigen::Index(row), Eigen::Index(*kept));
+    if (!track.motion.empty() && std::isfinite(track.motion[row])) {
+      track.motion[*kept] = track.motion[row];
+    }
+  }
+}
+
 std::vector<std::size_t> rows_in_order(const std::string& log, const std::vector<double>& time_s,
                                        RunReport& report) {
   return RowOrder(log, time_s, report).find();

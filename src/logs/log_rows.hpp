@@ -91,6 +91,10 @@ void want_commands(const CommandColumns& commands, WantedColumns& wanted);
 CommandTrack commands_of(const LogTable& table, std::size_t first, const RowGroup& group,
                          const ImportMapping& mapping, const ArmDescription& arm);
 
+/// Rows that are kept get what later rows of the same time say: each of them may have set points of
+/// its own, and the last one given is in force. @param order  as `rows_in_order` has it
+void take_repeated(const std::vector<std::size_t>& order, CommandTrack& track);
+
 /// The rows to keep, in the order of time (log_runs.hpp, put_in_order).
 std::vector<std::size_t> rows_in_order(const std::string& log, const std::vector<double>& time_s,
                                        RunReport& report);

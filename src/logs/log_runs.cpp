@@ -68,6 +68,12 @@ void require_csv_points(const std::filesystem::path& path, const ImportMapping& 
   }
 }
 
+bool has_column(const std::filesystem::path& path, const ImportMapping& mapping,
+                const std::string& name) {
+  const std::vector<std::string> names = log_columns(path, mapping);
+  return std::ranges::find(names, name) != names.end();
+}
+
 }  // namespace
 
 double usual_step_s(const std::vector<double>& time_s) {
@@ -99,11 +105,22 @@ CommandTrack read_command_log(const std::filesystem::path& path, const ImportMap
                               const ArmDescription& arm, RunReport& report) {
   WantedColumns wanted;
   wanted.names.push_back(mapping.commands.time.column);
+  const bool numbered = !mapping.motion.empty() && has_column(path, mapping, mapping.motion);
+  if (numbered) {
+    wanted.names.push_back(mapping.motion);
+  } else if (!mapping.motion.empty()) {
+    report.note("the log of commands has no column 'motion': motions are found from the commands",
+                fmt::format("'{}'", mapping.motion));
+  }
+  const std::size_t first_command = wanted.names.size();
   want_commands(mapping.commands, wanted);
   const LogTable table = read_log_table(path, mapping, wanted, report);
   const RowGroup all = group_rows(table).front();
-  CommandTrack track = commands_of(table, 1, all, mapping, arm);
+  CommandTrack track = commands_of(table, first_command, all, mapping, arm);
   track.time_s = picked(table.columns[0], all.rows, mapping.commands.time.seconds_per_unit);
+  if (numbered) {
+    track.motion = picked(table.columns[1], all.rows, 1.0);
+  }
   return track;
 }
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -81,12 +82,16 @@ CommandTrack read_command_log(const std::filesystem::path& path, const ImportMap
                               const ArmDescription& arm, RunReport& report);
 
 /// Brings rows into the order of time: rows without a time and repeated times are left out, single
-/// rows out of order are sorted, each noted.
+/// rows out of order are sorted, each noted. Of commands at one time the last ones given hold.
 /// @throws InputError if time is no time of one recording: shuffled, starting again, standing
 /// still.
 template <class Track>
 void put_in_order(const std::string& log, Track& track, RunReport& report) {
-  keep_rows(track, rows_in_order(log, track.time_s, report));
+  const std::vector<std::size_t> order = rows_in_order(log, track.time_s, report);
+  if constexpr (std::is_same_v<Track, CommandTrack>) {
+    take_repeated(order, track);
+  }
+  keep_rows(track, order);
 }
 
 // What imports of arms in the plane and in space do in the same way.

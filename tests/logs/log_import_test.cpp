@@ -295,6 +295,34 @@ TEST_F(CsvImport, SortsSingleRowsAndDropsRepeatedTimes) {
   ASSERT_NE(note(result, "repeat a time"), nullptr);
 }
 
+TEST_F(CsvImport, ReadsNumbersOfMotionsFromALogOfCommandsToo) {
+  const std::string poses = LogTruth::table("time_s" + header().substr(header().find(",x0")), rows_,
+                                            rate_hz_, [&](double t) { return pose_cells(t); });
+  write_file_atomically(folder_.path() / "run.csv", poses);
+  write_file_atomically(folder_.path() / "map.yaml", mapping() + "motion: number\n");
+  ImportOptions options;
+  options.mapping = read_import_mapping(folder_.path() / "map.yaml", truth_.arm());
+  options.command_logs = {folder_.path() / "p.csv"};
+  options.time_offset_s = 0.0;
+  for (const bool numbered : {true, false}) {
+    write_file_atomically(
+        folder_.path() / "p.csv",
+        LogTruth::table("time_s" + truth_.pressure_names() + (numbered ? ",number" : ",other"),
+                        rows_, rate_hz_, [&](double t) {
+                          return truth_.pressure_cells(t) +
+                                 fmt::format(",{}", std::floor(t / 2.0 + 1e-9));
+                        }));
+    const ImportResult result = import_csv({folder_.path() / "run.csv"}, options, truth_.arm());
+    EXPECT_EQ(note(result, "no column 'motion'") == nullptr, numbered);
+    const std::vector<int>& motions = result.recording.episodes.front().motion_index;
+    if (numbered) {
+      EXPECT_EQ(motions[39], 0);
+      EXPECT_EQ(motions[40], 1);
+      EXPECT_EQ(motions.back(), 2);
+    }
+  }
+}
+
 /// Arms of any number of segments, with commands on a clock of their own.
 class TwoClocks : public CsvImport, public ::testing::WithParamInterface<int> {
  protected:

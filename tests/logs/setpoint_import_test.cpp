@@ -116,6 +116,20 @@ TEST_F(SetpointImport, KeepsASetPointInForceOverEmptyCells) {
   EXPECT_EQ(found->count, 60);
 }
 
+// A driver that logs each set point on its own: two rows of one time hold both.
+TEST_F(SetpointImport, TakesTheLastOfSetPointsThatWereGivenAtOneTime) {
+  const std::string text = log();
+  const std::size_t begin = text.find("\n2.000000,") + 1;
+  const std::size_t poses = text.find(',', text.find(',', text.find(',', begin + 9) + 1) + 1);
+  const std::string seen = text.substr(poses, text.find('\n', begin) - poses);
+  const Eigen::Vector3d told = truth_.pressures(2.0);
+  const std::string rows = fmt::format("2.000000,1,{:.6f},{:.6f}{}\n2.000000,{:.6f},,{}\n",
+                                       told[1], told[2], seen, told[0], seen);
+  const std::string apart = text.substr(0, begin) + rows + text.substr(text.find('\n', begin) + 1);
+  EXPECT_EQ(import(apart, setpoints_mapping()).recording.episodes.front().setpoint_kpa,
+            import(text, setpoints_mapping()).recording.episodes.front().setpoint_kpa);
+}
+
 TEST_F(SetpointImport, OfDefaultColumnsIsToldByTheirNames) {
   const std::string without_commands = mapping().substr(0, mapping().find("pressures:")) +
                                        mapping().substr(mapping().find("backbone:"));
