@@ -9,6 +9,7 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/statistics.hpp"
 
 namespace limber {
 
@@ -159,6 +160,36 @@ std::vector<double> picked(const std::vector<double>& column, const std::vector<
     values.push_back(factor * column[row]);
   }
   return values;
+}
+
+std::vector<bool> rows_of_zeros(const LogTable& table, const RowGroup& group, std::size_t first,
+                                std::size_t cells, const PointSource& point,
+                                const ImportMapping& mapping, RunReport& report) {
+  const std::size_t axes = point.z.empty() ? 2 : 3;
+  std::vector<bool> zeros;
+  std::vector<double> from_origin_m;  // of the other rows
+  for (const std::size_t row : group.rows) {
+    double places = 0.0;
+    double turns = 0.0;
+    for (std::size_t c = 0; c < cells; ++c) {
+      (c < axes ? places : turns) += std::pow(table.columns[first + c][row], 2);
+    }
+    zeros.push_back(places == 0.0 && turns == 0.0);
+    if (!zeros.back() && std::isfinite(places)) {
+      from_origin_m.push_back(mapping.length_factor * std::sqrt(places));
+    }
+  }
+  // A quaternion is never 0. A point without one may lie at the origin, as bases do.
+  const bool may_be_there =
+      cells < axes + 4 && (from_origin_m.empty() || median(from_origin_m) < kBaseStandsStill_m);
+  for (std::size_t t = 0; t < zeros.size(); ++t) {
+    zeros[t] = zeros[t] && !may_be_there;
+    if (zeros[t]) {
+      report.note("points of zeros alone in a row: not tracked",
+                  fmt::format("line {}, {}", table.lines[group.rows[t]], plate_name(point.plate)));
+    }
+  }
+  return zeros;
 }
 
 void want_commands(const CommandColumns& commands, WantedColumns& wanted) {

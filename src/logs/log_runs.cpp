@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -15,7 +16,8 @@ namespace limber {
 
 namespace {
 
-PointTracks points_of(const LogTable& table, const RowGroup& group, const ImportMapping& mapping) {
+PointTracks points_of(const LogTable& table, const RowGroup& group, const ImportMapping& mapping,
+                      RunReport& report) {
   PointTracks tracks;
   tracks.time_s = picked(table.columns[0], group.rows, mapping.time.seconds_per_unit);
   const auto k = static_cast<Eigen::Index>(mapping.points.size());
@@ -33,12 +35,19 @@ PointTracks points_of(const LogTable& table, const RowGroup& group, const Import
   };
   for (Eigen::Index i = 0; i < k; ++i) {
     const PointSource& point = mapping.points[std::size_t(i)];
+    const std::vector<bool> zeros =
+        rows_of_zeros(table, group, column, headings ? 3 : 2, point, mapping, report);
     tracks.names.push_back(point.x);
     tracks.plates.push_back(point.plate);
     take(tracks.x_m, i, mapping.length_factor);
     take(tracks.y_m, i, mapping.length_factor);
     if (headings) {
       take(tracks.theta_rad, i, mapping.angle_factor);
+    }
+    for (Eigen::Index t = 0; t < rows; ++t) {
+      if (zeros[std::size_t(t)]) {
+        tracks.x_m(t, i) = std::numeric_limits<double>::quiet_NaN();
+      }
     }
   }
   return tracks;
@@ -96,9 +105,11 @@ std::vector<LogRun> read_csv_runs(const std::filesystem::path& path, const Impor
       }
     }
   };
-  return read_runs<PointTracks>(path, mapping, arm, with_commands, want_points,
-                                [&](const LogTable& table, const RowGroup& group,
-                                    const RunReport&) { return points_of(table, group, mapping); });
+  return read_runs<PointTracks>(
+      path, mapping, arm, with_commands, want_points,
+      [&](const LogTable& table, const RowGroup& group, RunReport& report) {
+        return points_of(table, group, mapping, report);
+      });
 }
 
 CommandTrack read_command_log(const std::filesystem::path& path, const ImportMapping& mapping,

@@ -235,17 +235,14 @@ SpaceTracks space_tracks_of(const LogTable& table, const RowGroup& group,
     tracks.plates.push_back(point.plate);
     tracks.has_rotation.push_back(turns > 0);
     Eigen::VectorXd numbers(3 + turns);
+    const std::vector<bool> zeros = rows_of_zeros(
+        table, group, column, static_cast<std::size_t>(numbers.size()), point, mapping, report);
     for (Eigen::Index t = 0; t < rows; ++t) {
       const std::size_t row = group.rows[std::size_t(t)];
       for (Eigen::Index c = 0; c < numbers.size(); ++c) {
         numbers[c] = table.columns[column + std::size_t(c)][row];
       }
-      const bool zeros = turns > kEuler && numbers.isZero(0.0);
-      if (zeros) {
-        report.note("bodies of zeros alone in a row: not tracked",
-                    fmt::format("line {}, {}", table.lines[row], plate_name(point.plate)));
-      }
-      if (zeros || !numbers.allFinite()) {
+      if (zeros[std::size_t(t)] || !numbers.allFinite()) {
         tracks.hide(t, i);
         continue;
       }

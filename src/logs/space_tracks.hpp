@@ -51,8 +51,7 @@ void keep_rows(SpaceTracks& tracks, const std::vector<std::size_t>& order);
 /// @throws InputError where the mapping names no columns; `log` stands for the file
 void want_space_points(const std::string& log, const ImportMapping& mapping, WantedColumns& wanted);
 
-/// What a table holds of the points, its times and point columns first. A body whose seven numbers
-/// are all zero was not tracked.
+/// What a table holds of the points, its times and point columns first.
 /// @throws InputError naming the line where a quaternion's length is not about 1.
 SpaceTracks space_tracks_of(const LogTable& table, const RowGroup& group,
                             const ImportMapping& mapping, RunReport& report);

@@ -169,6 +169,25 @@ TEST_F(CsvImport, BridgesShortOcclusionsAndMarksTheirFrames) {
   EXPECT_LT(result.report.runs.front().points[9].tracked_share, 0.99);
 }
 
+// Some trackers write zeros for a hidden point; the base may well lie at the origin.
+TEST_F(CsvImport, TakesZerosOfAPointThatIsElsewhereForHidden) {
+  std::string text = log();
+  const std::string seen = pose_cells(2.0);
+  std::size_t ninth = 0;
+  for (int comma = 0; comma < 3 * 9; ++comma) {
+    ninth = seen.find(',', ninth + 1);
+  }
+  const std::size_t tenth = seen.find(',', seen.find(',', seen.find(',', ninth + 1) + 1) + 1);
+  text = replaced(text, seen, seen.substr(0, ninth) + ",0,0.0,0" + seen.substr(tenth));
+  const ImportResult result = import(text, mapping());
+  EXPECT_EQ(result.recording.episodes.front().untracked_count(), 1);
+  EXPECT_LT(errors(result.recording.episodes.front()).first, 1e-3);
+  const ImportNote* found = note(result, "points of zeros alone");
+  ASSERT_NE(found, nullptr);
+  EXPECT_EQ(found->count, 1);
+  EXPECT_EQ(found->first, "line 202, plate 9");
+}
+
 TEST_F(CsvImport, InventsNothingOverLongOcclusions) {
   const ImportResult result = import(hidden(log(), 4 + 3 * 9, 200, 300), mapping());
   ASSERT_THAT(result.recording.episodes, SizeIs(2));

@@ -211,6 +211,28 @@ TEST_F(SpaceImport, RefusesQuaternionsThatAreNone) {
   EXPECT_EQ(import(log(), mapping()).recording.episodes.front().untracked_count(), 1);
 }
 
+TEST_F(SpaceImport, TakesZerosOfAPointThatIsElsewhereForHidden) {
+  rotations_ = false;
+  mistake_ = [](int row, int plate, SpacePose& pose) {
+    if (row == 20 && plate == 3) {
+      pose.position_m.setZero();
+    }
+  };
+  const Episode episode = import(log(), mapping(axes())).recording.episodes.front();
+  EXPECT_EQ(episode.untracked_count(), 1);
+  EXPECT_LT(errors(episode).position_m, 1e-3);
+}
+
+TEST_F(SpaceImport, OfAnArmAlongAnAxisIsNotTurnedByNoise) {
+  rotations_ = false;
+  X_LB_.rotation = rotation_of_vector<double>(Eigen::Vector3d(0.0, -0.5 * M_PI, 0.0));  // x up
+  const auto y_axis = [&](const char* x_axis) {
+    const std::string alignment = fmt::format("alignment: {{x_axis: {}}}\n", x_axis);
+    return import(log(), mapping(alignment)).report.runs.front().space->y_axis;
+  };
+  EXPECT_GT(y_axis("[1e-4, 2e-4, 1]").dot(y_axis("[2e-4, 1e-4, 1]")), 0.999);
+}
+
 TEST_F(SpaceImport, NamesDistancesAndDirectionsThatAreNotTheArms) {
   std::string in_mm = replaced(mapping(axes(false)), "backbone:\n", "backbone:\n  unit: mm\n");
   expect_refusal(log(), in_mm, {"'x0' (plate 0) and 'x1' (plate 1) are", "are allowed"});
