@@ -16,7 +16,7 @@ namespace limber {
 namespace {
 
 constexpr double kMostRows = 0.95;
-constexpr double kAlongSine = 1e-3;           // sine of the least angle between two axes
+constexpr double kAlongSine = 1e-3;  // sine of the least angle between two axes
 // Of the arm's x along the log's own, above which y is made of another axis: arms that hang or lie,
 // or stand at 30 or 45 degrees, are far from it, so that noise never turns the frame of a log.
 constexpr double kAlongLogsX = 0.8;

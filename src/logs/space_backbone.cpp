@@ -18,6 +18,7 @@
 #include "limber/common/units.hpp"
 #include "limber/data/log_units.hpp"
 #include "log_runs.hpp"
+#include "rotation_flips.hpp"
 #include "space_alignment.hpp"
 #include "space_tracks.hpp"
 
@@ -27,6 +28,7 @@ namespace {
 
 constexpr double kLongestSpaceChord = 1.5;  // over the length at rest, as recordings allow
 constexpr double kFarthestOffX_rad = 1.2;   // half of how far an arm bends between two points
+constexpr double kFarOffArc_rad = 1.0;      // of rotations; gravity and twist leave less
 constexpr double kShortShare = 0.05;
 constexpr double kLongShare = 0.95;
 
@@ -194,6 +196,21 @@ void leave_out_rotations(bool asked, SpaceTracks& tracks, RunReport& report) {
   }
 }
 
+/// Rotations that say another shape than places do are noted: an odd body may be meant so.
+void note_far_off_arcs(RunReport& report) {
+  for (const SpaceGapReport& gap : report.space->gaps) {
+    if (gap.off_arc_rad > kFarOffArc_rad) {
+      report.note(
+          "warning: measured rotations are far off the arcs from point to point. Are the columns "
+          "in the order qx, qy, qz, qw (w last), is none of them mirrored, and were all bodies "
+          "defined on the straight arm? 'rest_s' in the alignment counts them from the rest, "
+          "'headings: tangent' leaves them out",
+          fmt::format("{:.0f} degrees from {} to {} in the median row",
+                      kDegPerRad * gap.off_arc_rad, plate_name(gap.from), plate_name(gap.to)));
+    }
+  }
+}
+
 void measure_strays(const BackboneTrack& track, const std::vector<int>& plates,
                     SpaceRunReport& report) {
   for (const int plate : plates) {
@@ -260,6 +277,7 @@ BackboneTrack build_backbone(const std::string& log, SpaceTracks tracks,
   }
   gaps.require_of(log, mapping, arm, tracks);
   space.gaps = gaps.report();
+  note_far_off_arcs(report);
   for (Eigen::Index plate = 0; plate < arm.point_count(); ++plate) {
     make_signs_continuous(track.poses.middleCols(kSpacePoseSize * plate + 3, 4));
   }

@@ -211,6 +211,21 @@ TEST_F(SpaceImport, RefusesQuaternionsThatAreNone) {
   EXPECT_EQ(import(log(), mapping()).recording.episodes.front().untracked_count(), 1);
 }
 
+TEST_F(SpaceImport, WarnsOfRotationsThatAreNotThoseOfTheArcs) {
+  const auto warning = [&] {
+    for (const ImportNote& note : import(log(), mapping()).report.runs.front().notes) {
+      if (note.what.starts_with("warning: measured rotations")) {
+        return note.first;
+      }
+    }
+    return std::string();
+  };
+  EXPECT_EQ(warning(), "");
+  body_turns_.assign(5, Eigen::Quaterniond::Identity());
+  body_turns_[4] = rotation_of_vector<double>(Eigen::Vector3d(0.0, 0.0, 0.5 * M_PI));
+  EXPECT_THAT(warning(), HasSubstr("from plate 3 to plate 4"));
+}
+
 TEST_F(SpaceImport, TakesZerosOfAPointThatIsElsewhereForHidden) {
   rotations_ = false;
   mistake_ = [](int row, int plate, SpacePose& pose) {
