@@ -13,8 +13,10 @@
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/statistics.hpp"
+#include "limber/common/units.hpp"
 #include "limber/data/log_units.hpp"
 #include "log_runs.hpp"
+#include "rotation_flips.hpp"
 
 namespace limber {
 
@@ -24,7 +26,12 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kTurn = 2.0 * M_PI;
 constexpr double kLongestChord = 1.2;  // over the length at rest; noise and stretch leave less
 constexpr double kNotedLength = 0.03;
+// Of the gap behind a base that is not tracked: a place by hand may be a plate's distance off, but
+// a length in mm, or degrees for radians, are off by more.
+constexpr double kLongestBaseGap = 2.0;
+constexpr double kFarthestBaseTurn_rad = 1.5;
 constexpr double kMaxHeadingOff_rad = 0.3;  // of the mean one; bodies are defined to a few degrees
+constexpr double kNotedHeadingOff_rad = 0.03;  // bodies of a well defined take are off by less
 constexpr double kMaxHeadingOffWithoutArcs_rad = 1.5;  // of points that lie segments apart
 constexpr double kShortestArc = 0.05;  // chord over length; beyond, the points are no neighbours
 
@@ -64,6 +71,7 @@ void require_distances(const std::string& log, const std::vector<bool>& tracked,
                        const PointTracks& tracks, RunReport& report) {
   const std::vector<double> rest = rest_positions_m(arm);
   double measured_m = 0.0;
+  double of_file_m = 0.0;
   std::vector<std::string> wrong;
   double first_ratio = 0.0;
   for (Eigen::Index i = 0; i + 1 < tracks.point_count(); ++i) {
@@ -73,6 +81,7 @@ void require_distances(const std::string& log, const std::vector<bool>& tracked,
     const double distance_m = median_distance_m(tracks, tracked, i);
     const double ratio = distance_m / rest_m;
     measured_m += distance_m;
+    of_file_m += rest_m;
     if (ratio > kLongestChord || ratio < kShortestChord) {
       first_ratio = wrong.empty() ? ratio : first_ratio;
       wrong.push_back(
@@ -98,10 +107,36 @@ void require_distances(const std::string& log, const std::vector<bool>& tracked,
                     "points do not fit arm '{}': {}. {}",
                     log, wrong.size(), tracks.point_count() - 1, arm.name, wrong.front(), advice));
   }
-  report.length_ratio = measured_m / arm.length_m();
+  report.length_ratio = of_file_m > 0.0 ? measured_m / of_file_m : 1.0;
   if (report.length_ratio > 1.0 + kNotedLength) {
     report.note("the points are farther apart than the arm file says",
                 fmt::format("{:.1f} % of its length along them", 100.0 * report.length_ratio));
+  }
+}
+
+/// A base that is no point lies where the mapping says: the point behind it has to lie before it.
+void require_base_gap(const std::string& log, const std::vector<bool>& tracked,
+                      const ArmDescription& arm, const PointTracks& tracks, RunReport& report) {
+  const double rest_m = rest_positions_m(arm)[std::size_t(tracks.plates[1])];
+  const double distance_m = median_distance_m(tracks, tracked, 0);
+  std::vector<double> turns_rad;
+  for (Eigen::Index t = 0; t < tracks.row_count(); ++t) {
+    if (tracked[std::size_t(t)]) {
+      turns_rad.push_back(std::abs(tracks.direction_rad(t, 0, 1)));
+    }
+  }
+  const double turn_rad = median(std::move(turns_rad));
+  const std::string found = fmt::format(
+      "'{}' ({}) lies {:.4g} m and {:.0f} degrees off the base's heading from where 'alignment' "
+      "has the base, in the median row; the arm file has {:.4g} m between them",
+      tracks.names[1], plate_name(tracks.plates[1]), distance_m, turn_rad * kDegPerRad, rest_m);
+  if (distance_m > kLongestBaseGap * rest_m || turn_rad > kFarthestBaseTurn_rad) {
+    throw InputError(fmt::format(
+        "{}: {}. Are x_m and y_m in metres, heading_rad in radians, and all of the log's plane?",
+        log, found));
+  }
+  if (distance_m > kLongestChord * rest_m || distance_m < kShortestChord * rest_m) {
+    report.note("the base is not where the first point has it: is 'alignment' right?", found);
   }
 }
 
@@ -122,7 +157,8 @@ void chord_directions(const PointTracks& tracks, Eigen::Index t, std::vector<dou
 /// another way round would make an arm that grows out of its base sideways or backwards. However
 /// far an arc turns, its chord has the heading of its middle.
 void require_headings_along(const std::string& log, const std::vector<bool>& tracked,
-                            const PointTracks& tracks, const ArmDescription& arm) {
+                            const PointTracks& tracks, const ArmDescription& arm,
+                            RunReport& report) {
   const auto is_arc = [&](Eigen::Index i) {
     return arm.segment_of_gap(tracks.plates[std::size_t(i)]) ==
            arm.segment_of_gap(tracks.plates[std::size_t(i + 1)] - 1);
@@ -140,14 +176,20 @@ void require_headings_along(const std::string& log, const std::vector<bool>& tra
       }
     }
   }
-  if (const double usual_rad = std::atan2(sum.y(), sum.x());
-      std::abs(usual_rad) > (has_arcs ? kMaxHeadingOff_rad : kMaxHeadingOffWithoutArcs_rad)) {
+  const double usual_rad = std::atan2(sum.y(), sum.x());
+  if (std::abs(usual_rad) > (has_arcs ? kMaxHeadingOff_rad : kMaxHeadingOffWithoutArcs_rad)) {
     throw InputError(fmt::format(
         "{}: the headings are {:.0f} degrees off the line from each point to the next, in the "
         "mean; expected along it, from base to tip. Turn the tracked bodies, say with 'straight_s' "
         "in the mapping's alignment when the arm lay straight, or leave the headings out with "
         "'headings: tangent' in its backbone",
-        log, usual_rad * 180.0 / M_PI));
+        log, usual_rad * kDegPerRad));
+  }
+  if (has_arcs && std::abs(usual_rad) > kNotedHeadingOff_rad) {
+    report.note("the headings are turned against the line from each point to the next, in the mean",
+                fmt::format("by {:.1f} degrees; 'straight_s' in the mapping's alignment takes it "
+                            "out when the arm lay straight",
+                            usual_rad * kDegPerRad));
   }
 }
 
@@ -310,12 +352,20 @@ BackboneTrack build_backbone(const std::string& log, PointTracks tracks,
     tracks.theta_rad.resize(0, 0);
   }
   BackboneTrack track;
+  if (tracks.has_headings()) {
+    settle_headings(arm.length_m(), mapping.longest_gap_s, tracks, report);
+  }
+  show_still_base(tracks, report);
   fill_gaps(log, mapping.longest_gap_s, tracks, track, report, bridge);
   // Before looking for the base: a wrong unit or order would cause a stranger message there.
   require_distances(log, track.tracked, mapping, arm, tracks, report);
+  const bool base_tracked = tracks.plates.front() == 0;
   align_base(log, track.tracked, mapping.alignment, arm, tracks, report);
+  if (!base_tracked) {
+    require_base_gap(log, track.tracked, arm, tracks, report);
+  }
   if (tracks.has_headings()) {
-    require_headings_along(log, track.tracked, tracks, arm);
+    require_headings_along(log, track.tracked, tracks, arm, report);
     unwrap_along_arm(tracks);
   } else {
     tracks.theta_rad = tangent_headings(tracks, arm);

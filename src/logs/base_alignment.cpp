@@ -13,6 +13,8 @@ namespace limber {
 
 namespace {
 
+constexpr double kMostBaseRows = 0.95;
+
 class BaseFinder {
  public:
   BaseFinder(const std::string& log, const std::vector<bool>& tracked,
@@ -156,7 +158,7 @@ void settle_base(const std::vector<bool>& tracked, PointTracks& tracks, RunRepor
       distances.push_back(std::hypot(tracks.x_m(t, 0), tracks.y_m(t, 0)));
     }
   }
-  report.base_scatter_m = quantile(std::move(distances), 0.95);
+  report.base_scatter_m = quantile(std::move(distances), kMostBaseRows);
   if (report.base_scatter_m > kBaseStandsStill_m) {
     report.note(
         "the base moves by more than 5 mm: left as it was tracked",
@@ -171,6 +173,43 @@ void settle_base(const std::vector<bool>& tracked, PointTracks& tracks, RunRepor
 }
 
 }  // namespace
+
+void show_still_base(PointTracks& tracks, RunReport& report) {
+  std::vector<Eigen::Index> hidden;
+  std::vector<double> x_m;
+  std::vector<double> y_m;
+  std::complex<double> heading;
+  for (Eigen::Index t = 0; tracks.plates.front() == 0 && t < tracks.row_count(); ++t) {
+    if (!tracks.is_tracked(t, 0)) {
+      hidden.push_back(t);
+      continue;
+    }
+    x_m.push_back(tracks.x_m(t, 0));
+    y_m.push_back(tracks.y_m(t, 0));
+    heading += tracks.has_headings() ? std::polar(1.0, tracks.theta_rad(t, 0)) : 0.0;
+  }
+  if (hidden.empty() || x_m.empty()) {
+    return;
+  }
+  const double middle_x_m = median(x_m);
+  const double middle_y_m = median(y_m);
+  std::vector<double> off_m;
+  for (std::size_t i = 0; i < x_m.size(); ++i) {
+    off_m.push_back(std::hypot(x_m[i] - middle_x_m, y_m[i] - middle_y_m));
+  }
+  if (quantile(std::move(off_m), kMostBaseRows) > kBaseStandsStill_m) {
+    return;
+  }
+  for (const Eigen::Index t : hidden) {
+    tracks.x_m(t, 0) = middle_x_m;
+    tracks.y_m(t, 0) = middle_y_m;
+    if (tracks.has_headings()) {
+      tracks.theta_rad(t, 0) = std::arg(heading);
+    }
+  }
+  report.note("rows that hide the base: it stands still, and lies there where it always does", {},
+              std::ssize(hidden));
+}
 
 void align_base(const std::string& log, const std::vector<bool>& tracked,
                 const BaseAlignment& alignment, const ArmDescription& arm, PointTracks& tracks,

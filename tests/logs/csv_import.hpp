@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,8 +40,11 @@ class CsvImport : public ::testing::Test {
                       length_scale_ * (shift_m_[1] + s * b(p, 0) + c * b(p, 1)));
       if (headings_) {
         // As trackers give it: wrapped.
-        text += fmt::format(",{:.8f}",
-                            std::remainder(b(p, 2) + turn_rad_ + heading_off_rad_, 2.0 * M_PI));
+        text += fmt::format(
+            ",{:.8f}",
+            std::remainder(b(p, 2) + turn_rad_ + heading_off_rad_ +
+                               (heading_mistake_rad_ ? heading_mistake_rad_(time_s, p) : 0.0),
+                           2.0 * M_PI));
       }
     }
     return text;
@@ -154,6 +158,7 @@ class CsvImport : public ::testing::Test {
   double pressure_scale_ = 1.0;
   double turn_rad_ = 0.0;
   double heading_off_rad_ = 0.0;
+  std::function<double(double time_s, int plate)> heading_mistake_rad_;
   Eigen::Vector2d shift_m_ = Eigen::Vector2d::Zero();
 };
 

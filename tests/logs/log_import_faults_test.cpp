@@ -33,14 +33,63 @@ TEST_F(LogImportFaults, FindsConstantPressures) {
 TEST_F(LogImportFaults, FindsBodiesThatPointBackwards) {
   headings_ = true;
   EXPECT_NO_THROW(import(log(), mapping()));
+  EXPECT_EQ(note(import(log(), mapping()), "headings are turned"), nullptr);
   heading_off_rad_ = 0.2;
-  EXPECT_NO_THROW(import(log(), mapping()));
+  const ImportNote found = *note(import(log(), mapping()), "headings are turned");
+  EXPECT_THAT(found.first, HasSubstr("straight_s"));
   for (const double off_rad : {0.5, -M_PI / 2.0, M_PI}) {  // bodies whose x axis points elsewhere
     heading_off_rad_ = off_rad;
     expect_refusal(log(), mapping(),
                    {"run.csv: the headings are", "off the line from each point to the next",
                     "'straight_s'", "'headings: tangent'"});
   }
+}
+
+// A body whose markers look alike: half a turn in a single row, and in a part of the take.
+TEST_F(LogImportFaults, SettlesHeadingsThatFlip) {
+  const Episode good = import(log(), mapping()).recording.episodes.front();
+  heading_mistake_rad_ = [](double time_s, int plate) {
+    const bool single = plate == 9 && std::abs(time_s - 2.0) < 0.004;
+    const bool lasting = plate == 15 && time_s > 3.0 && time_s < 4.0;
+    return single || lasting ? M_PI : 0.0;
+  };
+  const ImportResult result = import(log(), mapping());
+  const ImportNote* found = note(result, "headings that jump");
+  ASSERT_NE(found, nullptr);
+  EXPECT_EQ(found->count, 1 + 99);
+  ASSERT_EQ(result.recording.episodes.size(), 1U);
+  const Episode& episode = result.recording.episodes.front();
+  EXPECT_EQ(episode.untracked_count(), 1);
+  constexpr double kTurnOfARow_rad = 0.1;  // which a lasting flip leaves
+  EXPECT_LT(errors(episode).second, kTurnOfARow_rad);
+  EXPECT_EQ(episode.backbone.topRows(38), good.backbone.topRows(38)) << "before any mistake";
+}
+
+TEST_F(LogImportFaults, KeepsRowsThatHideABaseThatStandsStill) {
+  const std::string text = log();
+  const ImportResult result = import(hidden(text, 4, 200, 300), mapping());
+  EXPECT_EQ(result.recording.untracked_count(), 0);
+  EXPECT_EQ(result.recording.episodes.size(), 1U);
+  EXPECT_LT(errors(result.recording.episodes.front()).first, 1e-5);
+  EXPECT_EQ(note(result, "rows that hide the base")->count, 100);
+}
+
+TEST_F(LogImportFaults, FindsAnUntrackedBaseInOtherUnits) {
+  const double ratio = import(log(), mapping()).report.runs.front().length_ratio;
+  plates_.erase(plates_.begin());
+  shift_m_ = {0.2, 0.1};
+  turn_rad_ = 0.5 * M_PI;
+  const auto placed = [&](const char* where) { return mapping() + "alignment: " + where + "\n"; };
+  const char* const right = "{x_m: 0.2, y_m: 0.1, heading_rad: 1.5707963}";
+  EXPECT_NEAR(import(log(), placed(right)).report.runs.front().length_ratio, ratio, 0.01)
+      << "of what was measured, without the first gap";
+  expect_refusal(
+      log(), placed("{x_m: 200, y_m: 100, heading_rad: 1.5707963}"),
+      {"'x1' (plate 1) lies", "where 'alignment' has the base", "x_m and y_m in metres"});
+  expect_refusal(log(), placed("{x_m: 0.2, y_m: 0.1, heading_rad: -90}"),
+                 {"degrees off the base's heading", "heading_rad in radians"});
+  const ImportResult near = import(log(), placed("{x_m: 0.2, y_m: 0.08, heading_rad: 1.5707963}"));
+  EXPECT_NE(note(near, "the base is not where the first point has it"), nullptr);
 }
 
 TEST_F(LogImportFaults, NumbersNoMotionsInTheNoiseOfAHold) {

@@ -123,8 +123,8 @@ TEST_F(SetpointImport, TakesTheLastOfSetPointsThatWereGivenAtOneTime) {
   const std::size_t poses = text.find(',', text.find(',', text.find(',', begin + 9) + 1) + 1);
   const std::string seen = text.substr(poses, text.find('\n', begin) - poses);
   const Eigen::Vector3d told = truth_.pressures(2.0);
-  const std::string rows = fmt::format("2.000000,1,{:.6f},{:.6f}{}\n2.000000,{:.6f},,{}\n",
-                                       told[1], told[2], seen, told[0], seen);
+  const std::string rows = fmt::format("2.000000,1,{:.6f},{:.6f}{}\n2.000000,{:.6f},,{}\n", told[1],
+                                       told[2], seen, told[0], seen);
   const std::string apart = text.substr(0, begin) + rows + text.substr(text.find('\n', begin) + 1);
   EXPECT_EQ(import(apart, setpoints_mapping()).recording.episodes.front().setpoint_kpa,
             import(text, setpoints_mapping()).recording.episodes.front().setpoint_kpa);
