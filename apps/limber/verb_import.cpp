@@ -1,8 +1,10 @@
 #include <filesystem>
 
+#include "limber/arm/arm_identity.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/data/simple_model.hpp"
 #include "limber/logs/log_import.hpp"
 #include "verbs.hpp"
 
@@ -50,7 +52,14 @@ class ImportVerb final : public Verb {
     if (!dry_run_) {
       refuse_to_overwrite(out_, flags.force);
     }
-    const ArmDescription arm = load_any_arm(arm_);
+    const ArmDescription of_file = load_any_arm(arm_, PolynomialsOf::characterisation);
+    const ArmDescription arm = with_lines_for_missing_polynomials(of_file);
+    if (arm.hash() != of_file.hash()) {
+      say(flags,
+          "note: arm '{}' has no strain polynomials yet: clocks and columns are compared with "
+          "strains that rise evenly; limber characterize --recording fits them to what comes out",
+          arm.name);
+    }
     if (format_ == "csv" && mapping_.empty()) {
       throw InputError(
           "import csv needs --mapping MAP.yaml, which "
@@ -62,8 +71,11 @@ class ImportVerb final : public Verb {
     options.command_logs.assign(command_logs_.begin(), command_logs_.end());
     options.time_offset_s = time_offset_s_;
     const std::vector<std::filesystem::path> logs(logs_.begin(), logs_.end());
-    const ImportResult result =
+    ImportResult result =
         format_ == "motive" ? import_motive(logs, options, arm) : import_csv(logs, options, arm);
+    const ArmIdentity own = identity_of(of_file);
+    result.recording.arm_hash = own.hash;
+    result.recording.arm_description = own.description;
     if (!dry_run_) {
       write_recording(out_, result.recording);
     }

@@ -5,6 +5,7 @@ plain message for each kind of bad input."""
 import json
 import math
 import os
+import re
 import subprocess
 import unittest
 
@@ -89,6 +90,21 @@ class RoundTrip(InFolder):
         back = episodes_of(self.folder / "back.h5")[0]
         for name in ("pressure_kpa", "setpoint_kpa", "backbone", "motion_index", "tracked"):
             np.testing.assert_array_equal(truth[name], back[name], name)
+
+    def test_an_arm_without_polynomials_is_imported_and_then_fitted(self):
+        text = (ROOT / "arms" / "two_segment.yaml").read_text(encoding="utf-8")
+        unfitted = re.sub(r"strain_polynomial: \[.*\]", "strain_polynomial: []", text)
+        self.write("unfitted.yaml", unfitted)
+        self.run_limber("export", "truth.h5", "--csv", "tables")
+        message = self.run_limber(
+            "import", "csv", "tables/episode_000.csv", "--arm", "unfitted.yaml", "--mapping",
+            "tables/mapping.yaml", "--out", "back.h5",
+        ).stderr
+        self.assertIn("no strain polynomials yet", message)
+        self.run_limber("characterize", "--arm", "unfitted.yaml", "--recording", "back.h5",
+                        "--out", "fitted.yaml")
+        fitted = (self.folder / "fitted.yaml").read_text(encoding="utf-8")
+        self.assertNotIn("strain_polynomial: []", fitted)
 
     def test_files_are_kept_without_force(self):
         self.run_limber("export", "truth.h5", "--csv", "tables")
