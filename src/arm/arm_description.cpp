@@ -55,15 +55,6 @@ Command read_command(const YamlReader& node) {
   return command;
 }
 
-std::string segment_to_yaml(const Segment& s) {
-  return fmt::format(
-      "{{length_m: {}, width_m: {}, gaps: {}, "
-      "pressure_limit_kpa: {},\n     strain_polynomial: [{}]}}",
-      s.length_m, s.width_m, s.gaps, limits_to_yaml(s.pressure_limit_kpa),
-      fmt::join(s.strain_polynomial, ", "));
-}
-
-/// The same for an arm whose command is no pressure in kPa, or that has no strain polynomials.
 std::string segment_to_yaml(const Segment& s, const ArmDescription& arm) {
   if (arm.is_spatial()) {
     return space_segment_to_yaml(s, arm);
@@ -183,7 +174,7 @@ std::string ArmDescription::hash() const {
     text += fmt::format(" {}", fmt::join(gravity, " "));
   }
   for (const Segment& segment : segments) {
-    text += is_plain(*this) ? segment_to_yaml(segment) : segment_to_yaml(segment, *this);
+    text += segment_to_yaml(segment, *this);
   }
   for (const ArmCommand& one : commands) {
     text += fmt::format(" {}", fmt::join(one.shares, " "));
@@ -322,8 +313,7 @@ std::string arm_keys_to_yaml(const ArmDescription& arm) {
   }
   text += "segments:\n";
   for (const Segment& segment : arm.segments) {
-    text +=
-        "  - " + (is_plain(arm) ? segment_to_yaml(segment) : segment_to_yaml(segment, arm)) + "\n";
+    text += "  - " + segment_to_yaml(segment, arm) + "\n";
   }
   return text + arm_commands_to_yaml(arm.commands);
 }
