@@ -70,6 +70,12 @@ double jackknife(const std::vector<double>& without) {
   return double(without.size() - 1) * standard_error(without);
 }
 
+/// Where the parabola through errors one step apart is least, in steps from the middle one.
+double vertex(const Eigen::Vector3d& off) {
+  const double bend = off[0] - 2.0 * off[1] + off[2];
+  return bend > 0.0 ? std::clamp(0.5 * (off[0] - off[2]) / bend, -1.0, 1.0) : 0.0;
+}
+
 /// Fits one model after the other to the same frames.
 class SpaceFitter {
  public:
@@ -128,6 +134,11 @@ class SpaceFitter {
       fit.shape = solve(weights_);
       best = mean_off_m(fit.shape, weights_);
     }
+    const double middle_s = std::max(fit.dead_time_s, step_s);
+    const Eigen::Vector3d around_m =
+        off_around_m(middle_s, fit.lag_s, step_s, {weights_}).row(0).transpose();
+    consider(middle_s + step_s * vertex(around_m), fit.lag_s);
+    set_terms(fit.dead_time_s, fit.lag_s);
     fit.shape_sd = shape_deviations();
     fit.dead_time_sd_s = dead_time_deviation_s(fit, step_s);
     for (Eigen::Index channel = 0; channel < arm_.channel_count(); ++channel) {
@@ -222,23 +233,31 @@ class SpaceFitter {
                                         });
   }
 
-  /// The dead time lies at the vertex of the parabola through the errors there and one step before
-  /// and after.
-  double dead_time_deviation_s(const SpaceFit& fit, double step_s) {
-    const double middle_s = std::max(fit.dead_time_s, step_s);
-    Eigen::MatrixXd off_m(kSpacePieces, 3);
+  /// How far it is off about a dead time, one step before it, there and one after, by the columns,
+  /// with each of these weights.
+  Eigen::MatrixXd off_around_m(double middle_s, double lag_s, double step_s,
+                               const std::vector<Eigen::VectorXd>& weights) {
+    Eigen::MatrixXd off_m(std::ssize(weights), 3);
     for (Eigen::Index k = 0; k < off_m.cols(); ++k) {
-      set_terms(middle_s + double(k - 1) * step_s, fit.lag_s);
-      for (Eigen::Index piece = 0; piece < kSpacePieces; ++piece) {
-        const Eigen::VectorXd weights = weights_without(piece);
-        off_m(piece, k) = mean_off_m(solve(weights), weights);
+      set_terms(middle_s + double(k - 1) * step_s, lag_s);
+      for (Eigen::Index i = 0; i < off_m.rows(); ++i) {
+        const Eigen::VectorXd& those = weights[static_cast<std::size_t>(i)];
+        off_m(i, k) = mean_off_m(solve(those), those);
       }
     }
+    return off_m;
+  }
+
+  double dead_time_deviation_s(const SpaceFit& fit, double step_s) {
+    std::vector<Eigen::VectorXd> weights;
+    for (Eigen::Index piece = 0; piece < kSpacePieces; ++piece) {
+      weights.push_back(weights_without(piece));
+    }
+    const Eigen::MatrixXd off_m =
+        off_around_m(std::max(fit.dead_time_s, step_s), fit.lag_s, step_s, weights);
     std::vector<double> vertices_s;
     for (const auto& off : off_m.rowwise()) {
-      const double bend = off[0] - 2.0 * off[1] + off[2];
-      const double part = bend > 0.0 ? std::clamp(0.5 * (off[0] - off[2]) / bend, -1.0, 1.0) : 0.0;
-      vertices_s.push_back(part * step_s);
+      vertices_s.push_back(step_s * vertex(off.transpose()));
     }
     return jackknife(vertices_s);
   }

@@ -53,6 +53,19 @@ TEST(SpaceFit, FindsHowLongSegmentsAreAtRest) {
               of_right_file.segments[0].shape_of_strains(2, 0), 1e-3);
 }
 
+// It is tried in steps of half a frame, 25 ms, and lies between them.
+TEST(SpaceFit, FindsADeadTimeBetweenItsSteps) {
+  const ArmDescription arm = space_arm();
+  Episode episode = space_toy_episode(arm, 800, 1, 2);
+  SpaceFit truth = fit_space_model(arm, {episode});
+  truth.dead_time_s = 0.11;
+  truth.lag_s = 0.22;
+  episode.backbone = predict(truth, arm, episode);
+  const SpaceFit found = fit_space_model(arm, {episode});
+  EXPECT_EQ(found.lag_s, truth.lag_s);
+  EXPECT_NEAR(found.dead_time_s, truth.dead_time_s, 0.005);
+}
+
 TEST(SpaceFit, IsSurerOfTheDeadTimeTheMoreItHasSeen) {
   const ArmDescription arm = space_arm();
   const SpaceFit little = fit_space_model(arm, {space_toy_episode(arm, 200, 1, 2)});
