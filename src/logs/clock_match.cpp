@@ -50,31 +50,59 @@ TurnRates rates_of(const Turns& turns, double difference_s) {
   return rates;
 }
 
-/// The turns of an arm that follows late: two lags of first order, one after the other, exact for
-/// turns on straight lines between their times.
+/// The same commands with rows at least at the clock's rate: set points that are logged where they
+/// change alone say nothing of how an arm follows them in between.
+CommandTrack in_short_steps(const CommandTrack& commands) {
+  CommandTrack result;
+  result.measured = commands.measured;
+  std::vector<Eigen::Index> rows;
+  for (std::size_t t = 0; t < commands.time_s.size(); ++t) {
+    const double from_s = commands.time_s[t];
+    const double to_s = t + 1 < commands.time_s.size() ? commands.time_s[t + 1] : from_s;
+    double time_s = from_s;
+    for (int step = 1; step == 1 || time_s < to_s; ++step) {
+      result.time_s.push_back(time_s);
+      rows.push_back(static_cast<Eigen::Index>(t));
+      time_s = from_s + step / kClockRate_hz;
+    }
+  }
+  result.values = commands.values(rows, Eigen::all);
+  return result;
+}
+
+/// One lag of first order, exact for turns on straight lines between their times, or held.
+void lag_behind(const std::vector<double>& time_s, double lag_s, bool held,
+                Eigen::Ref<Eigen::VectorXd> values) {
+  Eigen::Index last = -1;  // row that is known
+  double before = 0.0;     // what is followed there, and where it is
+  double state = 0.0;
+  for (Eigen::Index t = 0; t < values.size(); ++t) {
+    const double value = values[t];
+    if (!std::isfinite(value)) {
+      continue;
+    }
+    if (last >= 0) {
+      const double steps = (time_s[std::size_t(t)] - time_s[std::size_t(last)]) / lag_s;
+      const double slope = held ? 0.0 : (value - before) / steps;
+      const double target = held ? before : value;
+      state = target - slope + (state - before + slope) * std::exp(-steps);
+    } else {
+      state = value;
+    }
+    last = t;
+    before = value;
+    values[t] = state;
+  }
+}
+
+/// The turns of an arm that follows late: two lags, one after the other.
 Turns lagging(const Turns& turns, double lag_s) {
   Turns late = turns;
   for (int stage = 0; lag_s > 0.0 && stage < 2; ++stage) {
     for (Eigen::Index i = 0; i < late.values.cols(); ++i) {
-      double before = std::nan("");  // what the stage follows, and where it is
-      double state = std::nan("");
-      for (Eigen::Index t = 0; t < late.values.rows(); ++t) {
-        const double value = late.values(t, i);
-        if (!std::isfinite(value)) {
-          continue;
-        }
-        if (std::isfinite(state)) {
-          const double steps =
-              (turns.time_s[std::size_t(t)] - turns.time_s[std::size_t(t - 1)]) / lag_s;
-          const double slope = (value - before) / steps;
-          state = value - slope + (state - before + slope) * std::exp(-steps);
-        } else {
-          state = value;
-        }
-        before = value;
-        late.values(t, i) = state;
-      }
+      lag_behind(turns.time_s, lag_s, late.held, late.values.col(i));
     }
+    late.held = false;  // what follows moves evenly
   }
   return late;
 }
@@ -230,7 +258,8 @@ bool ClockMatch::is_decisive() const {
 ClockMatch match_clocks(const BackboneTrack& motion, const CommandTrack& commands,
                         const ArmDescription& arm) {
   const Turns turned = turns_of(motion, arm);
-  const Turns told = turns_of(commands, arm);
+  const CommandTrack in_steps = commands.measured ? CommandTrack() : in_short_steps(commands);
+  const Turns told = turns_of(commands.measured ? commands : in_steps, arm);
   ClockMatch best;
   for (const double difference_s : kDifferences_s) {
     const ClockMatch match = match_by(turned, told, alike_of(arm), difference_s);

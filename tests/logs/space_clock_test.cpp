@@ -64,6 +64,40 @@ TEST_F(SpaceClock, IsFoundWhereNobodyKnowsWhatChambersDo) {
   EXPECT_NEAR(match.offset_s, kOffset_s, 0.15);  // the arm's lag is in it
 }
 
+// Rows where they change alone, seconds apart: the arm's lag behind each is no offset.
+TEST_F(SpaceClock, IsFoundFromSetPointsThatAreLoggedOnChange) {
+  constexpr int kHold = 60;       // rows of motion
+  constexpr int kFineSteps = 20;  // between these, so that the lags are as of an arm
+  RandomStream random(11, 1);
+  const Eigen::Index n = arm_.channel_count();
+  const SpaceNoLoad no_load(arm_);
+  const double open = 1.0 - std::exp(-0.02 / kFineSteps / 0.06);
+  Eigen::VectorXd first = Eigen::VectorXd::Zero(n);
+  Eigen::VectorXd second = first;
+  Eigen::VectorXf poses(motion_.poses.cols());
+  const Eigen::Index rows = motion_.poses.rows();
+  commands_ = {};
+  commands_.measured = false;
+  commands_.values.resize(rows / kHold, n);
+  for (Eigen::Index t = 0; t < rows; ++t) {
+    no_load.poses(second, poses);
+    motion_.poses.row(t) = poses.transpose().cast<double>();
+    if (t % kHold == 0) {
+      commands_.values.row(t / kHold) =
+          Eigen::RowVectorXd::NullaryExpr(n, [&] { return random.uniform(0.0, 90.0); });
+      commands_.time_s.push_back(0.02 * double(t));
+    }
+    for (int fine = 0; fine < kFineSteps; ++fine) {
+      first += open * (commands_.values.row(t / kHold).transpose() - first);
+      second += open * (first - second);
+    }
+  }
+  const ClockMatch match = match_clocks(motion_, commands_, arm_);
+  EXPECT_TRUE(match.is_decisive());
+  EXPECT_NEAR(match.offset_s, kOffset_s, 0.02);
+  EXPECT_NEAR(match.lag_s, 0.06, 0.02 + 1e-9);
+}
+
 TEST_F(SpaceClock, IsNoneOfChambersOnTheirOtherSides) {
   const Eigen::MatrixXd values = commands_.values;
   commands_.values.setConstant(90.0);
