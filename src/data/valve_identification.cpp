@@ -68,7 +68,7 @@ int frames_before_the_last(const Episode& episode, int parts) {
   return int(std::ranges::lower_bound(changes, wanted) - changes.begin()) + 1;
 }
 
-/// Fitted ranges as runs of one segment, about a minute each, evenly picked from what there is.
+/// Fitted ranges as runs of one segment, of 600 frames each, evenly picked from what there is.
 std::vector<ValveRun> runs_of(const std::vector<Episode>& episodes,
                               const std::vector<FrameRange>& ranges, int segment) {
   constexpr int kRunFrames = 600;

@@ -104,7 +104,7 @@ struct ImportMapping {
   int skip_lines = 0;                ///< before the header
   std::vector<std::string> columns;  ///< names, where the file has no header
   TimeColumn time;
-  std::string recording;  ///< column whose change begins another episode; may be empty
+  std::string recording;  ///< column whose texts tell recordings apart; may be empty
   std::string motion;     ///< column that numbers motions; may be empty
   CommandColumns commands;
   std::vector<PointSource> points;  ///< base first; empty: Motive's own order
