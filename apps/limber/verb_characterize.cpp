@@ -218,7 +218,7 @@ class CharacterizeVerb final : public Verb {
     const std::string arm_file = find_arm_file(arm_);
     const ArmDescription any = load_any_arm(arm_file, PolynomialsOf::characterisation);
     if (any.is_spatial()) {
-      return run_recordings_in_space(flags, any);
+      return run_recordings_in_space(flags, any, arm_file);
     }
     const ArmDescription arm = with_lines_for_missing_polynomials(any);
     std::vector<Episode> episodes = EpisodeReader(flags, arm, false).read_all(recordings_).episodes;
@@ -244,7 +244,8 @@ class CharacterizeVerb final : public Verb {
   }
 
   /// The matrix from chambers' strains to bends, with dead time and lag.
-  int run_recordings_in_space(const CommonFlags& flags, const ArmDescription& arm) const {
+  int run_recordings_in_space(const CommonFlags& flags, const ArmDescription& arm,
+                              const std::string& arm_file) const {
     std::vector<Episode> episodes = EpisodeReader(flags, arm, false).read_all(recordings_).episodes;
     const EpisodeErrors errors = leave_out_broken(arm, episodes);
     if (const std::string broken = to_text(errors); !broken.empty()) {
@@ -255,7 +256,8 @@ class CharacterizeVerb final : public Verb {
     json["episode_errors"] = to_json(errors);
     std::string text = to_text(fit, arm);
     if (!out_.empty()) {
-      write_file_atomically(out_, arm_to_yaml(with_space_fit(arm, fit)));
+      write_file_atomically(out_,
+                            with_strain_polynomials(read_file(arm_file), with_space_fit(arm, fit)));
       json["out"] = out_;
       text += fmt::format("arm written to {}\n", out_);
     }

@@ -46,26 +46,21 @@ class MappingEditor {
 
   /// @pre where the key is there, its value is a list of numbers
   void set(const char* key, const StrainPolynomial& numbers) {
-    const std::string text = fmt::format("[{}]", fmt::join(numbers, ", "));
-    const YAML::Node node = mapping_[key];
-    if (!node) {
-      add(key, text);
-      return;
-    }
-    const auto begin = std::size_t(node.Mark().pos);
-    const std::size_t end = yaml_.find(']', begin);
     const double none = std::numeric_limits<double>::quiet_NaN();  // of what is no number
-    const bool same =
-        std::equal(node.begin(), node.end(), numbers.begin(), numbers.end(),
-                   [&](const YAML::Node& a, double b) { return a.as<double>(none) == b; });
-    if (!same && yaml_[begin] == '[' && end != std::string::npos) {
-      edits_.push_back({begin, end + 1 - begin, text});
-    }
+    set_list(key, fmt::format("[{}]", fmt::join(numbers, ", ")), [&](const YAML::Node& node) {
+      return std::equal(node.begin(), node.end(), numbers.begin(), numbers.end(),
+                        [&](const YAML::Node& a, double b) { return a.as<double>(none) == b; });
+    });
   }
 
- private:
-  void replace(const YAML::Node& node, const std::string& text) {
-    edits_.push_back({std::size_t(node.Mark().pos), node.Scalar().size(), text});
+  /// Rows of numbers.
+  void set(const char* key, const Eigen::MatrixXd& rows) {
+    std::vector<std::string> lists;
+    for (const auto& row : rows.rowwise()) {
+      lists.push_back(fmt::format("[{}]", fmt::join(row, ", ")));
+    }
+    set_list(key, fmt::format("[{}]", fmt::join(lists, ", ")),
+             [](const YAML::Node&) { return false; });
   }
 
   /// In front of the other keys: in braces, or on a line of its own.
@@ -78,6 +73,32 @@ class MappingEditor {
          fmt::format(fmt::runtime(braces ? "{}: {}, " : "{}: {}\n{}"), key, text, indent)});
   }
 
+ private:
+  /// @param same  whether a node has these numbers already
+  template <class Same>
+  void set_list(const char* key, const std::string& text, const Same& same) {
+    const YAML::Node node = mapping_[key];
+    if (!node) {
+      add(key, text);
+      return;
+    }
+    const auto begin = std::size_t(node.Mark().pos);
+    std::size_t end = begin;
+    for (int open = 0; end < yaml_.size(); ++end) {
+      open += int(yaml_[end] == '[') - int(yaml_[end] == ']');
+      if (open == 0) {
+        break;
+      }
+    }
+    if (yaml_[begin] == '[' && end < yaml_.size() && !same(node)) {
+      edits_.push_back({begin, end + 1 - begin, text});
+    }
+  }
+
+  void replace(const YAML::Node& node, const std::string& text) {
+    edits_.push_back({std::size_t(node.Mark().pos), node.Scalar().size(), text});
+  }
+
   const std::string& yaml_;
   const YAML::Node& mapping_;
   std::vector<Edit>& edits_;
@@ -86,7 +107,11 @@ class MappingEditor {
 std::vector<Edit> edits_of(const std::string& yaml, const ArmDescription& arm) {
   std::vector<Edit> edits;
   const YAML::Node root = YAML::Load(yaml);
-  MappingEditor(yaml, root, edits).set("no_load", to_string(arm.no_load));
+  MappingEditor whole(yaml, root, edits);
+  whole.set("no_load", to_string(arm.no_load));
+  if (arm.no_load == NoLoadKind::fitted && !root["no_load"]) {
+    whole.add("no_load", to_string(arm.no_load));
+  }
   for (std::size_t i = 0; i < std::min(root["segments"].size(), arm.segments.size()); ++i) {
     const Segment& segment = arm.segments[i];
     const YAML::Node mapping = root["segments"][i];
@@ -97,6 +122,8 @@ std::vector<Edit> edits_of(const std::string& yaml, const ArmDescription& arm) {
     } else if (arm.no_load == NoLoadKind::curvature) {
       editor.set("curvature_per_unit", fmt::format("{}", segment.curvature_per_unit),
                  segment.curvature_per_unit);
+    } else if (arm.no_load == NoLoadKind::fitted) {
+      editor.set("shape_of_strains", segment.shape_of_strains);
     }
   }
   // From the end, so that earlier positions stay valid.

@@ -7,6 +7,7 @@
 #include "limber/arm/characterisation.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "support/space_arm.hpp"
 
 namespace limber {
 namespace {
@@ -42,6 +43,23 @@ TEST(WithStrainPolynomials, FillsAnArmThatWasNeverCharacterised) {
   const std::string filled = with_strain_polynomials(missing, arm);
   EXPECT_EQ(arm_to_yaml(read(filled)), arm_to_yaml(arm));
   EXPECT_THAT(filled, HasSubstr("  - strain_polynomial: [0.002, 0, 0, 0]\n    length_m: 0.2\n"));
+}
+
+// What it fits in space: a matrix for each segment, which the file may have or not.
+TEST(WithStrainPolynomials, KeepsTheCommentsOfAnArmInSpace) {
+  std::string text = std::string("# hangs from the ceiling\n") + testing_support::kSpaceArm;
+  ArmDescription arm = testing_support::space_arm(text);
+  arm.no_load = NoLoadKind::fitted;
+  for (Segment& segment : arm.segments) {
+    segment.shape_of_strains = Eigen::MatrixXd::Constant(3, 6, 0.25);
+  }
+  arm.segments[1].length_m = 0.17;
+  for (const double share : {0.5, 0.75}) {
+    arm.segments[0].shape_of_strains(2, 5) = share;
+    text = with_strain_polynomials(text, arm);
+    EXPECT_EQ(arm_to_yaml(testing_support::space_arm(text)), arm_to_yaml(arm));
+    EXPECT_THAT(text, StartsWith("# hangs from the ceiling\n"));
+  }
 }
 
 // What `characterize --recording` changes, in braces and on lines of their own.

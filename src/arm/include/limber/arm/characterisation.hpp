@@ -64,8 +64,8 @@ void require_characterisable(const ArmDescription& arm);
 CharacterisedArm characterise(const ArmDescription& arm, const BenchData& bench);
 
 /// `yaml`, the text of the arm's file, with what a fit changes: no_load, and each segment's
-/// length_m, strain_polynomial and curvature_per_unit. Everything else, comments too, stays as it
-/// is. If the text cannot be edited in place, or differs from `arm` in anything else, the result is
+/// length_m, strain_polynomial, curvature_per_unit and shape_of_strains. Everything else, comments
+/// too, stays as it is. If the text cannot be edited in place, or differs from `arm` in anything else, the result is
 /// `arm_to_yaml`. @throws InputError if it is not an arm file.
 std::string with_strain_polynomials(const std::string& yaml, const ArmDescription& arm);
 
