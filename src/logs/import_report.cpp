@@ -253,6 +253,26 @@ std::string to_text(const std::vector<SegmentCheck>& columns) {
   return text + notes + "\n";
 }
 
+/// What of an arm in space tells a wrong file or tracker, in a few words.
+std::string few_words(const SpaceRunReport& report) {
+  std::int64_t flips = 0;
+  for (const SpaceFlips& body : report.flips) {
+    flips += body.hidden_rows + body.turned_rows + body.jumps;
+  }
+  double farthest = 0.0;  // from the arm file's length, a share of it
+  double off_arc_rad = 0.0;
+  for (const SpaceGapReport& gap : report.gaps) {
+    const double share = gap.length_m / gap.arm_m - 1.0;
+    farthest = std::abs(share) > std::abs(farthest) ? share : farthest;
+    off_arc_rad = std::max(off_arc_rad, gap.off_arc_rad);
+  }
+  std::string text = fmt::format(", worst gap {:+.0f} %", 100.0 * farthest);
+  if (!report.lifted) {
+    text += fmt::format(", {:.0f} degrees off its arc", kDegPerRad * off_arc_rad);
+  }
+  return flips > 0 ? text + fmt::format(", {} rows of flips", flips) : text;
+}
+
 std::string one_line(const RunReport& run) {
   std::string text = fmt::format("{}: {:.4g} Hz, {:.1f} s, {} episodes, {} frames", run.name,
                                  run.rate_hz, run.duration_s, run.episodes, run.frames);
@@ -266,7 +286,7 @@ std::string one_line(const RunReport& run) {
     text += fmt::format(", base at ({:.4f}, {:.4f}) m, {:.4f} rad of the log", run.base.x_m,
                         run.base.y_m, run.base.theta_rad);
   }
-  return text;
+  return text + (run.space ? few_words(*run.space) : std::string());
 }
 
 /// What was noted of many logs, each kind once: in how many, how often, and where first.

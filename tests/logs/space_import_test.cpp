@@ -211,6 +211,19 @@ TEST_F(SpaceImport, RefusesQuaternionsThatAreNone) {
   EXPECT_EQ(import(log(), mapping()).recording.episodes.front().untracked_count(), 1);
 }
 
+TEST_F(SpaceImport, ManyLogsKeepWhatTellsAWrongFileInTheirLines) {
+  mistake_ = [](int row, int plate, SpacePose& pose) {
+    if (row == 150 && plate == 2) {
+      pose.rotation = pose.rotation * rotation_of_vector<double>(Eigen::Vector3d(0.0, 0.0, M_PI));
+    }
+  };
+  ImportReport report = import(log(), mapping()).report;
+  report.runs.resize(4, report.runs.front());
+  report.runs[2].space->gaps[1].length_m = 1.3 * report.runs[2].space->gaps[1].arm_m;
+  const std::string text = to_text(report);
+  EXPECT_THAT(text, HasSubstr("worst gap +30 %, 0 degrees off its arc, 1 rows of flips"));
+}
+
 TEST_F(SpaceImport, WarnsOfRotationsThatAreNotThoseOfTheArcs) {
   const auto warning = [&] {
     for (const ImportNote& note : import(log(), mapping()).report.runs.front().notes) {
