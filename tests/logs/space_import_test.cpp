@@ -211,6 +211,16 @@ TEST_F(SpaceImport, RefusesQuaternionsThatAreNone) {
   EXPECT_EQ(import(log(), mapping()).recording.episodes.front().untracked_count(), 1);
 }
 
+TEST_F(SpaceImport, NamesAllSlowLogsAtOnce) {
+  rate_hz_ = 10.0;
+  expect_refusal(log(), mapping(), {"10 rows per second"});
+  ImportOptions options;
+  options.mapping = read_import_mapping(folder_.path() / "map.yaml", arm_);
+  const std::vector<std::filesystem::path> logs(2, folder_.path() / "run.csv");
+  EXPECT_THAT([&] { import_csv(logs, options, arm_); },
+              ::testing::ThrowsMessage<InputError>(HasSubstr("2 of 2 logs are slower")));
+}
+
 TEST_F(SpaceImport, ManyLogsKeepWhatTellsAWrongFileInTheirLines) {
   mistake_ = [](int row, int plate, SpacePose& pose) {
     if (row == 150 && plate == 2) {

@@ -65,8 +65,8 @@ CharacterisedArm characterise(const ArmDescription& arm, const BenchData& bench)
 
 /// `yaml`, the text of the arm's file, with what a fit changes: no_load, and each segment's
 /// length_m, strain_polynomial, curvature_per_unit and shape_of_strains. Everything else, comments
-/// too, stays as it is. If the text cannot be edited in place, or differs from `arm` in anything else, the result is
-/// `arm_to_yaml`. @throws InputError if it is not an arm file.
+/// too, stays as it is. If the text cannot be edited in place, or differs from `arm` in anything
+/// else, the result is `arm_to_yaml`. @throws InputError if it is not an arm file.
 std::string with_strain_polynomials(const std::string& yaml, const ArmDescription& arm);
 
 /// Bench data from a CSV file: a header line naming the columns `pressure_kpa` and `strain`, and
