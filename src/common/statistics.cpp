@@ -36,6 +36,10 @@ double standard_error(std::span<const double> values) {
   return std::sqrt(sum_of_squares(values) / (count - 1.0) / count);
 }
 
+double jackknife_error(std::span<const double> left_out) {
+  return double(left_out.size() - 1) * standard_error(left_out);
+}
+
 double quantile(std::vector<double> values, double share) {
   assert(!values.empty() && share >= 0.0 && share <= 1.0);
   const double position = share * double(values.size() - 1);

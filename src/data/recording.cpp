@@ -12,6 +12,7 @@
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"
 #include "limber/data/episode_slice.hpp"
+#include "limber/data/log_units.hpp"
 #include "recorded_backbones.hpp"
 #include "recording_hdf5.hpp"
 
@@ -173,10 +174,8 @@ void require_same_sums(const Recording& recording, const ArmDescription& arm,
   }
 }
 
-constexpr double kFarBeyond = 1.2;       // of the limit, …
-constexpr double kMaxFarBeyond = 0.001;  // … in this share of the frames: more than single spikes
-constexpr double kNeverBelieved = 3.0;   // of the limit, even once: a spike that ruins the ranges
-constexpr double kAnotherUnit = 10.0;    // off by more: no broken log, but numbers in another unit
+constexpr double kNeverBelieved = 3.0;  // of the limit, even once: a spike that ruins the ranges
+constexpr double kAnotherUnit = 10.0;   // off by more: no broken log, but numbers in another unit
 
 [[noreturn]] void refuse_command(double kpa, Eigen::Index channel, Eigen::Index frame,
                                  const ArmDescription& arm, const std::string& file,

@@ -17,6 +17,7 @@
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/arm/valve_parameters.hpp"
 #include "limber/common/error.hpp"
+#include "limber/data/log_units.hpp"
 #include "limber/data/reach.hpp"
 #include "limber/data/simple_model.hpp"
 #include "limber/data/space_fit.hpp"
@@ -29,7 +30,6 @@ namespace {
 
 constexpr double kGapPeriods = 1.5;            // a longer time between frames is a gap
 constexpr double kFastestPlate_m_per_s = 4.0;  // three times what a full reversal does at 0.7 m
-constexpr double kBaseMotion_m = 0.005;        // motion capture is better than that
 constexpr double kOvershoot = 1.1;             // of the limit, measured
 constexpr double kSetpointOvershoot = 1.001;
 constexpr int kFrozenFrames = 10;      // exactly equal backbones, while …
@@ -97,14 +97,23 @@ class EpisodeInspector {
   void look_at_motion_in_space(int t) {
     const double step_s = episode_.time_s[t] - episode_.time_s[t - 1];
     for (int i = 0; i < recording_.point_count; ++i) {
-      const double distance_m = (episode_.position_m(t, i) - episode_.position_m(t - 1, i)).norm();
-      if (distance_m > kFastestPlate_m_per_s * step_s) {
-        suspicions_.add("a plate that jumps", index_, t,
-                        fmt::format("{}: {:.3f} m in {:.3f} s", plate_name(i), distance_m, step_s));
-      }
+      look_at_step(t, i, (episode_.position_m(t, i) - episode_.position_m(t - 1, i)).norm(),
+                   step_s);
     }
-    const double base_m = (episode_.position_m(t, 0) - episode_.position_m(0, 0)).norm();
-    if (base_m > kBaseMotion_m) {
+    look_at_base(t, (episode_.position_m(t, 0) - episode_.position_m(0, 0)).norm());
+  }
+
+  void look_at_step(int t, int plate, double distance_m, double step_s) {
+    if (distance_m > kFastestPlate_m_per_s * step_s) {
+      suspicions_.add(
+          "a plate that jumps", index_, t,
+          fmt::format("{}: {:.3f} m in {:.3f} s", plate_name(plate), distance_m, step_s));
+    }
+  }
+
+  /// @param base_m  how far it is from where it was at the start
+  void look_at_base(int t, double base_m) {
+    if (base_m > kBaseStandsStill_m) {
       suspicions_.add("a base that has moved since the episode's start", index_, t,
                       fmt::format("{:.3f} m away", base_m));
     }
@@ -120,23 +129,15 @@ class EpisodeInspector {
     const auto before = backbone_at(episode_.backbone, t - 1);
     const Eigen::VectorXd moved_m = plate_distances_m(now, before);
     for (int i = 0; i < recording_.point_count; ++i) {
-      const double distance_m = moved_m[i];
       const double turn_rad = std::abs(now(i, 2) - before(i, 2));
-      if (distance_m > kFastestPlate_m_per_s * step_s) {
-        suspicions_.add("a plate that jumps", index_, t,
-                        fmt::format("{}: {:.3f} m in {:.3f} s", plate_name(i), distance_m, step_s));
-      }
+      look_at_step(t, i, moved_m[i], step_s);
       if (turn_rad > std::numbers::pi) {
         suspicions_.add("a heading that jumps by more than half a turn (wrapped?)", index_, t,
                         fmt::format("{}: {:.2f} rad in {:.3f} s", plate_name(i), turn_rad, step_s));
       }
       if (i == 0) {
         const auto first = episode_.backbone.row(0).head<2>();
-        const double base_m = (now.row(0).head<2>() - first).norm();
-        if (base_m > kBaseMotion_m) {
-          suspicions_.add("a base that has moved since the episode's start", index_, t,
-                          fmt::format("{:.3f} m away", base_m));
-        }
+        look_at_base(t, (now.row(0).head<2>() - first).norm());
       }
     }
   }

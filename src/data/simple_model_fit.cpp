@@ -166,7 +166,7 @@ Interval jackknife(double value, const std::vector<double>& left_out) {
   if (left_out.size() < 2) {
     return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   }
-  const double half = kTwoSided95 * double(left_out.size() - 1) * standard_error(left_out);
+  const double half = kTwoSided95 * jackknife_error(left_out);
   return {value - half, value + half};
 }
 

@@ -16,6 +16,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/statistics.hpp"
+#include "limber/common/units.hpp"
 #include "limber/data/episode_slice.hpp"
 
 namespace limber {
@@ -63,11 +64,6 @@ Eigen::VectorXd levers_m(const ArmDescription& arm) {
     beyond_m += length_m;
   }
   return levers;
-}
-
-/// Standard deviation of a number that was found with one piece after the other left out.
-double jackknife(const std::vector<double>& without) {
-  return double(without.size() - 1) * standard_error(without);
 }
 
 /// Where the parabola through errors one step apart is least, in steps from the middle one.
@@ -229,7 +225,7 @@ class SpaceFitter {
                                           for (const Eigen::MatrixXd& shape : without) {
                                             numbers.push_back(shape(row, column));
                                           }
-                                          return jackknife(numbers);
+                                          return jackknife_error(numbers);
                                         });
   }
 
@@ -259,7 +255,7 @@ class SpaceFitter {
     for (const auto& off : off_m.rowwise()) {
       vertices_s.push_back(step_s * vertex(off.transpose()));
     }
-    return jackknife(vertices_s);
+    return jackknife_error(vertices_s);
   }
 
   const ArmDescription& arm_;
@@ -294,7 +290,6 @@ void measure(const ArmDescription& arm, const std::vector<Episode>& episodes, Sp
       frames += 1.0;
     }
   }
-  constexpr double kMmPerM = 1e3;
   fit.plates_mm = kMmPerM * plates / frames;
   fit.tip_mm = kMmPerM * tips / frames;
 }

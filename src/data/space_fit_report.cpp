@@ -14,7 +14,6 @@ namespace limber {
 
 namespace {
 
-constexpr double kMmPerM = 1e3;
 constexpr double kHardly_rad = 0.02;    // over the whole range: noise bends that much
 constexpr double kOtherWay_deg = 60.0;  // between neighbours of three
 

@@ -8,6 +8,7 @@
 
 #include "limber/common/error.hpp"
 #include "limber/common/statistics.hpp"
+#include "limber/data/log_units.hpp"
 
 namespace limber {
 

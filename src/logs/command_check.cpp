@@ -66,8 +66,6 @@ std::vector<std::string> sums_of(const ArmDescription& arm) {
   return sums;
 }
 
-constexpr double kFarBeyond = 1.2;    // of the limit; a measured pressure overshoots by less
-constexpr double kMaxBeyond = 0.001;  // of the rows; spikes happen
 constexpr double kOvershoot = 1.05;
 constexpr double kConstant = 0.02;  // of the limit, range over the whole log
 constexpr double kHigh = 0.99;      // quantile of the sizes: spikes decide nothing
@@ -119,7 +117,7 @@ void require_within(const std::string& log, const std::string& column, const Arm
   const double limit = limits.largest_kpa();
   const auto beyond = facts.sizes.end() -
                       std::upper_bound(facts.sizes.begin(), facts.sizes.end(), kFarBeyond * limit);
-  if (double(beyond) > kMaxBeyond * double(facts.sizes.size())) {
+  if (double(beyond) > kMaxFarBeyond * double(facts.sizes.size())) {
     const std::string& unit = arm.command.unit;
     throw InputError(fmt::format(
         "{}: '{}' ({}) reaches {:.4g} {}; the limit of arm '{}' is {} {}. {}", log, column,

@@ -179,7 +179,7 @@ double half_interval(const LaggedRegression& fit, Eigen::Index k, Eigen::Index i
   for (const Regression& one : fit.left_out) {
     slopes.push_back(one.slopes(k, i));
   }
-  return kTwoSided95 * double(slopes.size() - 1) * standard_error(slopes);
+  return kTwoSided95 * jackknife_error(slopes);
 }
 
 /// Of a positive command of segment i, as the arm file has it: positive to the left.

@@ -16,8 +16,6 @@ namespace limber {
 
 namespace {
 
-constexpr double kMm = 1e3;
-
 nlohmann::ordered_json three(const Eigen::Vector3d& v) {
   return {v.x(), v.y(), v.z()};
 }
@@ -29,7 +27,7 @@ std::string three_text(const Eigen::Vector3d& v) {
 
 std::string base_text(const SpaceRunReport& report) {
   const std::string tracked =
-      report.base_tracked ? fmt::format("it scatters by {:.1f} mm", kMm * report.base_scatter_m)
+      report.base_tracked ? fmt::format("it scatters by {:.1f} mm", kMmPerM * report.base_scatter_m)
                           : std::string("not tracked: it is where the mapping says");
   return fmt::format(
       "\n  base: the log's {} m; x along {}, y along {}{}; {}", three_text(report.base_m),
@@ -40,8 +38,8 @@ std::string base_text(const SpaceRunReport& report) {
 std::string gap_text(const SpaceGapReport& gap, bool lifted) {
   std::string text = fmt::format(
       "\n  {} to {}: {:.1f} mm along the arc, 5 to 95 % {:.1f} to {:.1f}; the arm file has {:.1f}",
-      plate_name(gap.from), plate_name(gap.to), kMm * gap.length_m, kMm * gap.shortest_m,
-      kMm * gap.longest_m, kMm * gap.arm_m);
+      plate_name(gap.from), plate_name(gap.to), kMmPerM * gap.length_m, kMmPerM * gap.shortest_m,
+      kMmPerM * gap.longest_m, kMmPerM * gap.arm_m);
   if (!lifted) {
     text +=
         fmt::format("; measured rotations are {:.1f} degrees off it", kDegPerRad * gap.off_arc_rad);
@@ -117,8 +115,8 @@ std::string to_text(const SpaceRunReport& report) {
   const char* separator = "\n  95 % of the rows lie within";
   for (const SpacePlateReport& plate : report.plates) {
     if (plate.plate > 0) {
-      text += fmt::format("{} {:.1f} mm of the median place of {}", separator, kMm * plate.strays_m,
-                          plate_name(plate.plate));
+      text += fmt::format("{} {:.1f} mm of the median place of {}", separator,
+                          kMmPerM * plate.strays_m, plate_name(plate.plate));
       separator = ",";
     }
   }
@@ -191,7 +189,7 @@ std::string base_text(const RunReport& run) {
   return fmt::format(
       "\n  base: the log's ({:.4f}, {:.4f}) m, {:.4f} rad; it scatters by {:.1f} mm; the arm "
       "measures {:.1f} % of its file's length",
-      run.base.x_m, run.base.y_m, run.base.theta_rad, 1e3 * run.base_scatter_m,
+      run.base.x_m, run.base.y_m, run.base.theta_rad, kMmPerM * run.base_scatter_m,
       100.0 * run.length_ratio);
 }
 

@@ -10,6 +10,7 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/statistics.hpp"
+#include "limber/data/log_units.hpp"
 
 namespace limber {
 

@@ -13,7 +13,6 @@
 
 namespace limber {
 
-inline constexpr double kBaseStandsStill_m = 0.005;  // motion capture is better than that
 inline constexpr double kShortestChord = 0.2;  // over the length at rest; an arc of 4.6 rad has it
 
 /// Where a log saw points of an arm, in one plane and on the log's own clock. T rows, k points; NaN

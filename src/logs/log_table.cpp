@@ -17,8 +17,6 @@ namespace limber {
 namespace {
 
 constexpr std::size_t kNamesInMessages = 40;
-constexpr double kMaxBadRows = 0.01;
-constexpr std::size_t kBadRowsAlwaysLeftOut = 3;
 
 bool is_missing(std::string_view text) {
   constexpr std::string_view kWords[] = {"", "nan", "NaN", "NAN", "null", "NULL", "NA", "-"};
@@ -250,8 +248,7 @@ LogTable read_log_table(const std::filesystem::path& path, const ImportMapping& 
       table.labels.emplace_back(is_of_before ? table.labels.back() : std::string(row[label].text));
     }
   }
-  const auto max_bad = static_cast<std::size_t>(kMaxBadRows * double(table.row_count() + bad));
-  if (bad > std::max(max_bad, kBadRowsAlwaysLeftOut)) {
+  if (are_too_many(bad, table.row_count() + bad)) {
     throw InputError(fmt::format("{}: {} of {} rows can't be read; first {}", table.file, bad,
                                  table.row_count() + bad, first_bad));
   }
@@ -261,14 +258,20 @@ LogTable read_log_table(const std::filesystem::path& path, const ImportMapping& 
                 static_cast<std::int64_t>(bad));
   }
   if (file.width() > file.names().size()) {
-    report.note("rows hold more numbers than the header has names: those beyond are left out",
-                fmt::format("{} and {}; has the first column no name?", file.width(),
-                            file.names().size()));
+    report.note(
+        "rows hold more numbers than the header has names: those beyond are left out",
+        fmt::format("{} and {}; has the first column no name?", file.width(), file.names().size()));
   }
   if (table.row_count() == 0) {
     throw InputError(fmt::format("{}: no rows below the header", table.file));
   }
   return table;
+}
+
+bool are_too_many(std::size_t bad_rows, std::size_t rows) {
+  constexpr double kMaxBadRows = 0.01;
+  constexpr std::size_t kBadRowsAlwaysLeftOut = 3;
+  return double(bad_rows) > kMaxBadRows * double(rows) && bad_rows > kBadRowsAlwaysLeftOut;
 }
 
 std::vector<std::string> log_columns(const std::filesystem::path& path,

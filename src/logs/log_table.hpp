@@ -33,6 +33,9 @@ struct WantedColumns {
 LogTable read_log_table(const std::filesystem::path& path, const ImportMapping& mapping,
                         const WantedColumns& wanted, RunReport& report);
 
+/// More than one row in a hundred, and more than three.
+bool are_too_many(std::size_t bad_rows, std::size_t rows);
+
 /// Names of the columns of a log. @throws InputError as above.
 std::vector<std::string> log_columns(const std::filesystem::path& path,
                                      const ImportMapping& mapping);

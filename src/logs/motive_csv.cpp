@@ -13,6 +13,7 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/csv_reader.hpp"
 #include "limber/common/error.hpp"
+#include "log_table.hpp"
 #include "motive_plates.hpp"
 
 namespace limber {
@@ -24,7 +25,6 @@ constexpr const char* kHowToExport =
     "In Motive's export tick 'Header Information', 'Rigid Bodies' (in Motive 3 'Rigid Body Bones') "
     "or 'Markers', 'Use World Coordinates', rotation 'Quaternion', units 'Meters'";
 constexpr double kOldestFormat = 1.2;
-constexpr double kMaxBadTakeRows = 0.01;
 constexpr const char* kTypes[] = {
     "Rigid Body", "Rigid Body Marker", "Marker",       "Bone",          "Bone Marker",
     "Unlabeled",  "Unlabeled Marker",  "Other Marker", "Labeled Marker"};
@@ -281,8 +281,7 @@ class MotiveFile {
         first_bad = bad++ == 0 ? fmt::format("line {}: {}", csv_.line(), reason) : first_bad;
       }
     }
-    if (take_.time_s.empty() ||
-        double(bad) > std::max(3.0, kMaxBadTakeRows * double(take_.time_s.size()))) {
+    if (take_.time_s.empty() || are_too_many(bad, take_.time_s.size() + bad)) {
       refuse(bad > 0 ? fmt::format("{} rows can't be read; first {}", bad, first_bad)
                      : std::string("no data below the headings"));
     }

@@ -10,13 +10,14 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/statistics.hpp"
+#include "limber/data/log_units.hpp"
+#include "space_mapping.hpp"
 
 namespace limber {
 
 namespace {
 
 constexpr double kMostRows = 0.95;
-constexpr double kAlongSine = 1e-3;  // sine of the least angle between two axes
 // Of the arm's x along the log's own, above which y is made of another axis: arms that hang or lie,
 // or stand at 30 or 45 degrees, are far from it, so that noise never turns the frame of a log.
 constexpr double kAlongLogsX = 0.8;
@@ -101,7 +102,7 @@ Eigen::Quaterniond rotation_of_axes(const std::string& log, const Eigen::Vector3
   const Eigen::Vector3d x = along.normalized();
   Eigen::Vector3d y;
   if (left) {
-    if (x.cross(*left).norm() < kAlongSine) {
+    if (x.cross(*left).norm() < kParallelAxes) {
       throw InputError(fmt::format(
           "{}: y_axis lies along the arm at rest, ({:.4f}, {:.4f}, {:.4f}) in the log's frame; "
           "expected a direction to the left of it",

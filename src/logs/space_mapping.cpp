@@ -14,8 +14,6 @@ namespace limber {
 
 namespace {
 
-constexpr double kParallelAxes = 1e-3;  // sine of the least angle between two axes
-
 /// Where columns of `axes` are missing, none is left out silently.
 bool names_all(const YamlReader& node, std::initializer_list<const char*> keys) {
   const auto count =

@@ -10,6 +10,8 @@
 
 namespace limber {
 
+inline constexpr double kParallelAxes = 1e-3;  // sine of the least angle between two axes
+
 // What mappings of arms in the plane and in space say in the same way.
 
 /// How many `to` make one of the unit that is written here. @throws InputError for unknown ones.

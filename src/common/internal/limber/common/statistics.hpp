@@ -21,6 +21,10 @@ double standard_deviation(std::span<const double> values);
 /// Of the mean: √(Σ (x − mean)² / (n − 1) / n). @pre n ≥ 2
 double standard_error(std::span<const double> values);
 
+/// Of a number that was found with one part of the data after the other left out, by its values
+/// without each (the jackknife). @pre n ≥ 2
+double jackknife_error(std::span<const double> left_out);
+
 /// The value at position share · (n − 1) of the sorted numbers, linear between neighbours: NumPy's
 /// default, and R's type 7 (Hyndman and Fan, 1996). Rises with share, from the smallest to the
 /// largest number. @pre 0 ≤ share ≤ 1
