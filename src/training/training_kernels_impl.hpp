@@ -53,8 +53,7 @@ void relu_gradient(int count, const float* activation, float* gradient) {
 
 void modulate(int count, const float* gain, const float* shift, float* y) {
   for (int i = 0; i < count; i += kLanes) {
-    const Vector z = load(y + i) + load(shift + i);
-    store(y + i, load(gain + i) * select(z > Vector{}, z, Vector{}));
+    store(y + i, load(gain + i) * relu(load(y + i) + load(shift + i)));
   }
 }
 

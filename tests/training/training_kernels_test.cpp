@@ -1,6 +1,7 @@
 #include "src/training/training_kernels.hpp"
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -152,6 +153,18 @@ TEST_P(TrainingKernelsOfLevel, GainsAndShiftsOfUnitsAgreeWithTheReference) {
   EXPECT_LT((exact(dy) - exact_dy).cwiseAbs().maxCoeff(), kRounding);
   EXPECT_LT((exact(dlog_gain) - exact_dlog_gain).cwiseAbs().maxCoeff(), kRounding);
   EXPECT_LT((exact(dshift) - exact_dshift).cwiseAbs().maxCoeff(), kRounding);
+}
+
+// A loss that is no number stops a run: what has diverged must not come back as a dead unit.
+TEST_P(TrainingKernelsOfLevel, UnitsThatAreNoNumberStaySo) {
+  constexpr int kCount = 32;
+  const VectorXf gain = VectorXf::Constant(kCount, 2.0F);
+  const VectorXf shift = VectorXf::Ones(kCount);
+  VectorXf y = VectorXf::Zero(kCount);
+  y[5] = std::numeric_limits<float>::quiet_NaN();
+  kernels_.modulate(kCount, gain.data(), shift.data(), y.data());
+  EXPECT_TRUE(std::isnan(y[5]));
+  EXPECT_EQ(y[4], 2.0F);
 }
 
 TEST_P(TrainingKernelsOfLevel, GatedChangesAgreeWithTheReference) {
