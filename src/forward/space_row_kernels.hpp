@@ -158,8 +158,10 @@ void bound_space_gaps(int gaps, const GapBound<float>* bounds, float* gap, int s
   for (int g = 0; g < gaps; ++g) {
     float* const row = gap + kSpaceGapSize * g * stride;
     for (int q = 0; q < stride; q += kLanes) {
-      for (int i = 0; any_near_edge(bounds[g], row + q, stride) && i < kLanes; ++i) {
-        bound_one_space_gap(bounds[g], row + q + i, stride);
+      if (any_near_edge(bounds[g], row + q, stride)) {
+        for (int i = 0; i < kLanes; ++i) {
+          bound_one_space_gap(bounds[g], row + q + i, stride);
+        }
       }
     }
   }

@@ -52,6 +52,9 @@ WindowGradient<Scalar>::WindowGradient(const ParameterLayout& layout, const Stat
     return static_cast<std::size_t>(blocks) * static_cast<std::size_t>(rows * stride_);
   };
   const int blocks = groups * window_frames;
+  for (int k = 0; k < window_frames; ++k) {
+    frame_counts_.push_back(std::pow(k + 1.0, -map.first_frames_power));
+  }
   index_.resize(static_cast<std::size_t>(groups * stride_));
   input_.resize(numbers(blocks, layout.inputs(0)));
   for (int layer = 0; layer < layout.layer_count(); ++layer) {
@@ -125,16 +128,14 @@ void WindowGradient<Scalar>::weigh(const FrameTable<Scalar>& frames, std::span<c
     const auto is_tracked = [&](int k) {
       return frames.tracked.empty() || frames.tracked[static_cast<std::size_t>(first + k)] != 0;
     };
-    const auto counts = [&](int k) {
-      return is_tracked(k) ? std::pow(k + 1.0, -map_.first_frames_power) : 0.0;
-    };
     double sum = 0.0;
     for (int k = 0; k < frames_; ++k) {
-      sum += counts(k);
+      sum += is_tracked(k) ? frame_counts_[static_cast<std::size_t>(k)] : 0.0;
     }
     for (int k = 0; k < frames_; ++k) {
       at(weight_, 1, block_of(j / stride_, k))[j % stride_] =
-          is_tracked(k) ? static_cast<Scalar>(counts(k) / sum) : Scalar(0);
+          is_tracked(k) ? static_cast<Scalar>(frame_counts_[static_cast<std::size_t>(k)] / sum)
+                        : Scalar(0);
     }
   }
 }

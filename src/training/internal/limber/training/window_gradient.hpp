@@ -88,7 +88,7 @@ struct StateMap {
 /// Loss and gradient over a chunk of windows: the network is rolled over each window with its own
 /// output fed back, and the error of every frame is propagated back through all frames before it
 /// (the paper's IV-C). A window's error is the mean over those of its frames in which the arm was
-/// tracked.
+/// tracked, weighted by StateMap::first_frames_power.
 ///
 /// Sizes: windows of T frames, at most C of them at a time, computed in groups of a few dozen.
 /// Threads: one thread, one object; it allocates nothing after construction.
@@ -162,7 +162,8 @@ class WindowGradient {
   int target_size_ = 0;
   Storage target_;
   Storage uncompensated_;
-  Storage weight_;      ///< of a block's windows: 1 / tracked frames, or 0
+  std::vector<double> frame_counts_;  ///< T, how much a window's frames count, before their sum
+  Storage weight_;                    ///< of a block's windows: its share of that sum, or 0
   Storage output_;      ///< one block
   Storage last_state_;  ///< one block: what no frame reads
   Storage carried_;     ///< one block: ∂loss/∂state, carried from frame to frame
