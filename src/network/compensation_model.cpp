@@ -54,10 +54,10 @@ void validate_normalisation(const std::string& where, const std::string& name,
     require_vector(where, name + "." + part, *values, size);
   }
   for (Eigen::Index i = 0; i < size; ++i) {
-    if (normalisation.scale[i] == 0.0F) {
-      refuse(where, fmt::format("tensor {}.scale[{}] is 0; expected a scale other than 0 (1 for a "
-                                "number that never changes)",
-                                name, i));
+    if (!std::isfinite(1.0F / normalisation.scale[i])) {  // numbers are multiplied by it
+      refuse(where, fmt::format("tensor {}.scale[{}] is {}; expected a scale other than 0, whose "
+                                "inverse is finite (1 for a number that never changes)",
+                                name, i, normalisation.scale[i]));
     }
   }
 }

@@ -100,7 +100,11 @@ INSTANTIATE_TEST_SUITE_P(
                "no tensor normalisation.input.scale"},
         Damage{"zero_scale",
                [](Safetensors& s) { s.tensors["normalisation.output.scale"].values[4] = 0.0F; },
-               "tensor normalisation.output.scale[4] is 0"},
+               "tensor normalisation.output.scale[4] is 0; expected a scale other than 0"},
+        Damage{"scale_without_an_inverse",
+               [](Safetensors& s) { s.tensors["normalisation.input.scale"].values[2] = 1e-40F; },
+               "tensor normalisation.input.scale[2] is 1e-40; expected a scale other than 0, whose "
+               "inverse is finite"},
         Damage{"not_a_number",
                [](Safetensors& s) {
                  s.tensors["layers.1.weight"].values[7] = std::numeric_limits<float>::quiet_NaN();
