@@ -1,9 +1,10 @@
 #pragma once
 
-// A vector of floats as wide as the instruction set that the including file is compiled for. Only
-// for the files kernels_<level>.cpp, each of which compiles it for another one: everything is in an
-// unnamed namespace and nothing of the standard library is called, so that no function compiled for
-// a newer CPU can be linked into code that runs on an older one.
+// A vector of floats as wide as the instruction set that the including file is compiled for: the
+// files <stem>_<level>.cpp, each of which compiles it for another one, or any other file, which
+// compiles it for the oldest. Everything is in an unnamed namespace and nothing of the standard
+// library is called, so that no function compiled for a newer CPU can be linked into code that runs
+// on an older one.
 
 #if defined(__SSE2__)
 #include <immintrin.h>

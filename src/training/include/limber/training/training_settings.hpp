@@ -92,8 +92,8 @@ struct TrainingSettings {
   /// A window's frame k (from 0) counts (k + 1)^-power: errors grow along a window, so that without
   /// this the last frames decide, and one step ahead is learnt late. 0: all count alike.
   double first_frames_power = 0;
-  /// Every step shortens the network's weights by this times the learning rate, those of a family's
-  /// arms excepted (Loshchilov & Hutter 2019). 0: no step does.
+  /// Every step shortens the network's weights and biases by this times the learning rate, the
+  /// vectors of a family's arms excepted (Loshchilov & Hutter 2019). 0: no step does.
   double weight_decay = 0;
   double average_decay = 0;   ///< of the exponential moving average of the weights; 0: none
   bool shift_windows = true;  ///< each epoch cuts its windows at another offset

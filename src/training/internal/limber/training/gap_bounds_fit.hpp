@@ -16,7 +16,7 @@ inline constexpr double kMinTurnMargin_rad = 0.05;
 
 /// The bounds of (20) for predictions of an arm that moved like this: each gap's recorded lengths
 /// and turns with the margins above. Frames in which the arm was not tracked don't count.
-/// @throws InputError if there is no tracked frame, or two plates are always at one place.
+/// @throws InputError if there is no episode or no tracked frame, or they are of different arms.
 GapBounds gap_bounds_of(const std::vector<Episode>& episodes);
 
 }  // namespace limber
