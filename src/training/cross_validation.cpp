@@ -258,14 +258,9 @@ TrainingSettings preset_for_little() {
 
 std::string folds_identity(const ArmDescription& arm, const std::vector<Episode>& episodes,
                            const TrainingSettings& settings) {
-  std::string text =
-      fmt::format("{} {} {} {} {}", arm.hash(), fmt::join(settings.hidden_units, "-"),
-                  settings.reads_velocity, settings.learning_rate, settings.seed);
-  for (const Episode& episode : episodes) {
-    text += content_hash(number_bytes(episode.pressure_kpa)) +
-            content_hash(number_bytes(episode.backbone));
-  }
-  return content_hash(text);
+  return content_hash(fmt::format("{} {} {} {} {} {}", arm.hash(),
+                                  fmt::join(settings.hidden_units, "-"), settings.reads_velocity,
+                                  settings.learning_rate, settings.seed, hash_of(episodes)));
 }
 
 CrossValidation cross_validate(const ArmDescription& arm, const std::vector<Episode>& episodes,

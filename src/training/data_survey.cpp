@@ -20,18 +20,19 @@ GapBounds bounds_for(const TrainingData& data, const CompensationModel* start) {
   return start != nullptr && start->bounds ? joined(*start->bounds, recorded) : recorded;
 }
 
+}  // namespace
+
 std::string hash_of(const std::vector<Episode>& episodes) {
   std::string hashes;
   for (const Episode& episode : episodes) {
-    for (const FrameMatrix* numbers : {&episode.pressure_kpa, &episode.backbone}) {
+    for (const FrameMatrix* numbers :
+         {&episode.pressure_kpa, &episode.setpoint_kpa, &episode.backbone}) {
       hashes += content_hash(number_bytes(*numbers));
     }
     hashes += content_hash(std::string(episode.tracked.begin(), episode.tracked.end()));
   }
   return content_hash(hashes);
 }
-
-}  // namespace
 
 DataSurvey survey_of(
     const ArmDescription& arm, const TrainingData& data, std::uint64_t seed,

@@ -25,6 +25,9 @@ DataSurvey survey_of(
     const CompensationModel* start,
     const std::function<void(const std::vector<int>&, const std::vector<Episode>&)>& on_slice);
 
+/// Of everything in them that training, validation and errors are made of.
+std::string hash_of(const std::vector<Episode>& episodes);
+
 /// The numbers of a matrix of floats as they lie in memory, for hashes.
 template <class Matrix>
 std::string_view number_bytes(const Matrix& matrix) {

@@ -31,14 +31,12 @@ std::string run_identity(const ArmDescription& arm, const TrainingData& data,
   text += content_hash(number_bytes(trainer.state().parameters));  // the weights that it began with
   const GapBounds& bounds = trainer.survey().bounds;
   for (const Eigen::VectorXf* bound :
-       {&bounds.min_length_m, &bounds.max_length_m, &bounds.min_turn_rad, &bounds.max_turn_rad}) {
+       {&bounds.min_length_m, &bounds.max_length_m, &bounds.min_turn_rad, &bounds.max_turn_rad,
+        &bounds.max_bend_rad}) {
     text += content_hash(number_bytes(*bound));
   }
   text += content_hash(std::string(frames.tracked.begin(), frames.tracked.end()));
-  text += trainer.survey().content;
-  for (const Episode& episode : data.validation) {
-    text += content_hash(number_bytes(episode.backbone));
-  }
+  text += trainer.survey().content + hash_of(data.validation);
   return content_hash(text);
 }
 

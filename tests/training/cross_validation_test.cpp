@@ -119,6 +119,21 @@ TEST(CrossValidation, ItsFileSaysTheSame) {
               ThrowsMessage<InputError>(HasSubstr("f.json")));
 }
 
+TEST(CrossValidation, ItsIdentityIsOfEverythingThatItsErrorsAreMadeOf) {
+  Little little;
+  const auto identity = [&] {
+    return folds_identity(little.arm, little.episodes, little.settings);
+  };
+  const std::string own = identity();
+  little.episodes[1].setpoint_kpa(3, 0) += 1.0F;
+  EXPECT_NE(identity(), own);
+  little.episodes[1].setpoint_kpa(3, 0) -= 1.0F;
+  EXPECT_EQ(identity(), own);
+  little.episodes[2].tracked.assign(69, 1);
+  little.episodes[2].tracked[5] = 0;
+  EXPECT_NE(identity(), own);
+}
+
 TEST(CrossValidation, StopsWhereItIsAsked) {
   const Little little;
   TrainingHooks hooks;
