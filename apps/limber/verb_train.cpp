@@ -14,6 +14,7 @@
 #include "limber/common/error.hpp"
 #include "limber/data/recording_inspection.hpp"
 #include "limber/lab/family_traits.hpp"
+#include "limber/network/arm_family.hpp"
 #include "limber/report/training_report.hpp"
 #include "limber/training/fine_tuning.hpp"
 #include "limber/training/learnt_region_fit.hpp"
@@ -219,6 +220,7 @@ class TrainVerb final : public Verb {
     }
     CompensationModel start = read_model(from_);
     require_model_of(start, arm, from_);
+    require_one_arm(start, from_);
     require_no_contradiction(start);
     reader.kinds().add(from_, start.learnt_from_setpoints);
     if (const auto found = start.training.find("data"); found != start.training.end()) {

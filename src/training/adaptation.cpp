@@ -136,7 +136,7 @@ class Adapter {
     result.middle_error_m = error_on(family_, halves.held_back);
     result.fitted_error_m = error_on(before, halves.held_back);
     const bool is_too_wrong = result.fitted_error_m > kTooWrong * result.family_error_m;
-    if (settings_.weights == AdaptWeights::automatic &&
+    if (settings_.weights == AdaptWeights::automatic && !std::isnan(result.fitted_error_m) &&
         (is_too_wrong || result.distance > Adaptation::kFarFromFamily)) {
       CompensationModel trained = trained_on(before, halves.seen, halves.held_back);
       result.trained_error_m = error_on(trained, halves.held_back);

@@ -47,13 +47,8 @@ class Windows {
         family_(family_of(family)),
         episodes_(episodes),
         pieces_(pieces_of_length(episodes, kFitWindowFrames)),
-        jobs_(jobs) {
-    for (const RolloutPiece& piece : pieces_) {
-      const Episode& episode = episodes_[static_cast<std::size_t>(piece.episode)];
-      for (int t = piece.first + 1; t <= piece.first + piece.frames; ++t) {
-        frames_ += episode.was_tracked(t) ? 1 : 0;
-      }
-    }
+        jobs_(jobs),
+        frames_(measured_frames(episodes, pieces_)) {
     if (frames_ == 0) {
       throw InputError(
           fmt::format("{} episodes hold no window in which the arm was tracked: there is nothing "
@@ -101,7 +96,7 @@ class Windows {
   const std::vector<Episode>& episodes_;
   std::vector<RolloutPiece> pieces_;
   int jobs_;
-  Eigen::Index frames_ = 0;
+  Eigen::Index frames_;
 };
 
 /// The cost of e given what was recorded, and its minimum's neighbourhood.
@@ -230,6 +225,27 @@ Fit best_fit(const Windows& windows) {
   return std::move(*best);
 }
 
+/// An episode of one arm, cut in two.
+struct FitAndRest {
+  std::vector<Episode> first;  ///< what is fitted to
+  std::vector<Episode> rest;   ///< what the fit is judged by
+};
+
+std::optional<FitAndRest> cut_for_fit(const Episode& episode) {
+  const int seen = std::min(kFitFrames, episode.frame_count() / 2);
+  if (seen < kMinRestFrames) {
+    return std::nullopt;
+  }
+  FitAndRest parts{{slice(episode, 0, seen)}, {slice(episode, seen, episode.frame_count() - seen)}};
+  const auto tells = [](const std::vector<Episode>& part, int frames) {
+    return measured_frames(part, pieces_of_length(part, frames)) > 0;
+  };
+  if (!tells(parts.first, kFitWindowFrames) || !tells(parts.rest, kPieceFrames)) {
+    return std::nullopt;
+  }
+  return parts;
+}
+
 }  // namespace
 
 ArmFit fit_arm(const ArmDescription& arm, const CompensationModel& family,
@@ -251,23 +267,27 @@ ArmFit fit_arm(const ArmDescription& arm, const CompensationModel& family,
   return result;
 }
 
+bool tells_of_other_arms(const std::vector<Episode>& episodes) {
+  return std::ranges::any_of(
+      episodes, [](const Episode& episode) { return cut_for_fit(episode).has_value(); });
+}
+
 double error_on_other_arms_m(const ArmDescription& arm, const CompensationModel& model,
                              const std::vector<Episode>& episodes, int jobs) {
   std::vector<double> errors(episodes.size(), std::numeric_limits<double>::quiet_NaN());
+  const std::atomic<bool>* const stop = stop_of_thread();
   JobArena arena(jobs);
   arena.execute([&] {
     tbb::parallel_for(std::size_t{0}, episodes.size(), [&](std::size_t i) {
-      const Episode& episode = episodes[i];
-      const int seen = std::min(kFitFrames, episode.frame_count() / 2);
-      if (seen < kMinRestFrames || episode.next_tracked(0, seen) == seen) {
+      const StopScope scope(stop);
+      const std::optional<FitAndRest> parts = cut_for_fit(episodes[i]);
+      if (!parts) {
         return;
       }
-      const std::vector<Episode> first = {slice(episode, 0, seen)};
-      const std::vector<Episode> rest = {slice(episode, seen, episode.frame_count() - seen)};
-      const ForwardModel forward(arm,
-                                 is_family(model) ? fit_arm(arm, model, first, 1).model : model);
-      const std::vector<RolloutPiece> pieces = pieces_of_length(rest, kPieceFrames);
-      errors[i] = mean_tip_error_m(roll_out(forward, rest, pieces, 1), rest, pieces);
+      const ForwardModel forward(
+          arm, is_family(model) ? fit_arm(arm, model, parts->first, 1).model : model);
+      const std::vector<RolloutPiece> pieces = pieces_of_length(parts->rest, kPieceFrames);
+      errors[i] = mean_tip_error_m(roll_out(forward, parts->rest, pieces, 1), parts->rest, pieces);
     });
   });
   std::erase_if(errors, [](double error) { return std::isnan(error); });

@@ -1,6 +1,7 @@
 #include "epoch_trainer.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -190,7 +191,11 @@ std::vector<int> EpochTrainer::shuffled_starts(const TrainingStage& stage) const
   const int shift = settings_.shift_windows ? static_cast<int>(random.index(frames)) : 0;
   const std::span all(tables_.episodes);
   const auto starts_in = [&](std::span<const EpisodeRange> episodes) {
-    return window_starts(episodes, tables_.frames.tracked, stage.window_frames, shift);
+    const auto shifted_by = [&](int by) {
+      return window_starts(episodes, tables_.frames.tracked, stage.window_frames, by);
+    };
+    std::vector<int> shifted = shifted_by(shift);  // none where no episode has room for the shift
+    return shifted.empty() && shift > 0 ? shifted_by(0) : shifted;
   };
   std::vector<int> starts = starts_in(all.first(all.size() - replayed_));
   if (replayed_ > 0) {
@@ -287,6 +292,7 @@ EpochLoss EpochTrainer::train_epoch(const TrainingStage& stage,
       return loss;
     }
   } while (++slice < slice_count_);
+  assert(sums.windows > 0);  // the constructor refuses stages that have none
   EpochLoss result;
   for (int member = 0; member < members_; ++member) {
     const auto at = static_cast<std::size_t>(member);

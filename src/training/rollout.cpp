@@ -134,6 +134,18 @@ std::vector<RolloutPiece> pieces_for(const std::vector<Episode>& episodes, Resta
   return pieces_of_length(episodes, std::numeric_limits<int>::max());
 }
 
+std::int64_t measured_frames(const std::vector<Episode>& episodes,
+                             const std::vector<RolloutPiece>& pieces) {
+  std::int64_t count = 0;
+  for (const RolloutPiece& piece : pieces) {
+    const Episode& episode = episodes[static_cast<std::size_t>(piece.episode)];
+    for (int t = piece.first + 1; t <= piece.first + piece.frames; ++t) {
+      count += episode.was_tracked(t) ? 1 : 0;
+    }
+  }
+  return count;
+}
+
 std::vector<FrameMatrix> roll_out(const ForwardModel& model, const std::vector<Episode>& episodes,
                                   std::vector<RolloutPiece> pieces, int jobs,
                                   OnInterrupt on_interrupt) {
@@ -231,7 +243,6 @@ double mean_tip_error_m(const std::vector<FrameMatrix>& predicted,
                         const std::vector<Episode>& episodes,
                         const std::vector<RolloutPiece>& pieces) {
   double sum = 0.0;
-  std::int64_t count = 0;
   for (const RolloutPiece& piece : pieces) {
     const auto index = static_cast<std::size_t>(piece.episode);
     const Episode& episode = episodes[index];
@@ -242,10 +253,10 @@ double mean_tip_error_m(const std::vector<FrameMatrix>& predicted,
         const auto error = predicted[index].row(t).segment(tip, numbers) -
                            episode.backbone.row(t).segment(tip, numbers);
         sum += static_cast<double>(error.norm());
-        ++count;
       }
     }
   }
+  const std::int64_t count = measured_frames(episodes, pieces);
   return count > 0 ? sum / static_cast<double>(count) : std::numeric_limits<double>::quiet_NaN();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -30,6 +31,10 @@ std::vector<RolloutPiece> pieces_for(const std::vector<Episode>& episodes, Resta
 
 /// The frame that tells how the arm moves in frame `first`; itself where nobody saw that.
 int before_start(const Episode& episode, int first);
+
+/// How many of the frames that pieces predict were tracked: an error is a mean over these.
+std::int64_t measured_frames(const std::vector<Episode>& episodes,
+                             const std::vector<RolloutPiece>& pieces);
 
 /// What a rollout does on Ctrl-C: training needs the whole validation.
 enum class OnInterrupt { finish, stop };

@@ -31,7 +31,20 @@ TrainingSettings usable(TrainingSettings settings, const CompensationModel* star
     throw InputError(
         "keep_epoch says which epoch is kept, and so would validation; give one of them");
   }
+  if (start != nullptr && settings.family_size > 0) {
+    throw InputError(fmt::format(
+        "training setting family_size = {}; expected 0: a family is trained from the start, and "
+        "what is fine-tuned stays one arm's",
+        settings.family_size));
+  }
   return start != nullptr ? in_form_of(*start, std::move(settings)) : settings;
+}
+
+/// Whether there is a frame to measure the validation error by.
+bool tells_an_error(const std::vector<Episode>& validation, const TrainingSettings& settings) {
+  return settings.family_size > 0
+             ? tells_of_other_arms(validation)
+             : measured_frames(validation, pieces_of_length(validation, kValidationFrames)) > 0;
 }
 
 bool same_windows(const std::vector<TrainingStage>& a, const std::vector<TrainingStage>& b) {
@@ -59,7 +72,16 @@ TrainingRun::TrainingRun(const ArmDescription& arm, const TrainingData& data,
       settings_(usable(std::move(settings), start, !data.validation.empty())),
       hooks_(hooks),
       trainer_(arm, data, settings_, start),
-      begin_(std::chrono::steady_clock::now()) {}
+      begin_(std::chrono::steady_clock::now()) {
+  if (!data.validation.empty() && !tells_an_error(data.validation, settings_)) {
+    throw InputError(
+        settings_.family_size > 0
+            ? "every arm held back for validation was recorded too briefly, or tracked too rarely, "
+              "to be fitted and judged; give longer recordings"
+            : "the validation data hold no tracked frame behind another: no error can be measured; "
+              "give others with --validation, or look at them with limber inspect");
+  }
+}
 
 double TrainingRun::elapsed_s() const {
   return elapsed_before_s_ +
@@ -287,9 +309,33 @@ std::string TrainingRun::progress_note(const LearningCurvePoint& point) const {
   return note;
 }
 
-std::optional<TrainingResult> TrainingRun::run_stage(const TrainingStage& stage, int last_epoch,
+int TrainingRun::end() const {
+  return settings_.keep_epoch > 0 ? settings_.keep_epoch : settings_.epoch_count();
+}
+
+bool TrainingRun::is_validated(int epoch) const {
+  return epoch % settings_.validation_interval == 0 || epoch == settings_.epoch_count() ||
+         epoch == settings_.keep_epoch;
+}
+
+void TrainingRun::finish_epoch(Progress& progress) {
+  LearningCurvePoint point = trainer_.state().curve.back();
+  if (is_validated(point.epoch)) {
+    validate(point);
+  }
+  point.elapsed_s = elapsed_s();
+  trainer_.state().curve.back() = point;
+  progress.update(static_cast<std::uint64_t>(point.epoch), progress_note(point));
+  store(false);
+  if (hooks_.on_epoch) {
+    hooks_.on_epoch(point);
+  }
+}
+
+std::optional<TrainingResult> TrainingRun::run_stage(const TrainingStage& stage, int stage_end,
                                                      Progress& progress) {
   TrainingState& state = trainer_.state();
+  const int last_epoch = std::min(stage_end, end());
   const int stop_epoch = settings_.stop_after_epochs > 0 ? settings_.stop_after_epochs : -1;
   while (state.epochs_done < last_epoch) {
     if (interrupt_requested() || state.epochs_done == stop_epoch) {
@@ -308,22 +354,14 @@ std::optional<TrainingResult> TrainingRun::run_stage(const TrainingStage& stage,
       return result(TrainingStatus::diverged, divergence_message(point.epoch, loss));
     }
     ++state.epochs_done;
-    if (state.epochs_done == last_epoch) {
+    if (state.epochs_done == stage_end) {
       trainer_.end_stage();
     }
     point.loss = loss.mean;
     point.validation_position_error_cm = std::numeric_limits<double>::quiet_NaN();
-    if (point.epoch % settings_.validation_interval == 0 ||
-        point.epoch == settings_.epoch_count() || point.epoch == settings_.keep_epoch) {
-      validate(point);
-    }
     point.elapsed_s = elapsed_s();
     state.curve.push_back(point);
-    progress.update(static_cast<std::uint64_t>(point.epoch), progress_note(point));
-    store(false);
-    if (hooks_.on_epoch) {
-      hooks_.on_epoch(point);
-    }
+    finish_epoch(progress);
   }
   return std::nullopt;
 }
@@ -338,15 +376,28 @@ TrainingResult TrainingRun::run() {
   if (settings_.time_limit_s > 0.0) {
     fit_epochs_to_time_limit();
   }
-  const int end = settings_.keep_epoch > 0 ? settings_.keep_epoch : settings_.epoch_count();
-  Progress progress("train", "epochs", static_cast<std::uint64_t>(end), settings_.progress);
-  int last_epoch = 0;
+  try {
+    return run_stages();
+  } catch (const Interrupted&) {  // of a validation or the last rollouts, between two epochs
+    store(true);
+    return result(TrainingStatus::interrupted, "stopped by the user");
+  }
+}
+
+TrainingResult TrainingRun::run_stages() {
+  Progress progress("train", "epochs", static_cast<std::uint64_t>(end()), settings_.progress);
+  const std::vector<LearningCurvePoint>& curve = trainer_.state().curve;
+  if (!data_.validation.empty() && !curve.empty() && is_validated(curve.back().epoch) &&
+      std::isnan(curve.back().validation_position_error_cm)) {
+    finish_epoch(progress);  // the run that this one resumes was stopped within its validation
+  }
+  int stage_end = 0;
   for (const TrainingStage& stage : settings_.stages) {
-    last_epoch = std::min(last_epoch + stage.epochs, end);
-    if (trainer_.state().epochs_done >= last_epoch) {
+    stage_end += stage.epochs;
+    if (trainer_.state().epochs_done >= std::min(stage_end, end())) {
       continue;
     }
-    if (std::optional<TrainingResult> ended = run_stage(stage, last_epoch, progress)) {
+    if (std::optional<TrainingResult> ended = run_stage(stage, stage_end, progress)) {
       return std::move(*ended);
     }
   }

@@ -23,9 +23,18 @@ class TrainingRun {
   double seconds_per_epoch(const TrainingStage& stage);
   void resume();
   void store(bool now);
-  /// Trains epochs of one stage up to its last, from where the state is. Empty if it finished.
-  std::optional<TrainingResult> run_stage(const TrainingStage& stage, int last_epoch,
+  /// The last epoch of the run.
+  int end() const;
+  /// All epochs that are left, and the choice among them.
+  /// @throws Interrupted between two epochs, or while the last one is validated.
+  TrainingResult run_stages();
+  /// Trains epochs of one stage up to its last or the run's, from where the state is. Empty if it
+  /// finished.
+  std::optional<TrainingResult> run_stage(const TrainingStage& stage, int stage_end,
                                           Progress& progress);
+  /// Validates the last epoch where it is to be, and tells of it.
+  void finish_epoch(Progress& progress);
+  bool is_validated(int epoch) const;
   void validate(LearningCurvePoint& point);
   double elapsed_s() const;
   std::string progress_note(const LearningCurvePoint& point) const;

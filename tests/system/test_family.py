@@ -156,6 +156,9 @@ class Family(WithFiles):
         found = self.run_json("adapt", *ARM, "--model", "five.safetensors", "--recording", "minute.h5",
                               "--weights", "never", "--out", "x.safetensors")
         self.assertEqual(len(found["e"]), 2)
+        refused = self.run_limber("train", *ARM, "--from", "five.safetensors", "--data", "minute.h5",
+                                  "--out", "y.safetensors", code=2).stderr
+        self.assertIn("limber adapt --model five.safetensors", refused)
 
     def test_more_frames_than_fit_are_read_in_slices(self):
         for shard in (0, 1):

@@ -179,18 +179,35 @@ TEST(Train, WithoutAFiniteValidationErrorItFailsAndLeavesNothingToResume) {
   const TemporaryFolder folder;
   TrainingSettings settings = best_preset();
   settings.hidden_units = {8};
-  settings.stages = {{2, 64, 2}};
+  settings.stages = {{2, 100'000, 1}};  // one batch: the step behind it, which no loss has seen,
+  settings.optimiser = Optimiser::adam;
+  settings.weight_decay = 0.0;
+  settings.learning_rate = 1e25;  // leaves weights whose products overflow
+  settings.bounded = false;
   settings.checkpoint = folder.path() / "run.checkpoint";
   settings.checkpoint_interval_s = 1e6;
-  TrainingData data = toy_data(arm);
-  for (Episode& episode : data.validation) {  // nothing to measure an error by
-    episode.tracked.assign(static_cast<std::size_t>(episode.frame_count()), 0);
-  }
-  const TrainingResult result = train(arm, data, settings);
+  const TrainingResult result = train(arm, toy_data(arm), settings);
   EXPECT_EQ(result.status, TrainingStatus::diverged);
   EXPECT_EQ(result.best_epoch, 0);
   EXPECT_THAT(result.message, HasSubstr("validation error"));
   EXPECT_FALSE(std::filesystem::exists(settings.checkpoint));
+}
+
+TEST(Train, RefusesValidationDataThatMeasureNothing) {
+  const ArmDescription arm = three_segment_arm();
+  TrainingData data = toy_data(arm);
+  for (Episode& episode : data.validation) {
+    episode.tracked.assign(static_cast<std::size_t>(episode.frame_count()), 0);
+    episode.tracked[30] = 1;  // given to a rollout, not predicted
+  }
+  TrainingSettings settings = best_preset();
+  settings.hidden_units = {8};
+  settings.stages = {{2, 64, 1}};
+  EXPECT_THAT([&] { (void)train(arm, data, settings); },
+              ::testing::ThrowsMessage<InputError>(HasSubstr("no error can be measured")));
+  settings.family_size = 1;
+  EXPECT_THAT([&] { (void)train(arm, data, settings); },
+              ::testing::ThrowsMessage<InputError>(HasSubstr("to be fitted and judged")));
 }
 
 }  // namespace

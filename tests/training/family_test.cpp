@@ -1,15 +1,18 @@
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include <gmock/gmock.h>
 
 #include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/training/adaptation.hpp"
 #include "limber/training/arm_fit.hpp"
 #include "limber/training/evaluation.hpp"
 #include "limber/training/trainer.hpp"
 #include "limber/training/unseen_error.hpp"
+#include "support/temporary_folder.hpp"
 #include "training/toy_arm.hpp"
 
 namespace limber {
@@ -204,6 +207,60 @@ TEST_F(FamilyOfPlays, IsRefusedWhereOneArmIsAskedFor) {
   ordinary.family.reset();
   EXPECT_THAT([&] { (void)adapt(arm(), ordinary, motions_of(20.0F, 4, 1)); },
               ThrowsMessage<InputError>(HasSubstr("limber family")));
+}
+
+// As a camera that finds the arm late records it: one tracked frame predicts nothing to fit to.
+TEST_F(FamilyOfPlays, AnArmThatWasSeenTooLateIsLeftOutOfTheMean) {
+  std::vector<Episode> episodes = motions_of(20.0F, 6, 900);
+  const double error_m = error_on_other_arms_m(arm(), family(), episodes);
+  Episode late = motions_of(20.0F, 6, 901).front();
+  late.tracked.assign(static_cast<std::size_t>(late.frame_count()), 1);
+  std::fill_n(late.tracked.begin() + 1, late.frame_count() / 2, std::uint8_t{0});
+  episodes.push_back(late);
+  EXPECT_EQ(error_on_other_arms_m(arm(), family(), episodes), error_m);
+  EXPECT_TRUE(tells_of_other_arms(episodes));
+  EXPECT_FALSE(tells_of_other_arms({late}));
+}
+
+// Arms held back are fitted for long: a run stopped meanwhile keeps what it has, and goes on.
+TEST(TrainFamily, StopsWithinAValidationAndGoesOnToTheSameBits) {
+  const ArmDescription arm = three_segment_arm();
+  const TemporaryFolder folder;
+  TrainingData data;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    data.training.push_back(toy_episode(arm, 4, 20, seed, 10.0F * static_cast<float>(seed)));
+  }
+  data.validation = {toy_episode(arm, 4, 20, 9, 25.0F)};
+  TrainingSettings settings = best_preset();
+  settings.family_size = 1;
+  settings.hidden_units = {8};
+  settings.stages = {{8, 16, 4}};
+  settings.validation_interval = 2;
+  const TrainingResult unbroken = train(arm, data, settings);
+  settings.checkpoint = folder.path() / "run.checkpoint";
+  settings.checkpoint_interval_s = 1e6;
+  std::atomic<bool> stop = false;
+  int epochs = 0;
+  TrainingHooks hooks;
+  hooks.on_epoch = [&](const LearningCurvePoint&) { ++epochs; };
+  hooks.should_stop = [&] {
+    stop = epochs == 3;  // seen behind the epoch, where it is validated
+    return false;
+  };
+  {
+    const StopScope scope(&stop);
+    const TrainingResult stopped = train(arm, data, settings, hooks);
+    EXPECT_EQ(stopped.status, TrainingStatus::interrupted);
+    EXPECT_EQ(stopped.best_epoch, 2);
+    EXPECT_EQ(stopped.curve.size(), 4U);
+  }
+  settings.resume = true;
+  const TrainingResult resumed = train(arm, data, settings);
+  ASSERT_EQ(resumed.status, TrainingStatus::finished);
+  EXPECT_EQ(resumed.best_epoch, unbroken.best_epoch);
+  EXPECT_EQ(resumed.model.layers[0].weight, unbroken.model.layers[0].weight);
+  EXPECT_EQ(resumed.curve[3].validation_position_error_cm,
+            unbroken.curve[3].validation_position_error_cm);
 }
 
 TEST(HoldBackArms, WholeArmsGo) {

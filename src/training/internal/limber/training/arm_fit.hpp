@@ -21,8 +21,8 @@ struct ArmFit {
 };
 
 /// Least squares with a prior that is the family's own spread, by Gauss–Newton; errors beyond a few
-/// millimetres count by their length, not their square. It starts at whichever of some of the
-/// family's arms fits best.
+/// millimetres count by their length, not their square. It goes on from the best four of the
+/// family's middle and some of its arms, to the lowest minimum that they lead to.
 /// @throws InputError if the model is of no family, the episodes are another arm's or hold no
 /// tracked window.
 ArmFit fit_arm(const ArmDescription& arm, const CompensationModel& family,
@@ -30,10 +30,14 @@ ArmFit fit_arm(const ArmDescription& arm, const CompensationModel& family,
 
 /// How well a family does on arms that it did not learn from: each episode's arm is fitted to its
 /// first kFitFrames frames, or its first half where it is shorter; the error is that of the tip
-/// over the rest, in open-loop rollouts of up to 600 frames. The mean over the episodes; NaN where
-/// none is long enough. Of an ordinary model: the same without a fit.
+/// over the rest, in open-loop rollouts of up to 600 frames. The mean over the episodes that are
+/// long enough, and in both of whose parts the arm was tracked; NaN where none is. Of an ordinary
+/// model: the same without a fit.
 double error_on_other_arms_m(const ArmDescription& arm, const CompensationModel& model,
                              const std::vector<Episode>& episodes, int jobs = 0);
+
+/// Whether that is more than nothing.
+bool tells_of_other_arms(const std::vector<Episode>& episodes);
 
 inline constexpr int kFitFrames = 400;
 
