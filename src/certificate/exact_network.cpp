@@ -5,23 +5,23 @@
 
 namespace limber {
 
-extern const LayerOfTwoKernel kBaselineLayerOfTwo;
+extern const LayerOfTwoKernel kBaselineLayerOfTwoKernel;
 #if defined(__x86_64__)
-extern const LayerOfTwoKernel kAvx2LayerOfTwo;
-extern const LayerOfTwoKernel kAvx512LayerOfTwo;
+extern const LayerOfTwoKernel kAvx2LayerOfTwoKernel;
+extern const LayerOfTwoKernel kAvx512LayerOfTwoKernel;
 #endif
 
 LayerOfTwoKernel layer_of_two_kernel(CpuLevel level) {
 #if defined(__x86_64__)
   if (level == CpuLevel::avx512) {
-    return kAvx512LayerOfTwo;
+    return kAvx512LayerOfTwoKernel;
   }
   if (level == CpuLevel::avx2) {
-    return kAvx2LayerOfTwo;
+    return kAvx2LayerOfTwoKernel;
   }
 #endif
   assert(level == CpuLevel::baseline);
-  return kBaselineLayerOfTwo;
+  return kBaselineLayerOfTwoKernel;
 }
 
 namespace {

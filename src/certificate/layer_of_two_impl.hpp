@@ -67,5 +67,7 @@ void layer_of_two(const LayerOfTwo& layer, const std::size_t* nonzero, std::size
   }
 }
 
+constexpr LayerOfTwoKernel kLayerOfTwoKernel = layer_of_two;
+
 }  // namespace
 }  // namespace limber

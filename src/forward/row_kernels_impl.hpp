@@ -367,21 +367,20 @@ void bound_base_of_one(int gaps, const GapBound<float>* bounds, float* base) {
   }
 }
 
-constexpr RowKernels row_kernels_of_this_level() {
-  return {kLanes,
-          gather,
-          scatter,
-          no_load_gaps,
-          chain_segments,
-          no_load_space_gaps,
-          {kPoseSize, kPoseSize, encode_gaps, decode_gaps, encode_gaps_of_one, decode_gaps_of_one,
-           bound_gaps, bound_gaps_of_one},
-          kSpaceGapKernels,
-          add,
-          gated_change,
-          bound_base,
-          bound_base_of_one};
-}
+constexpr RowKernels kRowKernels = {
+    kLanes,
+    gather,
+    scatter,
+    no_load_gaps,
+    chain_segments,
+    no_load_space_gaps,
+    {kPoseSize, kPoseSize, encode_gaps, decode_gaps, encode_gaps_of_one, decode_gaps_of_one,
+     bound_gaps, bound_gaps_of_one},
+    kSpaceGapKernels,
+    add,
+    gated_change,
+    bound_base,
+    bound_base_of_one};
 
 }  // namespace
 }  // namespace limber

@@ -4,23 +4,23 @@
 
 namespace limber {
 
-extern const GemmKernels kBaselineKernels;
+extern const GemmKernels kBaselineGemmKernels;
 #if defined(__x86_64__)
-extern const GemmKernels kAvx2Kernels;
-extern const GemmKernels kAvx512Kernels;
+extern const GemmKernels kAvx2GemmKernels;
+extern const GemmKernels kAvx512GemmKernels;
 #endif
 
 const GemmKernels& gemm_kernels(CpuLevel level) {
 #if defined(__x86_64__)
   if (level == CpuLevel::avx512) {
-    return kAvx512Kernels;
+    return kAvx512GemmKernels;
   }
   if (level == CpuLevel::avx2) {
-    return kAvx2Kernels;
+    return kAvx2GemmKernels;
   }
 #endif
   assert(level == CpuLevel::baseline);
-  return kBaselineKernels;
+  return kBaselineGemmKernels;
 }
 
 }  // namespace limber

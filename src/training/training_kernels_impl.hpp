@@ -167,15 +167,12 @@ void gated_carry(int size, int stride, const float* scale, const float* error,
   }
 }
 
-constexpr WindowKernels<float> window_kernels_of_this_level() {
-  return {kLanes,      layer,         layer_back, weight_gradient, bias_gradient,  relu_gradient,
-          modulate,    modulate_back, gather,     add_scaled,      carry,          gated_change,
-          gated_carry, bound,         bound_back, entry_error,     chain<InPlane>, chain<InSpace>};
-}
+constexpr WindowKernels<float> kWindowKernels = {
+    kLanes,      layer,         layer_back, weight_gradient, bias_gradient,  relu_gradient,
+    modulate,    modulate_back, gather,     add_scaled,      carry,          gated_change,
+    gated_carry, bound,         bound_back, entry_error,     chain<InPlane>, chain<InSpace>};
 
-constexpr OptimiserKernels optimiser_kernels_of_this_level() {
-  return {add, square_sum, adam};
-}
+constexpr OptimiserKernels kOptimiserKernels = {add, square_sum, adam};
 
 }  // namespace
 }  // namespace limber

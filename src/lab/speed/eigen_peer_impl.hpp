@@ -41,5 +41,7 @@ void evaluate_with_eigen(const PeerLayer* layers, int count, int queries, const 
   }
 }
 
+constexpr EigenPeer kEigenPeer = evaluate_with_eigen;
+
 }  // namespace
 }  // namespace limber

@@ -1,8 +1,8 @@
 #pragma once
 
-// The matrix product behind GemmKernels, compiled once per CPU level by kernels_<level>.cpp. A tile
-// of C (up to kTileVectors vectors down, or kTallVectors where there are few columns, and as many
-// columns across as kAccumulators allow) stays in registers while k runs; each step loads one
+// The matrix product behind GemmKernels, compiled once per CPU level by gemm_kernels_<level>.cpp. A
+// tile of C (up to kTileVectors vectors down, or kTallVectors where there are few columns, and as
+// many columns across as kAccumulators allow) stays in registers while k runs; each step loads one
 // column piece of A and broadcasts one row piece of B.
 
 #include <cstddef>

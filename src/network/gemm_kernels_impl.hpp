@@ -114,9 +114,8 @@ float multiply_add_rounds(long rounds) {
   return total;
 }
 
-constexpr GemmKernels kernels_of_this_level() {
-  return {kLanes, layer, layer_of_rows, query_layer, multiply_add_rounds, kChains * kLanes};
-}
+constexpr GemmKernels kGemmKernels = {
+    kLanes, layer, layer_of_rows, query_layer, multiply_add_rounds, kChains* kLanes};
 
 }  // namespace
 
