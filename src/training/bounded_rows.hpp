@@ -16,43 +16,38 @@ inline Vector gap_number(const StateBoundsView<float>& bounds, const float* stat
                       broadcast(bounds.offset[row]));
 }
 
-// The same in space.
-inline bool any_near_space_bound(const StateBoundsView<float>& bounds, int g, const float* state,
-                                 int stride) {
+// Whether any lane of gap g, of kSize numbers, lies so close to a bound that it may be beyond it.
+template <int kSize>
+inline bool any_near_bound_of(const StateBoundsView<float>& bounds, int g, const float* state,
+                              int stride) {
   constexpr float kRounding = 1e-5F;
+  constexpr bool kInSpace = kSize == kSpaceGapSize;
   const GapBound<float>& bound = bounds.gaps[g];
-  Vector of[kSpaceGapSize];
-  for (int i = 0; i < kSpaceGapSize; ++i) {
-    of[i] = gap_number(bounds, state, stride, kSpaceGapSize * g + i);
+  Vector of[kSize];
+  for (int i = 0; i < kSize; ++i) {
+    of[i] = gap_number(bounds, state, stride, kSize * g + i);
   }
-  const Vector square = of[0] * of[0] + of[1] * of[1] + of[2] * of[2];
-  const Vector bend = of[4] * of[4] + of[5] * of[5];
-  const float max_bend = bound.max_bend * bound.max_bend;
-  const IntVector near = (square < broadcast(bound.min_square * (1.0F + kRounding))) |
-                         (square > broadcast(bound.max_square * (1.0F - kRounding))) |
-                         (bend > broadcast(max_bend * (1.0F - kRounding))) |
-                         (of[3] < broadcast(bound.min_turn + kRounding)) |
-                         (of[3] > broadcast(bound.max_turn - kRounding));
+  Vector square = of[0] * of[0] + of[1] * of[1];
+  if constexpr (kInSpace) {
+    square += of[2] * of[2];
+  }
+  const Vector turn = of[kInSpace ? 3 : 2];
+  IntVector near = (square < broadcast(bound.min_square * (1.0F + kRounding))) |
+                   (square > broadcast(bound.max_square * (1.0F - kRounding))) |
+                   (turn < broadcast(bound.min_turn + kRounding)) |
+                   (turn > broadcast(bound.max_turn - kRounding));
+  if constexpr (kInSpace) {
+    const Vector bend = of[4] * of[4] + of[5] * of[5];
+    near |= bend > broadcast(bound.max_bend * bound.max_bend * (1.0F - kRounding));
+  }
   return non_zero_lanes(reinterpret_cast<Vector>(near)) != 0;
 }
 
-// Whether any lane of gap g lies so close to a bound that it may be beyond it.
 inline bool any_near_bound(const StateBoundsView<float>& bounds, int g, const float* state,
                            int stride) {
-  if (bounds.gap_size == kSpaceGapSize) {
-    return any_near_space_bound(bounds, g, state, stride);
-  }
-  constexpr float kRounding = 1e-5F;
-  const GapBound<float>& bound = bounds.gaps[g];
-  const Vector x = gap_number(bounds, state, stride, kPoseSize * g);
-  const Vector y = gap_number(bounds, state, stride, kPoseSize * g + 1);
-  const Vector turn = gap_number(bounds, state, stride, kPoseSize * g + 2);
-  const Vector square = x * x + y * y;
-  const IntVector near = (square < broadcast(bound.min_square * (1.0F + kRounding))) |
-                         (square > broadcast(bound.max_square * (1.0F - kRounding))) |
-                         (turn < broadcast(bound.min_turn + kRounding)) |
-                         (turn > broadcast(bound.max_turn - kRounding));
-  return non_zero_lanes(reinterpret_cast<Vector>(near)) != 0;
+  return bounds.gap_size == kSpaceGapSize
+             ? any_near_bound_of<kSpaceGapSize>(bounds, g, state, stride)
+             : any_near_bound_of<kPoseSize>(bounds, g, state, stride);
 }
 
 void bound(const StateBoundsView<float>& bounds, int stride, const float* unbounded, float* state) {
@@ -69,7 +64,7 @@ void bound(const StateBoundsView<float>& bounds, int stride, const float* unboun
     for (int q = 0; q < stride; q += kLanes) {
       if (any_near_bound(bounds, g, unbounded + q, stride)) {
         for (int j = q; j < q + kLanes; ++j) {
-          bound_any_gap(bounds, g, stride, unbounded + j, state + j);
+          bound_gap_of_window(bounds, g, stride, unbounded + j, state + j);
         }
       }
     }
@@ -88,7 +83,8 @@ void bound_back(const StateBoundsView<float>& bounds, int stride, const float* u
     for (int q = 0; q < stride; q += kLanes) {
       if (any_near_bound(bounds, g, unbounded + q, stride)) {
         for (int j = q; j < q + kLanes; ++j) {
-          bound_any_gap_back(bounds, g, stride, unbounded + j, carried + j, direct + j, error + j);
+          bound_gap_of_window_back(bounds, g, stride, unbounded + j, carried + j, direct + j,
+                                   error + j);
         }
       }
     }

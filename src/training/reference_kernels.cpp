@@ -185,7 +185,7 @@ void bound(const StateBoundsView<double>& bounds, int stride, const double* unbo
       for (int r = bounds.gap_size * g; r < bounds.gap_size * (g + 1); ++r) {
         state[r * stride + j] = unbounded[r * stride + j];
       }
-      bound_any_gap(bounds, g, stride, unbounded + j, state + j);
+      bound_gap_of_window(bounds, g, stride, unbounded + j, state + j);
     }
   }
 }
@@ -198,7 +198,8 @@ void bound_back(const StateBoundsView<double>& bounds, int stride, const double*
       continue;
     }
     for (int g = 0; g < bounds.gap_count; ++g) {
-      bound_any_gap_back(bounds, g, stride, unbounded + j, carried + j, direct + j, error + j);
+      bound_gap_of_window_back(bounds, g, stride, unbounded + j, carried + j, direct + j,
+                               error + j);
     }
   }
 }

@@ -10,24 +10,59 @@
 namespace limber {
 namespace {
 
-// A gap's numbers in metres and rad.
-template <class Scalar>
-struct GapNumbers {
-  Scalar x, y, turn;
-};
-
 template <class Scalar>
 inline Scalar in_metres(const StateBoundsView<Scalar>& bounds, int row, Scalar normalised) {
   return normalised * bounds.scale[row] + bounds.offset[row];
 }
 
+// A gap's numbers in metres and rad, and what (20) makes of numbers like them.
+template <class Scalar>
+struct GapNumbers {
+  Scalar of[kSpaceGapSize];  // in a plane the first kPoseSize
+
+  SpaceGap<Scalar> in_space() const { return {{of[0], of[1], of[2]}, {of[3], of[4], of[5]}}; }
+  void take(const SpaceGap<Scalar>& gap) {
+    for (int i = 0; i < 3; ++i) {
+      of[i] = gap.d[i];
+      of[3 + i] = gap.omega[i];
+    }
+  }
+};
+
 template <class Scalar>
 inline GapNumbers<Scalar> gap_numbers(const StateBoundsView<Scalar>& bounds, int g, int stride,
                                       const Scalar* state) {
-  const int r = kPoseSize * g;
-  return {in_metres(bounds, r, state[r * stride]),
-          in_metres(bounds, r + 1, state[(r + 1) * stride]),
-          in_metres(bounds, r + 2, state[(r + 2) * stride])};
+  GapNumbers<Scalar> numbers{};
+  for (int i = 0; i < bounds.gap_size; ++i) {
+    const int r = bounds.gap_size * g + i;
+    numbers.of[i] = in_metres(bounds, r, state[r * stride]);
+  }
+  return numbers;
+}
+
+template <class Scalar>
+inline void bound_numbers(const StateBoundsView<Scalar>& bounds, int g,
+                          GapNumbers<Scalar>& numbers) {
+  if (bounds.gap_size == kSpaceGapSize) {
+    SpaceGap<Scalar> gap = numbers.in_space();
+    bound_gap(bounds.gaps[g], gap);
+    numbers.take(gap);
+  } else {
+    bound_gap(bounds.gaps[g], numbers.of[0], numbers.of[1], numbers.of[2]);
+  }
+}
+
+template <class Scalar>
+inline void bound_numbers_back(const StateBoundsView<Scalar>& bounds, int g,
+                               const GapNumbers<Scalar>& given, GapNumbers<Scalar>& by) {
+  if (bounds.gap_size == kSpaceGapSize) {
+    SpaceGap<Scalar> by_gap = by.in_space();
+    bound_gap_back(bounds.gaps[g], bounds.lead_back, given.in_space(), by_gap);
+    by.take(by_gap);
+  } else {
+    bound_gap_back(bounds.gaps[g], bounds.lead_back, given.of[0], given.of[1], given.of[2],
+                   by.of[0], by.of[1], by.of[2]);
+  }
 }
 
 // Writes what the bounds change, and nothing else: what they leave keeps its bits.
@@ -36,13 +71,11 @@ inline void bound_gap_of_window(const StateBoundsView<Scalar>& bounds, int g, in
                                 const Scalar* unbounded, Scalar* state) {
   const GapNumbers<Scalar> given = gap_numbers(bounds, g, stride, unbounded);
   GapNumbers<Scalar> kept = given;
-  bound_gap(bounds.gaps[g], kept.x, kept.y, kept.turn);
-  const Scalar before[kPoseSize] = {given.x, given.y, given.turn};
-  const Scalar after[kPoseSize] = {kept.x, kept.y, kept.turn};
-  for (int i = 0; i < kPoseSize; ++i) {
-    if (after[i] != before[i]) {
-      const int r = kPoseSize * g + i;
-      state[r * stride] = (after[i] - bounds.offset[r]) / bounds.scale[r];
+  bound_numbers(bounds, g, kept);
+  for (int i = 0; i < bounds.gap_size; ++i) {
+    if (kept.of[i] != given.of[i]) {
+      const int r = bounds.gap_size * g + i;
+      state[r * stride] = (kept.of[i] - bounds.offset[r]) / bounds.scale[r];
     }
   }
 }
@@ -52,80 +85,22 @@ inline void bound_gap_of_window_back(const StateBoundsView<Scalar>& bounds, int 
                                      const Scalar* unbounded, Scalar* carried, Scalar* direct,
                                      Scalar* error) {
   const GapNumbers<Scalar> given = gap_numbers(bounds, g, stride, unbounded);
-  Scalar by[kPoseSize];
-  for (int i = 0; i < kPoseSize; ++i) {
-    const int at = (kPoseSize * g + i) * stride;
-    by[i] = (carried[at] + direct[at] + error[at]) / bounds.scale[kPoseSize * g + i];
+  GapNumbers<Scalar> before{};
+  for (int i = 0; i < bounds.gap_size; ++i) {
+    const int r = bounds.gap_size * g + i;
+    const int at = r * stride;
+    before.of[i] = (carried[at] + direct[at] + error[at]) / bounds.scale[r];
   }
-  const Scalar before[kPoseSize] = {by[0], by[1], by[2]};
-  bound_gap_back(bounds.gaps[g], bounds.lead_back, given.x, given.y, given.turn, by[0], by[1],
-                 by[2]);
-  for (int i = 0; i < kPoseSize; ++i) {
-    if (by[i] != before[i]) {
-      const int at = (kPoseSize * g + i) * stride;
-      carried[at] = by[i] * bounds.scale[kPoseSize * g + i];
+  GapNumbers<Scalar> by = before;
+  bound_numbers_back(bounds, g, given, by);
+  for (int i = 0; i < bounds.gap_size; ++i) {
+    if (by.of[i] != before.of[i]) {
+      const int r = bounds.gap_size * g + i;
+      const int at = r * stride;
+      carried[at] = by.of[i] * bounds.scale[r];
       direct[at] = 0;
       error[at] = 0;
     }
-  }
-}
-
-template <class Scalar>
-inline SpaceGap<Scalar> space_gap_of(const StateBoundsView<Scalar>& bounds, int g, int stride,
-                                     const Scalar* state) {
-  SpaceGap<Scalar> gap;
-  for (int i = 0; i < kSpaceGapSize; ++i) {
-    const int r = kSpaceGapSize * g + i;
-    (i < 3 ? gap.d[i] : gap.omega[i - 3]) = in_metres(bounds, r, state[r * stride]);
-  }
-  return gap;
-}
-
-template <class Scalar>
-inline void bound_any_gap(const StateBoundsView<Scalar>& bounds, int g, int stride,
-                          const Scalar* unbounded, Scalar* state) {
-  if (bounds.gap_size != kSpaceGapSize) {
-    bound_gap_of_window(bounds, g, stride, unbounded, state);
-    return;
-  }
-  const SpaceGap<Scalar> given = space_gap_of(bounds, g, stride, unbounded);
-  if (is_within(bounds.gaps[g], given)) {
-    return;
-  }
-  SpaceGap<Scalar> kept = given;
-  bound_gap(bounds.gaps[g], kept);
-  for (int i = 0; i < kSpaceGapSize; ++i) {
-    const int r = kSpaceGapSize * g + i;
-    const Scalar number = i < 3 ? kept.d[i] : kept.omega[i - 3];
-    state[r * stride] = (number - bounds.offset[r]) / bounds.scale[r];
-  }
-}
-
-template <class Scalar>
-inline void bound_any_gap_back(const StateBoundsView<Scalar>& bounds, int g, int stride,
-                               const Scalar* unbounded, Scalar* carried, Scalar* direct,
-                               Scalar* error) {
-  if (bounds.gap_size != kSpaceGapSize) {
-    bound_gap_of_window_back(bounds, g, stride, unbounded, carried, direct, error);
-    return;
-  }
-  const SpaceGap<Scalar> given = space_gap_of(bounds, g, stride, unbounded);
-  if (is_within(bounds.gaps[g], given)) {
-    return;
-  }
-  SpaceGap<Scalar> by;
-  for (int i = 0; i < kSpaceGapSize; ++i) {
-    const int r = kSpaceGapSize * g + i;
-    const int at = r * stride;
-    (i < 3 ? by.d[i] : by.omega[i - 3]) = (carried[at] + direct[at] + error[at]) / bounds.scale[r];
-  }
-  bound_gap_back(bounds.gaps[g], bounds.lead_back, given, by);
-  for (int i = 0; i < kSpaceGapSize; ++i) {
-    const int r = kSpaceGapSize * g + i;
-    const int at = r * stride;
-    carried[at] = (i < 3 ? by.d[i] : by.omega[i - 3]) * bounds.scale[r];
-    direct[at] = 0;
-    error[at] = 0;
   }
 }
 
