@@ -80,7 +80,7 @@ std::vector<std::string> forest_seeds() {
 }
 
 RunShape small_run() {
-  return {4, 2, true, true, 0, true};
+  return {4, 2, true, 0, true};
 }
 
 void read_checkpoint_file(const Input& input) {
@@ -98,7 +98,7 @@ std::vector<std::string> checkpoint_seeds() {
   checkpoint.stages = {{2, 64, 2}, {8, 32, 4}};
   TrainingState& state = checkpoint.state;
   const Eigen::VectorXf numbers = Eigen::VectorXf::LinSpaced(4, 0.1F, 0.4F);
-  state.parameters = state.average = numbers;
+  state.parameters = numbers;
   state.optimiser = {numbers, numbers, {}, 0};
   const auto file = scratch_folder() / "seed.checkpoint";
   write_checkpoint(file, checkpoint);

@@ -120,8 +120,6 @@ void bind_settings(py::module_& module) {
              "A window's frame k, from 0, counts (k + 1)^-power; 0: all count alike.")
       .field("weight_decay", &S::weight_decay,
              "By this times the learning rate every step shortens the weights, >= 0.")
-      .field("average_decay", &S::average_decay,
-             "Decay of the weights' moving average, in [0, 1); 0: none.")
       .field("shift_windows", &S::shift_windows,
              "Whether each epoch cuts its windows at another frame.")
       .field("family_size", &S::family_size,

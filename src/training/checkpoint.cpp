@@ -19,7 +19,7 @@ namespace {
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
-constexpr const char* kSchema = "limber/checkpoint/4";
+constexpr const char* kSchema = "limber/checkpoint/5";
 constexpr double kMaxSeconds = 1e9;  // 30 years
 constexpr std::uint64_t kMaxSteps = 1'000'000'000'000;
 
@@ -119,13 +119,11 @@ class CheckpointReader {
     const Eigen::Index moments = run_.keeps_moments ? run_.parameters : 0;
     TrainingState& state = result.state;
     state.parameters = vector("parameters", run_.parameters);
-    state.average = vector("average", run_.keeps_average ? run_.parameters : 0);
     state.optimiser.first_moment = vector("first_moment", moments);
     state.optimiser.second_moment = vector("second_moment", moments, 0.0F);
     state.optimiser.rotations = vector("rotations", run_.rotations);
     state.optimiser.step = static_cast<std::int64_t>(json.at("step").count(kMaxSteps));
     read_progress(json, result.stages, state);
-    read_best(json, state);
     read_rivals(json, state);
     return result;
   }
@@ -186,16 +184,6 @@ class CheckpointReader {
     return result;
   }
 
-  void read_best(const JsonReader& json, TrainingState& state) const {
-    state.best.epoch = json.at("best_epoch").integer(0, state.epochs_done);
-    const bool is_known = state.best.epoch > 0;
-    state.best.weights = vector("best", is_known ? run_.parameters : 0);
-    state.best.error_m = json.at("best_error_m").number(0.0);
-    const int members = is_known && run_.validates ? run_.members : 0;
-    state.best.members_m =
-        json.at("best_members_m").numbers(static_cast<std::size_t>(members), "errors", 0.0);
-  }
-
   void read_rivals(const JsonReader& json, TrainingState& state) const {
     int min_epoch = 1;
     for (const JsonReader& row : json.at("rivals").elements("a list of epochs")) {
@@ -222,11 +210,9 @@ void write_checkpoint(const fs::path& path, const Checkpoint& checkpoint) {
   const TrainingState& state = checkpoint.state;
   Safetensors content;
   content.tensors["parameters"] = to_tensor(state.parameters);
-  content.tensors["average"] = to_tensor(state.average);
   content.tensors["first_moment"] = to_tensor(state.optimiser.first_moment);
   content.tensors["second_moment"] = to_tensor(state.optimiser.second_moment);
   content.tensors["rotations"] = to_tensor(state.optimiser.rotations);
-  content.tensors["best"] = to_tensor(state.best.weights);
   Json rivals = Json::array();
   for (std::size_t i = 0; i < state.rivals.size(); ++i) {
     const ValidatedEpoch& rival = state.rivals[i];
@@ -237,10 +223,7 @@ void write_checkpoint(const fs::path& path, const Checkpoint& checkpoint) {
   const Json numbers = {{"epochs_done", state.epochs_done},
                         {"step", state.optimiser.step},
                         {"stage_first_loss", state.stage_first_loss},
-                        {"best_error_m", state.best.error_m},
-                        {"best_members_m", state.best.members_m},
                         {"elapsed_s", checkpoint.elapsed_s},
-                        {"best_epoch", state.best.epoch},
                         {"rivals", std::move(rivals)},
                         {"stages", to_json(checkpoint.stages)},
                         {"curve", to_json(state.curve)}};

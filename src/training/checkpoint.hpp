@@ -19,13 +19,12 @@ struct Checkpoint {
 struct RunShape {
   Eigen::Index parameters = 0;  ///< of all networks together
   int members = 1;              ///< networks
-  bool keeps_average = false;
   bool keeps_moments = false;  ///< of the gradient
   Eigen::Index rotations = 0;  ///< SOAP's numbers
   bool validates = true;       ///< on data held back
 };
 
-/// Writes safetensors (schema limber/checkpoint/4), atomically; every number survives exactly.
+/// Writes safetensors (schema limber/checkpoint/5), atomically; every number survives exactly.
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
 
 /// Reads, and checks everything that training needs: sizes, ranges, finite numbers, and that the

@@ -81,6 +81,11 @@ TrainingTables tables_for(const ArmDescription& arm, const TrainingData& data,
 
 }  // namespace
 
+const ValidatedEpoch* TrainingState::best() const {
+  const auto found = std::ranges::min_element(rivals, {}, &ValidatedEpoch::error_m);
+  return found == rivals.end() ? nullptr : &*found;
+}
+
 EpochTrainer::EpochTrainer(const ArmDescription& arm, const TrainingData& data,
                            const TrainingSettings& settings, const CompensationModel* start)
     : arm_((require_data_of(data, arm), arm)),
@@ -132,9 +137,6 @@ EpochTrainer::EpochTrainer(const ArmDescription& arm, const TrainingData& data,
     }
   }
   state_.optimiser = optimiser_->first_state();
-  if (settings_.average_decay > 0.0) {
-    state_.average = state_.parameters;
-  }
   gradient_.setZero(state_.parameters.size());
 }
 
@@ -238,12 +240,6 @@ void EpochTrainer::step(double loss_scale, double rate) {
           static_cast<float>(1.0 - rate * settings_.weight_decay);
     }
   }
-  if (settings_.average_decay > 0.0) {
-    // Short at first, so that the average forgets the random start.
-    const auto step = static_cast<double>(state_.optimiser.step);
-    const double decay = std::min(settings_.average_decay, (1.0 + step) / (10.0 + step));
-    state_.average += static_cast<float>(1.0 - decay) * (state_.parameters - state_.average);
-  }
 }
 
 EpochLoss EpochTrainer::train_slice(const TrainingStage& stage,
@@ -309,16 +305,10 @@ EpochLoss EpochTrainer::train_epoch(const TrainingStage& stage,
 void EpochTrainer::rehearse(const TrainingStage& stage, std::span<const int> starts) {
   gradient_for(stage).compute(starts, state_.parameters, gradient_);
   const OptimiserState before = state_.optimiser;
-  const Eigen::VectorXf average = state_.average;
   // The first step alone begins SOAP's averages: it costs many of the others.
   state_.optimiser.step = std::max<std::int64_t>(state_.optimiser.step, 1);
   step(0.0, 0.0);
   state_.optimiser = before;
-  state_.average = average;
-}
-
-const Eigen::VectorXf& EpochTrainer::validated_weights() const {
-  return settings_.average_decay > 0.0 ? state_.average : state_.parameters;
 }
 
 CompensationModel EpochTrainer::model_of_member(const Eigen::VectorXf& parameters,

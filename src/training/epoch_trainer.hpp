@@ -33,12 +33,13 @@ inline constexpr double kFirstGateBias = -4.5;
 struct TrainingState {
   int epochs_done = 0;
   Eigen::VectorXf parameters;  ///< N·P
-  Eigen::VectorXf average;     ///< moving average of the parameters; empty if it is off
   OptimiserState optimiser;
-  ValidatedEpoch best;                   ///< of the smallest error so far; epoch 0: none yet
   std::vector<ValidatedEpoch> rivals;    ///< the best epoch of each tenth of the run, rising
   std::vector<double> stage_first_loss;  ///< N, of the first batch of the stage; empty: not begun
   std::vector<LearningCurvePoint> curve;
+
+  /// The first of the smallest error so far; null: none yet.
+  const ValidatedEpoch* best() const;
 };
 
 /// Result of one epoch.
@@ -83,8 +84,6 @@ class EpochTrainer {
   /// At `epochs` done, fractions counted.
   double learning_rate(double epochs) const;
 
-  /// The weights that are validated: averaged, if an average is kept.
-  const Eigen::VectorXf& validated_weights() const;
   /// The networks of these N·P parameters, in `order` (all members, the leading one first).
   CompensationModel model_of(const Eigen::VectorXf& parameters, std::span<const int> order) const;
   CompensationModel model_of_member(const Eigen::VectorXf& parameters, int member) const;

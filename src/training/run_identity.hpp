@@ -12,4 +12,8 @@ namespace limber {
 std::string run_identity(const ArmDescription& arm, const TrainingData& data,
                          const TrainingSettings& settings, const EpochTrainer& trainer);
 
+/// @param begun  the stages of the checkpoint that `settings` go on from
+/// @throws InputError naming both where they are another run's.
+void require_same_stages(const TrainingSettings& settings, const std::vector<TrainingStage>& begun);
+
 }  // namespace limber

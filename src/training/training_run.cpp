@@ -47,21 +47,6 @@ bool tells_an_error(const std::vector<Episode>& validation, const TrainingSettin
              : measured_frames(validation, pieces_of_length(validation, kValidationFrames)) > 0;
 }
 
-bool same_windows(const std::vector<TrainingStage>& a, const std::vector<TrainingStage>& b) {
-  return std::ranges::equal(a, b, [](const TrainingStage& x, const TrainingStage& y) {
-    return x.window_frames == y.window_frames && x.windows_per_batch == y.windows_per_batch;
-  });
-}
-
-std::string in_words(const std::vector<TrainingStage>& stages) {
-  std::string text;
-  for (const TrainingStage& stage : stages) {
-    text += fmt::format("{}{} epochs of {}-frame windows, {} per batch", text.empty() ? "" : ", ",
-                        stage.epochs, stage.window_frames, stage.windows_per_batch);
-  }
-  return text;
-}
-
 }  // namespace
 
 TrainingRun::TrainingRun(const ArmDescription& arm, const TrainingData& data,
@@ -90,7 +75,7 @@ double TrainingRun::elapsed_s() const {
 
 void TrainingRun::validate(LearningCurvePoint& point) {
   TrainingState& state = trainer_.state();
-  const Eigen::VectorXf& weights = trainer_.validated_weights();
+  const Eigen::VectorXf& weights = state.parameters;
   double error_m = point.loss;  // without validation data the training loss decides
   std::vector<double> members_m;
   if (!data_.validation.empty() && settings_.family_size > 0) {
@@ -120,9 +105,6 @@ void TrainingRun::validate(LearningCurvePoint& point) {
     state.rivals.push_back({point.epoch, error_m, members_m, weights});
   } else if (error_m < state.rivals.back().error_m) {
     state.rivals.back() = {point.epoch, error_m, members_m, weights};
-  }
-  if (state.best.epoch == 0 || error_m < state.best.error_m) {
-    state.best = {point.epoch, error_m, members_m, weights};
   }
 }
 
@@ -195,13 +177,13 @@ LongRollout TrainingRun::roll_out_long_each(const Eigen::VectorXf& weights) cons
   return worst;
 }
 
-TrainingResult TrainingRun::chosen_result() {
-  TrainingState& state = trainer_.state();
+TrainingResult TrainingRun::chosen_result() const {
   std::vector<const ValidatedEpoch*> order;
-  for (const ValidatedEpoch& rival : state.rivals) {
+  for (const ValidatedEpoch& rival : trainer_.state().rivals) {
     order.push_back(&rival);
   }
   std::ranges::stable_sort(order, {}, [](const ValidatedEpoch* rival) { return rival->error_m; });
+  const ValidatedEpoch* choice = order.front();
   std::vector<int> passed_over;
   LongRollout kept;  // of the best one where none is bounded
   for (const ValidatedEpoch* rival : order) {
@@ -210,12 +192,12 @@ TrainingResult TrainingRun::chosen_result() {
       kept = rollout;
     }
     if (rollout.bounded) {
-      state.best = *rival;
+      choice = rival;
       break;
     }
     passed_over.push_back(rival->epoch);
   }
-  TrainingResult chosen = result(TrainingStatus::finished, "");
+  TrainingResult chosen = result(TrainingStatus::finished, "", choice);
   chosen.long_rollout = kept;
   if (kept.bounded && !passed_over.empty()) {
     chosen.model.training["passed_over_epochs"] = fmt::format("{}", fmt::join(passed_over, " "));
@@ -225,35 +207,39 @@ TrainingResult TrainingRun::chosen_result() {
 }
 
 TrainingResult TrainingRun::result(TrainingStatus status, std::string message) const {
+  return result(status, std::move(message), trainer_.state().best());
+}
+
+TrainingResult TrainingRun::result(TrainingStatus status, std::string message,
+                                   const ValidatedEpoch* choice) const {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   const TrainingState& state = trainer_.state();
   TrainingResult result;
   result.status = status;
   result.message = std::move(message);
   result.curve = state.curve;
-  result.best_epoch = state.best.epoch;
   result.wall_time_s = elapsed_s();
   result.best_validation_position_error_cm = kUnknown;
-  if (state.best.epoch == 0) {
+  if (choice == nullptr) {
     return result;
   }
+  result.best_epoch = choice->epoch;
   std::vector<int> order(static_cast<std::size_t>(trainer_.member_count()));
   std::iota(order.begin(), order.end(), 0);
   if (!data_.validation.empty()) {
-    result.best_validation_position_error_cm = kCmPerM * state.best.error_m;
-    std::ranges::stable_sort(order, {}, [&](int member) {
-      return state.best.members_m[static_cast<std::size_t>(member)];
-    });
+    result.best_validation_position_error_cm = kCmPerM * choice->error_m;
+    std::ranges::stable_sort(
+        order, {}, [&](int member) { return choice->members_m[static_cast<std::size_t>(member)]; });
     for (const int member : order) {
       result.member_validation_position_error_cm.push_back(
-          kCmPerM * state.best.members_m[static_cast<std::size_t>(member)]);
+          kCmPerM * choice->members_m[static_cast<std::size_t>(member)]);
     }
   }
-  result.model = trainer_.model_of(state.best.weights, order);
+  result.model = trainer_.model_of(choice->weights, order);
   auto& record = result.model.training;
   record["epochs"] = std::to_string(settings_.epoch_count());
   record["epochs_done"] = std::to_string(state.epochs_done);
-  record["best_epoch"] = std::to_string(state.best.epoch);
+  record["best_epoch"] = std::to_string(choice->epoch);
   record["seed"] = std::to_string(settings_.seed);
   record["learning_rate"] = fmt::format("{}", settings_.learning_rate);
   record["final_loss"] = fmt::format("{:.6g}", state.curve.back().loss);
@@ -272,20 +258,11 @@ TrainingResult TrainingRun::result(TrainingStatus status, std::string message) c
 
 void TrainingRun::resume() {
   const TrainingState& fresh = trainer_.state();
-  Checkpoint checkpoint =
-      read_checkpoint(settings_.checkpoint, identity_,
-                      {fresh.parameters.size(), trainer_.member_count(), fresh.average.size() > 0,
-                       fresh.optimiser.first_moment.size() > 0, fresh.optimiser.rotations.size(),
-                       !data_.validation.empty()});
-  // A time limit fixed the epochs of the run that began, and these alone.
-  const bool same = settings_.time_limit_s > 0.0 ? same_windows(settings_.stages, checkpoint.stages)
-                                                 : settings_.stages == checkpoint.stages;
-  if (!same) {
-    throw InputError(fmt::format(
-        "{}: the checkpoint of a run of {}; this one is to be {}. Give the --epochs or "
-        "--time-limit-s that it was started with, or leave out --resume to start over",
-        settings_.checkpoint.string(), in_words(checkpoint.stages), in_words(settings_.stages)));
-  }
+  Checkpoint checkpoint = read_checkpoint(
+      settings_.checkpoint, identity_,
+      {fresh.parameters.size(), trainer_.member_count(), fresh.optimiser.first_moment.size() > 0,
+       fresh.optimiser.rotations.size(), !data_.validation.empty()});
+  require_same_stages(settings_, checkpoint.stages);
   settings_.stages = std::move(checkpoint.stages);
   settings_.time_limit_s = 0.0;
   trainer_.state() = std::move(checkpoint.state);
@@ -303,8 +280,8 @@ void TrainingRun::store(bool now) {
 
 std::string TrainingRun::progress_note(const LearningCurvePoint& point) const {
   std::string note = fmt::format("window {}, loss {:.3f}", point.window_frames, point.loss);
-  if (!data_.validation.empty() && trainer_.state().best.epoch > 0) {
-    note += fmt::format(", best validation {:.2f} cm", kCmPerM * trainer_.state().best.error_m);
+  if (const ValidatedEpoch* best = trainer_.state().best(); best && !data_.validation.empty()) {
+    note += fmt::format(", best validation {:.2f} cm", kCmPerM * best->error_m);
   }
   return note;
 }
@@ -402,7 +379,7 @@ TrainingResult TrainingRun::run_stages() {
     }
   }
   progress.finish();
-  if (trainer_.state().best.epoch == 0) {
+  if (trainer_.state().best() == nullptr) {
     // Not stored: resuming it would end here again.
     return result(
         TrainingStatus::diverged,

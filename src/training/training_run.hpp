@@ -41,8 +41,11 @@ class TrainingRun {
   /// The worst of the networks with these weights.
   LongRollout roll_out_long_each(const Eigen::VectorXf& weights) const;
   /// Of a finished run: the best epoch whose networks do not run away.
-  TrainingResult chosen_result();
+  TrainingResult chosen_result() const;
   TrainingResult result(TrainingStatus status, std::string message) const;
+  /// @param choice  the epoch whose networks are the model; null: there is none
+  TrainingResult result(TrainingStatus status, std::string message,
+                        const ValidatedEpoch* choice) const;
   std::string divergence_message(int epoch, const EpochLoss& loss) const;
 
   const ArmDescription& arm_;

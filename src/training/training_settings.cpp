@@ -189,8 +189,6 @@ void require_usable(const TrainingSettings& settings) {
   require(settings.weight_decay >= 0.0, "weight_decay", settings.weight_decay, ">= 0 (0: none)");
   require(settings.weight_decay * rate < 1.0, "learning_rate", rate,
           fmt::format("below 1 / weight_decay ({:g})", settings.weight_decay).c_str());
-  require(settings.average_decay >= 0.0 && settings.average_decay < 1.0, "average_decay",
-          settings.average_decay, "[0, 1)");
   require(settings.ensemble >= 1 && settings.ensemble <= 64, "ensemble", settings.ensemble,
           "1 to 64 networks");
   require(settings.family_size >= 0 && settings.family_size <= ArmFamily::kMaxSize, "family_size",

@@ -121,7 +121,6 @@ TEST(Train, GivesTheSameBitsForAnyNumberOfJobs) {
   const ArmDescription arm = three_segment_arm();
   TrainingSettings settings = small_settings();
   settings.stages = {{2, 64, 2}, {8, 32, 2}};
-  settings.average_decay = 0.9;
   settings.jobs = 1;
   const TrainingResult one = train(arm, toy_data(arm), settings);
   settings.jobs = 3;
@@ -162,7 +161,6 @@ TEST(Train, AMemberOfAnEnsembleIsTheNetworkItWouldBeAlone) {
   const ArmDescription arm = three_segment_arm();
   TrainingSettings settings = small_settings();
   settings.stages = {{2, 64, 2}, {8, 32, 2}};
-  settings.average_decay = 0.9;
   settings.validation_interval = 4;  // the last epoch alone: both keep that one
   const TrainingResult single = train(arm, toy_data(arm), settings);
   settings.ensemble = 3;

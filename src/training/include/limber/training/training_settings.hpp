@@ -95,7 +95,6 @@ struct TrainingSettings {
   /// Every step shortens the network's weights and biases by this times the learning rate, the
   /// vectors of a family's arms excepted (Loshchilov & Hutter 2019). 0: no step does.
   double weight_decay = 0;
-  double average_decay = 0;   ///< of the exponential moving average of the weights; 0: none
   bool shift_windows = true;  ///< each epoch cuts its windows at another offset
 
   /// k, numbers that say which of a family's arms it is (network/arm_family.hpp), 0 to 64; 0: the
