@@ -21,16 +21,19 @@ int max_columns(int lanes) {
   return min_rows(lanes) * 7 / 8;
 }
 
-NoLoadSegment pack(const Segment& segment, NoLoadKind kind) {
-  const StrainPolynomial& c = segment.strain_polynomial;
-  const double p = segment.pressure_limit_kpa.largest_kpa();
-  NoLoadSegment packed{};
-  std::transform(c.begin(), c.end(), packed.strain_coefficient,
+StrainCurve pack(const StrainPolynomial& polynomial, double limit_kpa) {
+  StrainCurve packed{};
+  std::transform(polynomial.begin(), polynomial.end(), packed.coefficient,
                  [](double x) { return static_cast<float>(x); });
-  packed.pressure_limit_kpa = static_cast<float>(p);
-  packed.strain_at_limit = static_cast<float>(p * (c[0] + p * (c[1] + p * (c[2] + p * c[3]))));
-  packed.slope_at_limit_per_kpa = static_cast<float>(
-      std::max(0.0, c[0] + p * (2.0 * c[1] + p * (3.0 * c[2] + p * 4.0 * c[3]))));
+  packed.limit_kpa = static_cast<float>(limit_kpa);
+  packed.at_limit = static_cast<float>(strain_at(polynomial, limit_kpa));
+  packed.slope_per_kpa = static_cast<float>(std::max(0.0, strain_slope_at(polynomial, limit_kpa)));
+  return packed;
+}
+
+NoLoadSegment pack(const Segment& segment, NoLoadKind kind) {
+  NoLoadSegment packed{};
+  packed.strain = pack(segment.strain_polynomial, segment.pressure_limit_kpa.largest_kpa());
   packed.length_m = static_cast<float>(segment.length_m);
   packed.width_m = static_cast<float>(segment.width_m);
   packed.gaps = segment.gaps;
@@ -41,17 +44,9 @@ NoLoadSegment pack(const Segment& segment, NoLoadKind kind) {
 }
 
 NoLoadChamber pack(const Chamber& chamber) {
-  const StrainPolynomial& c = chamber.strain_polynomial;
-  const double limit = chamber.limit_kpa.largest_kpa();
-  NoLoadChamber packed{};
-  std::transform(c.begin(), c.end(), packed.strain_coefficient,
-                 [](double x) { return static_cast<float>(x); });
-  packed.limit = static_cast<float>(limit);
-  packed.strain_at_limit = static_cast<float>(strain_at(c, limit));
-  packed.slope_at_limit = static_cast<float>(std::max(0.0, strain_slope_at(c, limit)));
-  packed.sense = static_cast<float>(chamber.sense);
-  packed.has_strain = c != StrainPolynomial{};
-  return packed;
+  const StrainPolynomial& polynomial = chamber.strain_polynomial;
+  return {pack(polynomial, chamber.limit_kpa.largest_kpa()), static_cast<float>(chamber.sense),
+          polynomial != StrainPolynomial{}};
 }
 
 int padded(int count, int lanes) {

@@ -4,7 +4,6 @@
 #include <cassert>
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include "kernels/job_arena.hpp"
 
@@ -142,14 +141,12 @@ void ParallelForward::step_batch(const ForwardModel& model,
                                  const Eigen::Ref<const Eigen::MatrixXf>& previous,
                                  Eigen::Ref<Eigen::MatrixXf> next) {
   const Eigen::Index parts = (next.cols() + kPart - 1) / kPart;
-  threads_->arena.execute([&] {
-    tbb::parallel_for(Eigen::Index{0}, parts, [&](Eigen::Index part) {
-      const Eigen::Index from = part * kPart;
-      const Eigen::Index count = std::min(kPart, next.cols() - from);
-      model.step_batch(previous_kpa.middleCols(from, count), current_kpa.middleCols(from, count),
-                       before.middleCols(from, count), previous.middleCols(from, count),
-                       next.middleCols(from, count), threads_->workspaces.local());
-    });
+  threads_->arena.for_each(static_cast<std::size_t>(parts), [&](std::size_t part) {
+    const Eigen::Index from = static_cast<Eigen::Index>(part) * kPart;
+    const Eigen::Index count = std::min(kPart, next.cols() - from);
+    model.step_batch(previous_kpa.middleCols(from, count), current_kpa.middleCols(from, count),
+                     before.middleCols(from, count), previous.middleCols(from, count),
+                     next.middleCols(from, count), threads_->workspaces.local());
   });
 }
 

@@ -5,12 +5,17 @@
 
 namespace limber {
 
+/// Strain over pressure: a polynomial, and its end slope above the limit.
+struct StrainCurve {
+  float coefficient[4];  ///< c1 … c4, 1/kPa …
+  float limit_kpa;
+  float at_limit;
+  float slope_per_kpa;  ///< above the limit, ≥ 0
+};
+
 /// What (3) and (4) need of one segment, in single precision.
 struct NoLoadSegment {
-  float strain_coefficient[4];  ///< c1 … c4, 1/kPa …
-  float pressure_limit_kpa;
-  float strain_at_limit;
-  float slope_at_limit_per_kpa;  ///< ≥ 0
+  StrainCurve strain;
   float length_m;
   float width_m;
   int gaps;
@@ -20,12 +25,9 @@ struct NoLoadSegment {
 
 /// What (25) needs of one chamber of an arm in space.
 struct NoLoadChamber {
-  float strain_coefficient[4];
-  float limit;
-  float strain_at_limit;
-  float slope_at_limit;  ///< ≥ 0
-  float sense;           ///< 1 or −1
-  bool has_strain;       ///< else its strain is the command
+  StrainCurve strain;
+  float sense;      ///< 1 or −1
+  bool has_strain;  ///< else its strain is the command
 };
 
 /// What (26) and (24) need of an arm in space.

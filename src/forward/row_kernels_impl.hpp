@@ -13,6 +13,7 @@
 #include "limber/arm/pose_size.hpp"
 #include "row_kernels.hpp"
 #include "space_row_kernels.hpp"
+#include "strain_kernel.hpp"
 
 namespace limber {
 namespace {
@@ -57,19 +58,6 @@ void scatter(int rows, int count, const float* row, int stride, float* columns, 
   }
 }
 
-// e = P(|p|), along the end slope above the limit.
-inline Vector strain_of(const NoLoadSegment& s, Vector pressure) {
-  const Vector limit = broadcast(s.pressure_limit_kpa);
-  const Vector p = absolute(pressure);
-  Vector e =
-      multiply_add(p, broadcast(s.strain_coefficient[3]), broadcast(s.strain_coefficient[2]));
-  e = multiply_add(p, e, broadcast(s.strain_coefficient[1]));
-  e = multiply_add(p, e, broadcast(s.strain_coefficient[0]));
-  const Vector above =
-      multiply_add(p - limit, broadcast(s.slope_at_limit_per_kpa), broadcast(s.strain_at_limit));
-  return select(p > limit, above, p * e);
-}
-
 void no_load_gaps(const NoLoadSegment* segments, int n, const float* pressure_kpa, float* gap,
                   int stride) {
   for (int i = 0; i < n; ++i) {
@@ -81,7 +69,7 @@ void no_load_gaps(const NoLoadSegment* segments, int n, const float* pressure_kp
       Vector turn;  // half of what a gap turns by, without its sign
       Vector half;
       if (s.has_strain) {
-        e = strain_of(s, pressure);
+        e = strain_of(s.strain, pressure);
         // κ l = e l0/t, negative where the right side is inflated; half of a gap's share of it.
         turn = e * broadcast(0.5F * gap_length / s.width_m);
         half = select(pressure > Vector{}, -turn, turn);

@@ -9,6 +9,7 @@
 #include "kernels/vector_float.hpp"
 #include "limber/arm/pose_size.hpp"
 #include "row_kernels.hpp"
+#include "strain_kernel.hpp"
 
 namespace limber {
 namespace {
@@ -179,15 +180,7 @@ inline Vector strain_of_chamber(const NoLoadChamber& chamber, Vector command) {
   if (!chamber.has_strain) {
     return sense * command;
   }
-  const Vector size = absolute(command);
-  const Vector limit = broadcast(chamber.limit);
-  Vector e = multiply_add(size, broadcast(chamber.strain_coefficient[3]),
-                          broadcast(chamber.strain_coefficient[2]));
-  e = multiply_add(size, e, broadcast(chamber.strain_coefficient[1]));
-  e = multiply_add(size, e, broadcast(chamber.strain_coefficient[0]));
-  const Vector above = multiply_add(size - limit, broadcast(chamber.slope_at_limit),
-                                    broadcast(chamber.strain_at_limit));
-  const Vector strain = sense * select(size > limit, above, size * e);
+  const Vector strain = sense * strain_of(chamber.strain, command);
   return select(command < Vector{}, -strain, strain);
 }
 

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 #include <Eigen/Cholesky>
 
 #include "kernels/job_arena.hpp"
@@ -277,18 +276,16 @@ double error_on_other_arms_m(const ArmDescription& arm, const CompensationModel&
   std::vector<double> errors(episodes.size(), std::numeric_limits<double>::quiet_NaN());
   const std::atomic<bool>* const stop = stop_of_thread();
   JobArena arena(jobs);
-  arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, episodes.size(), [&](std::size_t i) {
-      const StopScope scope(stop);
-      const std::optional<FitAndRest> parts = cut_for_fit(episodes[i]);
-      if (!parts) {
-        return;
-      }
-      const ForwardModel forward(
-          arm, is_family(model) ? fit_arm(arm, model, parts->first, 1).model : model);
-      const std::vector<RolloutPiece> pieces = pieces_of_length(parts->rest, kPieceFrames);
-      errors[i] = mean_tip_error_m(roll_out(forward, parts->rest, pieces, 1), parts->rest, pieces);
-    });
+  arena.for_each(episodes.size(), [&](std::size_t i) {
+    const StopScope scope(stop);
+    const std::optional<FitAndRest> parts = cut_for_fit(episodes[i]);
+    if (!parts) {
+      return;
+    }
+    const ForwardModel forward(
+        arm, is_family(model) ? fit_arm(arm, model, parts->first, 1).model : model);
+    const std::vector<RolloutPiece> pieces = pieces_of_length(parts->rest, kPieceFrames);
+    errors[i] = mean_tip_error_m(roll_out(forward, parts->rest, pieces, 1), parts->rest, pieces);
   });
   std::erase_if(errors, [](double error) { return std::isnan(error); });
   return errors.empty() ? std::numeric_limits<double>::quiet_NaN() : mean(errors);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
 
 #include "flushed_subnormals.hpp"
@@ -78,23 +78,18 @@ std::span<const double> BatchGradient::compute(std::span<const int> starts,
   const std::size_t per_chunk = static_cast<std::size_t>(windows_per_chunk_);
   const std::size_t chunks = (starts.size() + per_chunk - 1) / per_chunk;
   assert(chunks >= 1 && chunks <= gradients_.size());
-  arena_.execute([&] {
-    tbb::parallel_for(
-        std::size_t{0}, chunks,
-        [&](std::size_t chunk) { compute_chunk(static_cast<int>(chunk), starts, parameters); },
-        tbb::simple_partitioner());
-  });
+  arena_.for_each(
+      chunks,
+      [&](std::size_t chunk) { compute_chunk(static_cast<int>(chunk), starts, parameters); },
+      tbb::simple_partitioner());
   gradient.resize(gradients_.front().size());
   const auto size = static_cast<std::size_t>(gradient.size());
-  arena_.execute([&] {
-    tbb::parallel_for(
-        std::size_t{0}, (size + kNumbersPerSum - 1) / kNumbersPerSum,
-        [&](std::size_t part) {
-          const std::size_t first = part * kNumbersPerSum;
-          add_chunks(first, std::min(kNumbersPerSum, size - first), chunks, gradient);
-        },
-        tbb::simple_partitioner());
-  });
+  arena_.for_each((size + kNumbersPerSum - 1) / kNumbersPerSum,
+                  [&](std::size_t part) {
+                    const std::size_t first = part * kNumbersPerSum;
+                    add_chunks(first, std::min(kNumbersPerSum, size - first), chunks, gradient);
+                  },
+                  tbb::simple_partitioner());
   for (std::size_t chunk = 1; chunk < chunks; ++chunk) {
     for (std::size_t network = 0; network < networks_; ++network) {
       losses_[network] += losses_[chunk * networks_ + network];

@@ -5,8 +5,6 @@
 #include <limits>
 #include <span>
 
-#include <tbb/parallel_for.h>
-
 #include "kernels/job_arena.hpp"
 #include "limber/arm/space_pose.hpp"
 #include "limber/common/interrupt.hpp"
@@ -160,14 +158,12 @@ std::vector<FrameMatrix> roll_out(const ForwardModel& model, const std::vector<E
   const std::size_t batches = (pieces.size() + kPiecesPerBatch - 1) / kPiecesPerBatch;
   const std::atomic<bool>* const stop = stop_of_thread();
   JobArena arena(jobs);
-  arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, batches, [&](std::size_t batch) {
-      const StopScope scope(stop);
-      const std::size_t first = batch * kPiecesPerBatch;
-      const std::size_t count = std::min(kPiecesPerBatch, pieces.size() - first);
-      roll_out_batch(model, episodes, commands, std::span(pieces).subspan(first, count),
-                     on_interrupt, predicted);
-    });
+  arena.for_each(batches, [&](std::size_t batch) {
+    const StopScope scope(stop);
+    const std::size_t first = batch * kPiecesPerBatch;
+    const std::size_t count = std::min(kPiecesPerBatch, pieces.size() - first);
+    roll_out_batch(model, episodes, commands, std::span(pieces).subspan(first, count), on_interrupt,
+                   predicted);
   });
   return predicted;
 }

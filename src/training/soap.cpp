@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include <tbb/parallel_for.h>
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 
@@ -180,10 +179,8 @@ void Soap::step(const Eigen::VectorXf& gradient, double learning_rate, Optimiser
               state.first_moment.data() + first, state.second_moment.data() + first,
               parameters.data() + first);
   }
-  arena_.execute([&] {
-    tbb::parallel_for(std::size_t{0}, weights_.size(), [&](std::size_t i) {
-      step_weight(weights_[i], gradient.data(), learning_rate, state, parameters.data());
-    });
+  arena_.for_each(weights_.size(), [&](std::size_t i) {
+    step_weight(weights_[i], gradient.data(), learning_rate, state, parameters.data());
   });
 }
 

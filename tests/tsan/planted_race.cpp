@@ -3,7 +3,6 @@
 #include <cstring>
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include "kernels/job_arena.hpp"
 
@@ -12,7 +11,6 @@ int main(int, char** arguments) {
   int count = 0;
   tbb::enumerable_thread_specific<int> counts;
   limber::JobArena arena(2);
-  arena.execute(
-      [&] { tbb::parallel_for(0, 100, [&](int) { ++(race ? count : counts.local()); }); });
+  arena.for_each(100, [&](std::size_t) { ++(race ? count : counts.local()); });
   return 0;
 }

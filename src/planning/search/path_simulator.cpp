@@ -4,7 +4,6 @@
 #include <atomic>
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include "kernels/job_arena.hpp"
 
@@ -186,7 +185,7 @@ std::vector<PathOutcome> PathSimulator::run(const std::vector<Path>& paths,
   if (threads == 1) {
     run_thread(0);
   } else {
-    threads_->arena.execute([&] { tbb::parallel_for(std::size_t{0}, threads, run_thread); });
+    threads_->arena.for_each(threads, run_thread);
   }
   for (const PathOutcome& outcome : outcomes) {
     queries_ += outcome.queries;

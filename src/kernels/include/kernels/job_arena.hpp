@@ -21,11 +21,6 @@ class JobArena {
 
   int jobs() const { return arena_.max_concurrency(); }
 
-  template <class Work>
-  void execute(Work&& work) {
-    arena_.execute(work);
-  }
-
   /// body(i) for each i < n, in any order. @param partitioner  one of oneTBB's; usually none
   template <class Body, class... Partitioner>
   void for_each(std::size_t n, const Body& body, const Partitioner&... partitioner) {
