@@ -9,6 +9,7 @@
 #include "limber/common/error.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/network/gap_bounds.hpp"
+#include "limber/network/past_commands.hpp"
 #include "refusal.hpp"
 
 namespace limber {
@@ -35,13 +36,12 @@ Sizes expected_sizes(const CompensationModel& model) {
 }
 
 void validate_past_commands(const CompensationModel& model, const std::string& where) {
-  constexpr int kLongest = 1000;
   int before = 0;
   for (const int frames : model.past_commands) {
-    if (model.dimension != Dimension::space || frames <= before || frames > kLongest) {
+    if (model.dimension != Dimension::space || frames <= before || frames > kMaxPastFrames) {
       refuse(where, fmt::format("past_commands [{}]; expected frames ago, ascending from 1 to {}, "
                                 "and none of an arm in a plane",
-                                fmt::join(model.past_commands, ", "), kLongest));
+                                fmt::join(model.past_commands, ", "), kMaxPastFrames));
     }
     before = frames;
   }

@@ -15,6 +15,7 @@
 #include "limber/common/utf8.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "limber/network/compensation_model.hpp"
+#include "limber/network/past_commands.hpp"
 #include "model_tensors.hpp"
 #include "refusal.hpp"
 
@@ -29,7 +30,6 @@ constexpr const char* kLearntFromKey = "learnt_from";
 constexpr const char* kErrorKey = "prediction_error";
 constexpr const char* kReadsVelocityKey = "reads_velocity";
 constexpr const char* kPastCommandsKey = "past_commands";
-constexpr int kMostPastFrames = 1000;
 constexpr const char* kTubeKey = "tube";
 constexpr const char* kDimensionKey = "dimension";
 constexpr const char* kChamberCountKey = "chamber_count";
@@ -110,7 +110,7 @@ void read_space_into(CompensationModel& model, const Safetensors& content,
         nlohmann::json::parse(content.metadata.at(kPastCommandsKey), nullptr, false);
     for (const JsonReader& frames :
          JsonReader(past, where + ": metadata past_commands").elements("frames ago")) {
-      model.past_commands.push_back(frames.integer(1, kMostPastFrames));
+      model.past_commands.push_back(frames.integer(1, kMaxPastFrames));
     }
   }
 }

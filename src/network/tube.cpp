@@ -71,27 +71,6 @@ std::string audit_to_text(const TubeLevel& level) {
                                              level.audit_runs);
 }
 
-}  // namespace
-
-const TubeLevel* Tube::find(double level) const {
-  const auto found = std::find_if(levels.begin(), levels.end(), [&](const TubeLevel& one) {
-    return std::abs(one.level - level) < kSameLevel;
-  });
-  return found == levels.end() ? nullptr : &*found;
-}
-
-const TubeLevel& Tube::default_level() const {
-  const TubeLevel* best = &levels.front();
-  for (const TubeLevel& one : levels) {
-    if (one.level < kDefaultLevel + kSameLevel) {
-      best = &one;
-    }
-  }
-  return *best;
-}
-
-namespace {
-
 void validate_shape(const Tube& tube, const std::string& where) {
   for (std::size_t i = 0; i < tube.plate_scale_m.size(); ++i) {
     require_scale(where, fmt::format("plate_scale_m[{}]", i), tube.plate_scale_m[i]);
@@ -110,6 +89,23 @@ void validate_shape(const Tube& tube, const std::string& where) {
 }
 
 }  // namespace
+
+const TubeLevel* Tube::find(double level) const {
+  const auto found = std::find_if(levels.begin(), levels.end(), [&](const TubeLevel& one) {
+    return std::abs(one.level - level) < kSameLevel;
+  });
+  return found == levels.end() ? nullptr : &*found;
+}
+
+const TubeLevel& Tube::default_level() const {
+  const TubeLevel* best = &levels.front();
+  for (const TubeLevel& one : levels) {
+    if (one.level < kDefaultLevel + kSameLevel) {
+      best = &one;
+    }
+  }
+  return *best;
+}
 
 void validate(const Tube& tube, const std::string& where) {
   for (const auto& [name, is_empty] : {std::pair{"plate_scale_m", tube.plate_scale_m.empty()},

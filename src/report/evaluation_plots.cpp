@@ -89,7 +89,7 @@ std::vector<Eigen::Index> shown_frames(const Episode& episode) {
 std::string error_over_time(const Predictions& predictions, const Episode& episode) {
   std::vector<double> time_s(episode.time_s.begin() + 1, episode.time_s.end());
   const auto errors_cm = [&](const FrameMatrix& predicted) {
-    return tip_errors(predicted, episode, 1).position_cm;
+    return tip_errors(predicted, episode).position_cm;
   };
   Chart chart("Tip error over time, open loop");
   chart.x_axis("time [s]").y_axis("position error [cm]").size_px(900, 360);
@@ -204,9 +204,9 @@ EvaluationPlots plot_evaluation(const ArmDescription& arm, const ForwardModel& n
   TipErrorSeries network_errors;
   for (const Episode& episode : episodes) {
     const Predictions predictions = predict_both(no_load, network, episode, jobs);
-    append(no_load_errors, tip_errors(predictions.no_load, episode, 1));
+    append(no_load_errors, tip_errors(predictions.no_load, episode));
     if (predictions.network) {
-      append(network_errors, tip_errors(*predictions.network, episode, 1));
+      append(network_errors, tip_errors(*predictions.network, episode));
     }
   }
   Chart position("Position error of the tip, open loop");

@@ -28,7 +28,6 @@ namespace {
 constexpr double kHeldBackShare = 0.2;
 constexpr int kLeastFrames = 40;  // of all: less is no motion
 constexpr int kMinHeldBackFrames = 40;
-constexpr int kHeldBackPieceFrames = 600;
 constexpr double kTooWrong = 1.5;  // times the error of the family's own arms: it is none of them
 // Of the error of e alone: weights have to be better than that. The seconds held back chose their
 // epoch, so that a little better on them may be worse elsewhere.
@@ -115,9 +114,7 @@ class Adapter {
 
  private:
   double error_on(const CompensationModel& model, const std::vector<Episode>& episodes) const {
-    const std::vector<RolloutPiece> pieces = pieces_of_length(episodes, kHeldBackPieceFrames);
-    return mean_tip_error_m(roll_out(ForwardModel(arm_, model), episodes, pieces, settings_.jobs),
-                            episodes, pieces);
+    return tip_error_m(ForwardModel(arm_, model), episodes, kValidationFrames, settings_.jobs);
   }
 
   static void note_uncertainty(Adaptation& result) {

@@ -34,7 +34,6 @@ constexpr double kLostM = 1.0;         // of a prediction that is no number
 constexpr double kLeastErrorM = 1e-3;  // no network predicts better: a fit is never surer
 constexpr double kFirstDamping = 1e-3;
 constexpr double kMaxDamping = 1e6;
-constexpr int kPieceFrames = 600;  // of an error on what was not fitted to
 constexpr int kMinRestFrames = 20;
 
 /// What a fit asks of predictions: plates' places beside the recorded ones, in a fixed order.
@@ -239,7 +238,7 @@ std::optional<FitAndRest> cut_for_fit(const Episode& episode) {
   const auto tells = [](const std::vector<Episode>& part, int frames) {
     return measured_frames(part, pieces_of_length(part, frames)) > 0;
   };
-  if (!tells(parts.first, kFitWindowFrames) || !tells(parts.rest, kPieceFrames)) {
+  if (!tells(parts.first, kFitWindowFrames) || !tells(parts.rest, kValidationFrames)) {
     return std::nullopt;
   }
   return parts;
@@ -284,8 +283,7 @@ double error_on_other_arms_m(const ArmDescription& arm, const CompensationModel&
     }
     const ForwardModel forward(
         arm, is_family(model) ? fit_arm(arm, model, parts->first, 1).model : model);
-    const std::vector<RolloutPiece> pieces = pieces_of_length(parts->rest, kPieceFrames);
-    errors[i] = mean_tip_error_m(roll_out(forward, parts->rest, pieces, 1), parts->rest, pieces);
+    errors[i] = tip_error_m(forward, parts->rest, kValidationFrames, 1);
   });
   std::erase_if(errors, [](double error) { return std::isnan(error); });
   return errors.empty() ? std::numeric_limits<double>::quiet_NaN() : mean(errors);

@@ -65,7 +65,7 @@ EnsembleErrors errors_of(const EnsembleForward& ensemble, const std::vector<Epis
   std::vector<double> spread_cm;
   std::vector<double> error_cm;
   for (std::size_t episode = 0; episode < episodes.size(); ++episode) {
-    const TipErrorSeries one = tip_errors(mean[episode], episodes[episode], 1);
+    const TipErrorSeries one = tip_errors(mean[episode], episodes[episode]);
     append(series, one);
     const Dimension dimension = episodes[episode].dimension;
     const Eigen::Index tip = mean[episode].cols() - pose_size(dimension);

@@ -69,13 +69,12 @@ void adam_step(std::int64_t step, double learning_rate, int count, const float* 
                            parameters);
 }
 
-double limit_norm(Eigen::Ref<Eigen::VectorXf> gradient, double limit) {
+void limit_norm(Eigen::Ref<Eigen::VectorXf> gradient, double limit) {
   const double norm =
       std::sqrt(optimiser_kernels().square_sum(static_cast<int>(gradient.size()), gradient.data()));
   if (limit > 0.0 && norm > limit) {
     gradient *= static_cast<float>(limit / norm);
   }
-  return norm;
 }
 
 double cosine_decayed(double rate, double progress) {

@@ -40,8 +40,8 @@ std::unique_ptr<OptimiserSteps> make_optimiser(Optimiser optimiser, const Parame
 void adam_step(std::int64_t step, double learning_rate, int count, const float* gradient,
                float* first_moment, float* second_moment, float* parameters);
 
-/// Shortens `gradient` to `limit` if it is longer; 0 means no limit. Returns its norm before.
-double limit_norm(Eigen::Ref<Eigen::VectorXf> gradient, double limit);
+/// Shortens `gradient` to `limit` if it is longer; 0 means no limit.
+void limit_norm(Eigen::Ref<Eigen::VectorXf> gradient, double limit);
 
 /// Half a cosine from `rate` at progress 0 to zero at 1.
 double cosine_decayed(double rate, double progress);

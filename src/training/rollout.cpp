@@ -202,7 +202,7 @@ TipErrorSeries errors_over(const std::vector<FrameMatrix>& predicted,
                            const std::vector<Episode>& episodes) {
   TipErrorSeries all;
   for (std::size_t i = 0; i < episodes.size(); ++i) {
-    append(all, tip_errors(predicted[i], episodes[i], 1));
+    append(all, tip_errors(predicted[i], episodes[i]));
   }
   return all;
 }
@@ -256,11 +256,15 @@ double mean_tip_error_m(const std::vector<FrameMatrix>& predicted,
   return count > 0 ? sum / static_cast<double>(count) : std::numeric_limits<double>::quiet_NaN();
 }
 
+double tip_error_m(const ForwardModel& model, const std::vector<Episode>& episodes, int frames,
+                   int jobs) {
+  const std::vector<RolloutPiece> pieces = pieces_of_length(episodes, frames);
+  return mean_tip_error_m(roll_out(model, episodes, pieces, jobs), episodes, pieces);
+}
+
 double tip_error_cm(const ForwardModel& model, const std::vector<Episode>& episodes, int frames,
                     int jobs) {
-  const std::vector<RolloutPiece> pieces = pieces_of_length(episodes, frames);
-  const double error =
-      kCmPerM * mean_tip_error_m(roll_out(model, episodes, pieces, jobs), episodes, pieces);
+  const double error = kCmPerM * tip_error_m(model, episodes, frames, jobs);
   return std::isfinite(error) ? error : std::numeric_limits<double>::infinity();
 }
 

@@ -36,6 +36,9 @@ int before_start(const Episode& episode, int first);
 std::int64_t measured_frames(const std::vector<Episode>& episodes,
                              const std::vector<RolloutPiece>& pieces);
 
+/// Of the pieces by which networks and fits are validated, half a minute at 20 Hz.
+inline constexpr int kValidationFrames = 600;
+
 /// What a rollout does on Ctrl-C: training needs the whole validation.
 enum class OnInterrupt { finish, stop };
 
@@ -79,8 +82,10 @@ double mean_tip_error_m(const std::vector<FrameMatrix>& predicted,
                         const std::vector<Episode>& episodes,
                         const std::vector<RolloutPiece>& pieces);
 
-/// The same of `model` rolled out over pieces of `frames` frames [cm]; infinite where a prediction
-/// is not finite, or nothing was tracked.
+/// The same of `model` rolled out over pieces of `frames` frames.
+double tip_error_m(const ForwardModel& model, const std::vector<Episode>& episodes, int frames,
+                   int jobs);
+/// That in cm; infinite where a prediction is not finite, or nothing was tracked.
 double tip_error_cm(const ForwardModel& model, const std::vector<Episode>& episodes, int frames,
                     int jobs);
 

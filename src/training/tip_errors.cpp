@@ -1,7 +1,6 @@
 #include "limber/training/tip_errors.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -78,13 +77,12 @@ double heading_apart_rad(const FrameMatrix& predicted, const Episode& recorded, 
   return rotation_vector(between(a, b).rotation).norm();
 }
 
-TipErrorSeries tip_errors(const FrameMatrix& predicted, const Episode& episode, int first) {
-  assert(first >= 1);
+TipErrorSeries tip_errors(const FrameMatrix& predicted, const Episode& episode) {
   TipErrorSeries errors;
   const FrameMatrix& recorded = episode.backbone;
   const Eigen::Index tip = recorded.cols() - pose_size(episode.dimension);
   const Eigen::Index numbers = position_size(episode.dimension);
-  for (int t = first; t < episode.frame_count(); ++t) {
+  for (int t = 1; t < episode.frame_count(); ++t) {
     const Eigen::VectorXd difference =
         (predicted.row(t).segment(tip, numbers) - recorded.row(t).segment(tip, numbers))
             .transpose()

@@ -22,7 +22,6 @@ namespace limber {
 
 namespace {
 
-constexpr int kValidationFrames = 600;
 constexpr int kRivals = 10;  // epochs that are kept to choose from
 
 TrainingSettings usable(TrainingSettings settings, const CompensationModel* start, bool validates) {

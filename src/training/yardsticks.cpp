@@ -33,7 +33,7 @@ std::vector<double> episode_means(const std::vector<FrameMatrix>& predicted,
                                   const std::vector<Episode>& episodes) {
   std::vector<double> means;
   for (std::size_t e = 0; e < episodes.size(); ++e) {
-    means.push_back(mean_of_known(tip_errors(predicted[e], episodes[e], 1).position_cm));
+    means.push_back(mean_of_known(tip_errors(predicted[e], episodes[e]).position_cm));
   }
   return means;
 }

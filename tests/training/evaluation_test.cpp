@@ -251,13 +251,13 @@ TEST(Evaluate, TheNoLoadModelsErrorsAreThoseOfTheSameFramesOfATrackedRecording) 
   const ArmDescription arm = three_segment_arm();
   const ForwardModel no_load(arm);
   const Episode whole = toy_episode(arm, 5, 20, 3);
-  const TipErrorSeries all = tip_errors(predict(no_load, whole, Restart::every_frame), whole, 1);
+  const TipErrorSeries all = tip_errors(predict(no_load, whole, Restart::every_frame), whole);
   for (const int period : {2, 3}) {
     for (const bool tracked : {true, false}) {
       const Episode episode = tracked_now_and_then(whole, period, tracked);
       const TipErrorSeries expected = seen_frames(all, episode);
       const TipErrorSeries found = seen_frames(
-          tip_errors(predict(no_load, episode, Restart::every_frame), episode, 1), episode);
+          tip_errors(predict(no_load, episode, Restart::every_frame), episode), episode);
       EXPECT_EQ(found.position_cm, expected.position_cm);
       EXPECT_EQ(found.orientation_rad, expected.orientation_rad);
       const Evaluation evaluation = evaluate(no_load, nullptr, {episode});

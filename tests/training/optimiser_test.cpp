@@ -62,11 +62,12 @@ TEST(Optimiser, EveryKindFindsTheMinimumOfAParabola) {
 
 TEST(LimitNorm, ShortensLongGradientsAndLeavesShortOnes) {
   Eigen::VectorXf gradient = Eigen::Vector2f(3.0F, 4.0F);
-  EXPECT_NEAR(limit_norm(gradient, 10.0), 5.0, kRounding);
+  limit_norm(gradient, 10.0);
   EXPECT_EQ(gradient, Eigen::Vector2f(3.0F, 4.0F));
-  EXPECT_NEAR(limit_norm(gradient, 1.0), 5.0, kRounding);
+  limit_norm(gradient, 0.0);
+  EXPECT_EQ(gradient, Eigen::Vector2f(3.0F, 4.0F));
+  limit_norm(gradient, 1.0);
   EXPECT_TRUE(gradient.isApprox(Eigen::Vector2f(0.6F, 0.8F), kRounding));
-  EXPECT_NEAR(limit_norm(gradient, 0.0), 1.0, kRounding);
 }
 
 TEST(CosineDecay, GoesFromTheRateToZero) {

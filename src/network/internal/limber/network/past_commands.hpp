@@ -8,6 +8,9 @@
 
 namespace limber {
 
+/// So many frames ago a command that a network reads is at most.
+inline constexpr int kMaxPastFrames = 1000;
+
 /// How many frames ago the commands were that a network of `arm` reads beside the latest ones, by
 /// default: in space, where valves, dead time and friction tell by them, and most recordings hold
 /// set points alone. None in a plane, where valves are identified.

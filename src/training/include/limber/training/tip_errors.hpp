@@ -37,8 +37,8 @@ struct TipErrorSeries {
 /// 4 cm/s at 20 Hz: an arm at rest is slower, a moving arm is faster.
 inline constexpr double kMovingTip_m = 0.002;
 
-/// Frames `first` and later of `predicted` (T×3m) against those recorded. @pre first ≥ 1
-TipErrorSeries tip_errors(const FrameMatrix& predicted, const Episode& episode, int first);
+/// `predicted` (T×3m) against what was recorded; the first frame is given, and left out.
+TipErrorSeries tip_errors(const FrameMatrix& predicted, const Episode& episode);
 
 /// Appends the frames of another episode; the numbering of motions continues.
 void append(TipErrorSeries& series, const TipErrorSeries& more);
