@@ -197,6 +197,54 @@ TEST(Train, WithoutAFiniteValidationErrorItFailsAndLeavesNothingToResume) {
   EXPECT_FALSE(std::filesystem::exists(settings.checkpoint));
 }
 
+/// Of a run that is to end soon.
+TrainingSettings short_run(const TemporaryFolder& folder) {
+  TrainingSettings settings = best_preset();
+  settings.hidden_units = {8};
+  settings.stages = {{2, 64, 6}};
+  settings.checkpoint = folder.path() / "run.checkpoint";
+  return settings;
+}
+
+TEST(Train, RefusesTheCheckpointOfOtherValidationData) {
+  const ArmDescription arm = three_segment_arm();
+  const TemporaryFolder folder;
+  TrainingSettings settings = short_run(folder);
+  settings.stop_after_epochs = 1;
+  (void)train(arm, toy_data(arm), settings);
+  settings.resume = true;
+  settings.stop_after_epochs = 2;
+  const auto expect_refused = [&](const TrainingData& data) {
+    EXPECT_THAT([&] { (void)train(arm, data, settings); },
+                ::testing::ThrowsMessage<InputError>(HasSubstr("a run with other data")));
+  };
+  TrainingData data = toy_data(arm);
+  data.validation[0].pressure_kpa(7, 0) += 1.0F;
+  expect_refused(data);
+  data = toy_data(arm);
+  data.validation[0].tracked.assign(61, 1);
+  data.validation[0].tracked[9] = 0;
+  expect_refused(data);
+  EXPECT_EQ(train(arm, toy_data(arm), settings).curve.size(), 2U);
+}
+
+// Within a stage: the first loss of that stage is still known.
+TEST(Train, AFinishedRunOfAKeptEpochCanBeAskedForAgain) {
+  const ArmDescription arm = three_segment_arm();
+  const TemporaryFolder folder;
+  TrainingData data = toy_data(arm);
+  data.validation.clear();
+  TrainingSettings settings = short_run(folder);
+  settings.keep_epoch = 3;
+  const TrainingResult first = train(arm, data, settings);
+  ASSERT_EQ(first.status, TrainingStatus::finished);
+  settings.resume = true;
+  const TrainingResult again = train(arm, data, settings);
+  EXPECT_EQ(again.status, TrainingStatus::finished);
+  EXPECT_EQ(again.curve.size(), 3U);
+  EXPECT_EQ(again.model.layers[0].weight, first.model.layers[0].weight);
+}
+
 TEST(Train, RefusesValidationDataThatMeasureNothing) {
   const ArmDescription arm = three_segment_arm();
   TrainingData data = toy_data(arm);

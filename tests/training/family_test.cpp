@@ -209,6 +209,17 @@ TEST_F(FamilyOfPlays, IsRefusedWhereOneArmIsAskedFor) {
               ThrowsMessage<InputError>(HasSubstr("limber family")));
 }
 
+TEST_F(FamilyOfPlays, FineTuningMakesNoFamily) {
+  const CompensationModel start = fit_to(20.0F, 4, 1).model;
+  TrainingSettings settings = best_preset();
+  settings.family_size = 2;
+  EXPECT_THAT(
+      [&] {
+        (void)fine_tune(arm(), {motions_of(20.0F, 4, 1), {}}, settings, start);
+      },
+      ThrowsMessage<InputError>(HasSubstr("family_size = 2; expected 0")));
+}
+
 // As a camera that finds the arm late records it: one tracked frame predicts nothing to fit to.
 TEST_F(FamilyOfPlays, AnArmThatWasSeenTooLateIsLeftOutOfTheMean) {
   std::vector<Episode> episodes = motions_of(20.0F, 6, 900);

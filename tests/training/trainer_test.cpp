@@ -350,47 +350,6 @@ TEST(Train, RefusesTheCheckpointOfAnotherRun) {
               ThrowsMessage<InputError>(HasSubstr("run.checkpoint")));
 }
 
-TEST(Train, RefusesTheCheckpointOfOtherValidationData) {
-  const ArmDescription arm = three_segment_arm();
-  const TemporaryFolder folder;
-  TrainingSettings settings = small_settings();
-  settings.checkpoint = folder.path() / "run.checkpoint";
-  settings.stop_after_epochs = 1;
-  (void)train(arm, toy_data(arm), settings);
-  settings.resume = true;
-  settings.stop_after_epochs = 2;
-  const auto expect_refused = [&](const TrainingData& data) {
-    EXPECT_THAT([&] { (void)train(arm, data, settings); },
-                ThrowsMessage<InputError>(HasSubstr("a run with other data")));
-  };
-  TrainingData data = toy_data(arm);
-  data.validation[0].pressure_kpa(7, 0) += 1.0F;
-  expect_refused(data);
-  data = toy_data(arm);
-  data.validation[0].tracked.assign(201, 1);
-  data.validation[0].tracked[9] = 0;
-  expect_refused(data);
-  EXPECT_EQ(train(arm, toy_data(arm), settings).curve.size(), 2U);
-}
-
-// Within a stage: the first loss of that stage is still known.
-TEST(Train, AFinishedRunOfAKeptEpochCanBeAskedForAgain) {
-  const ArmDescription arm = three_segment_arm();
-  const TemporaryFolder folder;
-  TrainingData data = toy_data(arm);
-  data.validation.clear();
-  TrainingSettings settings = small_settings();
-  settings.keep_epoch = 3;
-  settings.checkpoint = folder.path() / "run.checkpoint";
-  const TrainingResult first = train(arm, data, settings);
-  ASSERT_EQ(first.status, TrainingStatus::finished);
-  settings.resume = true;
-  const TrainingResult again = train(arm, data, settings);
-  EXPECT_EQ(again.status, TrainingStatus::finished);
-  EXPECT_EQ(again.curve.size(), 3U);
-  EXPECT_TRUE(same_weights(again.model, first.model));
-}
-
 TEST(Train, TimeLimitFixesTheEpochs) {
   const ArmDescription arm = three_segment_arm();
   TrainingSettings settings = small_settings();
@@ -422,15 +381,6 @@ TEST(FineTune, RefusesAnotherArmsModel) {
   other.arm_hash = "0123";
   EXPECT_THAT([&] { (void)fine_tune(arm, toy_data(arm), small_settings(), other); },
               ThrowsMessage<InputError>(HasSubstr("trained for arm 'octopus' (hash 0123)")));
-}
-
-TEST(FineTune, MakesNoFamily) {
-  const ArmDescription arm = three_segment_arm();
-  TrainingSettings settings = one_step();
-  const CompensationModel start = train(arm, toy_data(arm), settings).model;
-  settings.family_size = 2;
-  EXPECT_THAT([&] { (void)fine_tune(arm, toy_data(arm), settings, start); },
-              ThrowsMessage<InputError>(HasSubstr("family_size = 2; expected 0")));
 }
 
 TEST(LearningCurve, LeavesCellsEmptyWhereNothingWasMeasured) {
