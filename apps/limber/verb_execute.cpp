@@ -92,10 +92,7 @@ class ExecuteVerb final : public Verb {
     room_.require_use(environment);
     const Plan plan = read_plan(plan_);
     require_plan_of(plan, arm, plan_);
-    // A plan that was asked to be slow is corrected slowly, too.
-    arm.pressure_rate_limit_kpa_per_s =
-        std::min(arm.pressure_rate_limit_kpa_per_s,
-                 rate_limit_of(plan.arm(), plan_).value_or(arm.pressure_rate_limit_kpa_per_s));
+    arm = at_rate_of(plan.arm(), std::move(arm), plan_);
     require_plan_in(plan, environment, plan_);
     replan_.settings().corrections.limits =
         limits_of(with_scaled_limits(arm, driver_.limit_scale()));

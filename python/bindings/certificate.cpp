@@ -8,6 +8,7 @@
 
 #include "bindings.hpp"
 #include "caller_thread.hpp"
+#include "limber/arm/arm_identity.hpp"
 #include "limber/common/error.hpp"
 #include "limber/network/compensation_model.hpp"
 #include "others_may_run.hpp"
@@ -123,7 +124,8 @@ void bind_certificate(py::module_& module) {
           throw InputError("there is no plan: the reason of its PlanResult says why");
         }
         require_planar(arm, "limber.certify");
-        return certified(OwnCertifier(arm, std::move(network), std::move(valves), environment),
+        const ArmDescription slowed = at_rate_of(plan->arm(), arm, "the plan");
+        return certified(OwnCertifier(slowed, std::move(network), std::move(valves), environment),
                          *plan);
       },
       py::arg("plan"), py::arg("arm"), py::arg("network"), py::arg("valves"),

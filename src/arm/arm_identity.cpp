@@ -180,6 +180,15 @@ std::optional<double> rate_limit_of(const ArmIdentity& made_for, const std::stri
       .pressure_rate_limit_kpa_per_s;
 }
 
+ArmDescription at_rate_of(const ArmIdentity& made_for, ArmDescription arm,
+                          const std::string& file) {
+  double& own = arm.pressure_rate_limit_kpa_per_s;
+  if (made_for.hash != arm.hash()) {  // which holds the rate, too
+    own = std::min(own, rate_limit_of(made_for, file).value_or(own));
+  }
+  return arm;
+}
+
 std::string why_another_arm(const ArmIdentity& made_for, const ArmDescription& arm,
                             const std::string& file) {
   if (made_for.hash == arm.hash()) {

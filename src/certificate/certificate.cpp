@@ -394,7 +394,8 @@ Certificate Certifier::certify(const Plan& plan, const std::function<bool()>& gi
 
 Certificate certify(const Plan& plan, const ArmDescription& arm, const CompensationModel* network,
                     const ValveParameters& valves, const Environment& environment) {
-  return Certifier(arm, network, valves, environment).certify(plan);
+  const ArmDescription slowed = at_rate_of(plan.arm(), arm, "the plan");
+  return Certifier(slowed, network, valves, environment).certify(plan);
 }
 
 }  // namespace limber

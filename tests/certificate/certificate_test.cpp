@@ -139,6 +139,27 @@ TEST(Certificate, HoldsInAnyUnit) {
   }
 }
 
+// Its motions take as many frames as the rate that was asked for needs.
+TEST(Certificate, HoldsAtARateBelowTheArmsAndAtNoneAbove) {
+  const ArmDescription arm = three_segment_arm();
+  Environment environment = solved().environment;
+  environment.goal.theta_rad.reset();
+  PlannerLimits limits;
+  limits.iterations = 1500;
+  for (const double factor : {0.25, 2.0}) {
+    ArmDescription asked = arm;
+    asked.pressure_rate_limit_kpa_per_s *= factor;
+    const ForwardModel model(asked);
+    const PlanResult result = make_planner("default")->plan({asked, model, environment}, limits, 3);
+    ASSERT_TRUE(result.plan) << result.reason;
+    const Certificate certificate = certify(*result.plan, arm, nullptr, {}, environment);
+    EXPECT_EQ(certificate.certified(), factor < 1.0);
+    if (factor > 1.0) {
+      EXPECT_THAT(failed_checks(certificate), Contains("rate"));
+    }
+  }
+}
+
 TEST(Certificate, IsNoneBesideObstaclesOfNoNumbers) {
   const Solved& s = solved();
   ASSERT_FALSE(s.plan.frames.empty());

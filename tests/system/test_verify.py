@@ -39,6 +39,11 @@ class Verify(InFolder):
         self.assertLessEqual(found["distance_to_goal_cm"], 3.0)
         self.assertEqual(found["frames"], len(self.plan["frames"]))
 
+    def test_certifies_a_plan_that_was_asked_to_be_slow(self):
+        self.run_json("plan", *ARM, *BUDGET, "--environment", self.environment, "--rate-limit", 25,
+                      "--out", "p.json", "--force")
+        self.assertEqual(self.verify()["status"], "certified")
+
     def test_refuses_a_plan_changed_by_hand_with_or_without_its_seal(self):
         def nudge_set_point(plan):
             plan["frames"][3]["setpoint_kpa"][0] += 0.01

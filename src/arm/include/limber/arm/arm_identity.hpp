@@ -35,6 +35,10 @@ std::vector<std::string> arm_differences(const ArmDescription& there, const ArmD
 /// @throws InputError if the file's description is not an arm.
 std::optional<double> rate_limit_of(const ArmIdentity& made_for, const std::string& file);
 
+/// `arm`, no faster than the arm that the file was made for: a plan that was asked to be slow is
+/// checked and corrected as such. @throws InputError as rate_limit_of.
+ArmDescription at_rate_of(const ArmIdentity& made_for, ArmDescription arm, const std::string& file);
+
 /// Why `arm` is not the one that a file was made for, as the end of a sentence that names both;
 /// empty if it is: equal hashes, or keys without a difference. A file that holds a hash alone is
 /// of that arm only where the hashes are equal.

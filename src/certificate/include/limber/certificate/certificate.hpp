@@ -101,7 +101,8 @@ class Certifier {
   std::unique_ptr<const Problem> problem_;
 };
 
-/// Certifies one plan with a Certifier of its own. @throws InputError as Certifier::certify.
+/// Certifies one plan with a Certifier of its own, at the rate that the plan was asked to keep if
+/// that is below the arm's (arm/arm_identity.hpp). @throws InputError as Certifier::certify.
 Certificate certify(const Plan& plan, const ArmDescription& arm, const CompensationModel* network,
                     const ValveParameters& valves, const Environment& environment);
 
