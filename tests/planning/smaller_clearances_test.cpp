@@ -12,13 +12,15 @@ using ::testing::HasSubstr;
 
 class SmallerClearances : public ::testing::Test {
  protected:
-  PlanResult try_with(const PlannerLimits& limits, const PlannerStatistics& spent) {
+  PlanResult try_with(PlannerLimits limits, const PlannerStatistics& spent, double patience = 0.0,
+                      const PlannerCallback& callback = {}) {
+    limits.patience = patience;  // 0: the tries may have all of it
     PlanResult result;
     result.statistics = spent;
     result.reason = "nothing was found";
     AskedProblem asked(problem_);
     try_smaller_clearances(*make_default_planner(), problem_, asked, limits,
-                           std::chrono::steady_clock::now(), 3, {}, result);
+                           std::chrono::steady_clock::now(), 3, callback, result);
     return result;
   }
 
@@ -54,6 +56,34 @@ TEST_F(SmallerClearances, SpendNoMoreThanWhatIsLeft) {
   limits.queries = 300;
   const PlanResult hardly_any = try_with(limits, spent);
   EXPECT_GT(hardly_any.statistics.queries, 77U) << "what tries take is added";
+}
+
+TEST_F(SmallerClearances, SpendNoMoreThanWasKeptBackHoweverEarlyTheSearchEnded) {
+  setting_.environment.obstacles = {Rectangle{0.0, 0.33, 2.0, 0.02, 0.0}};  // no way around
+  PlannerLimits limits;
+  limits.iterations = 40000;
+  constexpr std::uint64_t kRounds = 1000;  // of edges tried side by side, in four tries
+  const PlanResult result = try_with(limits, {}, 0.9);
+  EXPECT_LE(result.statistics.iterations, 4000U + kRounds);
+}
+
+// They are nobody's plans, and go on where the search has ended.
+TEST_F(SmallerClearances, AreWatchedAsThePartOfTheSearchThatTheyAre) {
+  PlannerLimits limits;
+  limits.iterations = 8000;
+  PlannerStatistics spent;
+  spent.iterations = 100;
+  spent.queries = 77;
+  int calls = 0;
+  const PlanResult result = try_with(limits, spent, 0.0, [&](const PlannerProgress& now) {
+    ++calls;
+    EXPECT_FALSE(now.best_cost_kpa);
+    EXPECT_GE(now.iterations, 100U);
+    EXPECT_GE(now.queries, 77U);
+    return true;
+  });
+  EXPECT_GT(calls, 0);
+  EXPECT_TRUE(result.max_clearance_m) << result.reason;
 }
 
 // A search with less clearance may come upon a plan that keeps what was asked for.

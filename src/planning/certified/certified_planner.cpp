@@ -49,9 +49,9 @@ class CertifiedPlanner final : public Planner {
     yield_to_start(problem, notes);
     AskedProblem shared(problem);
     const bool may_keep_less = problem.margin_m > 0.0 || problem.tube;
-    PlannerLimits patient = limits;
+    PlannerLimits whole = limits;
     if (may_keep_less) {
-      patient.patience =
+      whole.patience =
           limits.time_s ? std::max(kPatience, 1.0 - kMaxForSmallerS / *limits.time_s) : kPatience;
     }
     bool stopped = false;  // then nobody waits for explanations
@@ -59,6 +59,7 @@ class CertifiedPlanner final : public Planner {
       stopped = stopped || (callback && !callback(now));
       return !stopped;
     };
+    PlannerLimits patient = whole;
     if (limits.time_s && *limits.time_s > 0.0) {  // else it is refused as it is
       patient.time_s = std::max(kMinSearchS, *limits.time_s - seconds_since(start));
     }
@@ -70,7 +71,7 @@ class CertifiedPlanner final : public Planner {
           result);
       if (may_keep_less && result.status != PlanStatus::not_certified) {
         const std::unique_ptr<Planner> for_smaller = make_default_planner({.jobs = jobs_});
-        try_smaller_clearances(*for_smaller, problem, shared, limits, start, seed, watched, result);
+        try_smaller_clearances(*for_smaller, problem, shared, whole, start, seed, watched, result);
       }
     }
     result.statistics.time_s = seconds_since(start);

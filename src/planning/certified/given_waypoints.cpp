@@ -4,6 +4,7 @@
 #include <chrono>
 #include <iterator>
 #include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -104,40 +105,36 @@ void require_waypoints(const PlanningProblem& problem, const std::vector<Pressur
 
 constexpr double kSmallerClearances[] = {0.75, 0.5, 0.25, 0.0};  // of the one asked for
 
-PlannerLimits left_of(const PlannerLimits& limits, const PlannerStatistics& spent,
-                      SteadyTime start) {
-  PlannerLimits left = limits;
+/// For the first of so many tries: its part of what is left, and never more than its part of what
+/// patience keeps back, however early the search ended. None: nothing is left.
+std::optional<PlannerLimits> limits_of_try(const PlannerLimits& limits,
+                                           const PlannerStatistics& spent, double spent_s,
+                                           std::size_t tries) {
+  constexpr double kMinLeftS = 0.01;
+  constexpr double kRounding = 1e-9;  // relative: whole numbers stay what they are
+  const double kept = (1.0 - limits.patience) / double(std::size(kSmallerClearances));
+  const auto part = [&](double limit, double used) {
+    return std::max(0.0, std::min(kept * limit, (limit - used) / double(tries)));
+  };
+  const auto count = [&](std::uint64_t limit, std::uint64_t used) {
+    const double share = part(double(limit), double(used)) * (1.0 + kRounding);
+    return used < limit ? std::max<std::uint64_t>(1, std::uint64_t(share)) : 0;
+  };
+  PlannerLimits one = limits;
+  one.patience = 1.0;
+  one.cost_threshold_kpa = std::numeric_limits<double>::max();  // the first will do
   if (limits.time_s) {
-    left.time_s = *limits.time_s - seconds_since(start);
+    one.time_s = part(*limits.time_s, spent_s);
   }
   if (limits.iterations) {
-    left.iterations = *limits.iterations - std::min(*limits.iterations, spent.iterations);
+    one.iterations = count(*limits.iterations, spent.iterations);
   }
   if (limits.queries) {
-    left.queries = *limits.queries - std::min(*limits.queries, spent.queries);
+    one.queries = count(*limits.queries, spent.queries);
   }
-  left.cost_threshold_kpa = std::numeric_limits<double>::max();  // the first will do
-  return left;
-}
-
-bool is_spent(const PlannerLimits& limits) {
-  constexpr double kMinS = 0.01;
-  return (limits.time_s && *limits.time_s < kMinS) || limits.iterations == 0 || limits.queries == 0;
-}
-
-/// An equal part of what is left for each of so many tries.
-PlannerLimits part_of(PlannerLimits limits, double tries) {
-  const auto part = [&](std::optional<std::uint64_t>& count) {
-    if (count) {
-      count = std::max<std::uint64_t>(1, std::uint64_t(double(*count) / tries));
-    }
-  };
-  if (limits.time_s) {
-    limits.time_s = *limits.time_s / tries;
-  }
-  part(limits.iterations);
-  part(limits.queries);
-  return limits;
+  const bool is_spent = (limits.time_s && *limits.time_s - spent_s < kMinLeftS) ||
+                        one.iterations == 0 || one.queries == 0;
+  return is_spent ? std::nullopt : std::optional(one);
 }
 
 /// A plan that was found with less, if it happens to keep what was asked for.
@@ -200,15 +197,23 @@ void try_smaller_clearances(Planner& planner, const PlanningProblem& asked, Aske
   problem.tube.reset();
   problem.on_plan = {};  // these keep less than was asked for
   PlannerStatistics& spent = result.statistics;
+  // To whoever watches it is one search, and none of these plans is an answer to what was asked.
+  const PlannerCallback watched = [&](PlannerProgress now) {
+    now.time_s = seconds_since(start);
+    now.iterations += spent.iterations;
+    now.queries += spent.queries;
+    now.best_cost_kpa.reset();
+    return !callback || callback(now);
+  };
   std::size_t tries = std::size(kSmallerClearances);
   for (const double share : kSmallerClearances) {
-    const PlannerLimits left = left_of(limits, spent, start);
-    if (is_spent(left)) {
+    const std::optional<PlannerLimits> left =
+        limits_of_try(limits, spent, seconds_since(start), tries--);
+    if (!left) {
       return;
     }
     problem.margin_m = share * max_m;
-    const PlanResult tried =
-        certified_search(planner, problem, shared, part_of(left, double(tries--)), seed, callback);
+    const PlanResult tried = certified_search(planner, problem, shared, *left, seed, watched);
     spent.iterations += tried.statistics.iterations;
     spent.queries += tried.statistics.queries;
     if (tried.plan) {

@@ -20,7 +20,8 @@ PlanResult certified_along(const PlanningProblem& problem, AskedProblem& asked,
 using SteadyTime = std::chrono::steady_clock::time_point;
 
 /// If nothing was found that keeps the clearance asked for: names in `result` the largest clearance
-/// with which there is a plan, searching for the time that `limits` leave since `start`.
+/// with which there is a plan. Its tries share what the limits' patience keeps back, as far as the
+/// search, begun at `start`, has left it.
 void try_smaller_clearances(Planner& planner, const PlanningProblem& asked, AskedProblem& shared,
                             const PlannerLimits& limits, SteadyTime start, std::uint64_t seed,
                             const PlannerCallback& callback, PlanResult& result);
