@@ -90,18 +90,13 @@ void read_command_and_rate(const YamlReader& root, ArmDescription& arm) {
 
 /// So slow that no motion ends: a unit was mistaken, and counts of frames would overflow.
 void require_usable_rate(const YamlReader& root, const ArmDescription& arm) {
-  constexpr double kMaxFrames = 1e6;  // of a command from one limit to the other
-  double widest = 0.0;
-  for (int i = 0; i < arm.channel_count(); ++i) {
-    widest = std::max(widest, 2.0 * arm.limits_of_channel(i).half_width_kpa());
-  }
-  if (widest > kMaxFrames * arm.pressure_step_limit_kpa()) {
+  if (arm.max_motion_frames() > kMaxMotionFrames) {
     const YamlReader node = root.has("command") ? root.at("command").at("rate_limit_per_s")
                                                 : root.at("pressure_rate_limit_kpa_per_s");
     node.refuse(fmt::format(
         "{} found; expected a rate at which a command gets from limit to limit within {:.0f} "
         "frames",
-        arm.pressure_rate_limit_kpa_per_s, kMaxFrames));
+        arm.pressure_rate_limit_kpa_per_s, kMaxMotionFrames));
   }
 }
 
@@ -161,6 +156,14 @@ int ArmDescription::segment_of_gap(int gap) const {
     ++segment;
   }
   return segment;
+}
+
+double ArmDescription::max_motion_frames() const {
+  double widest = 0.0;
+  for (int i = 0; i < channel_count(); ++i) {
+    widest = std::max(widest, 2.0 * limits_of_channel(i).half_width_kpa());
+  }
+  return widest / pressure_step_limit_kpa();
 }
 
 std::string ArmDescription::hash() const {

@@ -73,6 +73,12 @@ ArmDescription slowed(ArmDescription arm, const PlanSettings& settings) {
       throw InputError("a rate limit of its own and a forest, which was grown with the arm's");
     }
     arm.pressure_rate_limit_kpa_per_s = rate;
+    if (arm.max_motion_frames() > kMaxMotionFrames) {
+      throw InputError(fmt::format(
+          "a rate limit of {} {}/s (--rate-limit): from limit to limit takes {:.3g} frames; "
+          "expected at most {:.0f}",
+          rate, arm.command.unit, arm.max_motion_frames(), kMaxMotionFrames));
+    }
   }
   return arm;
 }

@@ -87,6 +87,9 @@ TEST(PlanWithModel, MovesNoFasterThanAskedAndStaysAPlanOfTheArm) {
     EXPECT_THAT([&] { (void)s.plan(slow); },
                 ThrowsMessage<InputError>(HasSubstr("at most the arm's 100")));
   }
+  slow.rate_limit_kpa_per_s = 1e-9;
+  EXPECT_THAT([&] { (void)s.plan(slow); },
+              ThrowsMessage<InputError>(HasSubstr("frames; expected at most 1000000")));
 }
 
 TEST(PlanWithModel, KeepsTheErrorThatTheModelStates) {

@@ -18,6 +18,7 @@ class YamlReader;
 
 /// An arm of more segments is refused; sizes the stack storage of solvers.
 inline constexpr int kMaxSegments = 64;
+inline constexpr double kMaxMotionFrames = 1e6;  ///< from limit to limit: else no motion would end
 
 /// What a segment is given, one signed number, and its unit. If the command is not a pressure,
 /// names that end in `_kpa` hold numbers in the command's unit; messages and files name it.
@@ -154,6 +155,8 @@ struct ArmDescription {
   int frames_in(double seconds) const;
   /// Largest change of a set point within one frame.
   double pressure_step_limit_kpa() const { return pressure_rate_limit_kpa_per_s / frame_rate_hz; }
+  /// That a command takes from one limit to the other, where these are farthest apart.
+  double max_motion_frames() const;
   /// Segment that gap g (between plates g and g + 1) belongs to.
   int segment_of_gap(int gap) const;
 
