@@ -8,8 +8,9 @@ namespace limber {
 
 namespace {
 
-constexpr float kSettledShare = 0.01F;         // of the limit: pressures this near have arrived
-constexpr float kDeadBandRoundingKpa = 1e-3F;  // valves stop at the band's edge
+// Of the largest command.
+constexpr float kSettledShare = 0.01F;      // pressures this near have arrived
+constexpr float kDeadBandRounding = 1e-5F;  // valves stop at the band's edge
 
 }  // namespace
 
@@ -19,11 +20,12 @@ int hold_frame_count(const ArmDescription& arm, const ValveModel& valves,
   if (valves.is_ideal()) {
     return min_frames;
   }
-  Pressures tolerance_kpa = kSettledShare * pressure_limits_kpa(arm);
+  const Pressures limits_kpa = pressure_limits_kpa(arm);
+  Pressures tolerance_kpa = kSettledShare * limits_kpa;
   for (Eigen::Index i = 0; i < tolerance_kpa.size(); ++i) {
     const SegmentValves& segment = valves.parameters().segments[static_cast<std::size_t>(i)];
-    tolerance_kpa[i] = std::max(tolerance_kpa[i],
-                                static_cast<float>(segment.dead_band_kpa) + kDeadBandRoundingKpa);
+    tolerance_kpa[i] = std::max(tolerance_kpa[i], static_cast<float>(segment.dead_band_kpa) +
+                                                      kDeadBandRounding * limits_kpa[i]);
   }
   return std::max(min_frames,
                   valves.frames_to_settle(state, tolerance_kpa, arm.frames_in(kLongestHoldS)));
