@@ -198,6 +198,16 @@ TEST_F(GoalAims, WithOneMeritGrowsWithTheDistanceBeyondIt) {
   }
 }
 
+// What is a tenth of a tolerance worth to plans whose costs are in MPa? As much of their costs.
+TEST_F(GoalAims, AMeritIsOfTheCommandsUnit) {
+  problem_.aim = PoseError{0.005, 0.05};
+  const double in_kpa = GoalAim(problem_).merit_kpa(50.0, tip(0.015, 0.0));
+  for (Segment& segment : arm_.segments) {
+    segment.pressure_limit_kpa = 1e-3 * segment.pressure_limit_kpa.largest_kpa();
+  }
+  EXPECT_NEAR(GoalAim(problem_).merit_kpa(0.05, tip(0.015, 0.0)), 1e-3 * in_kpa, 1e-6);
+}
+
 TEST_F(GoalAims, AnAimWiderThanTheGoalIsTheGoal) {
   problem_.aim = PoseError{0.5, 3.0};
   const GoalAim aim(problem_);

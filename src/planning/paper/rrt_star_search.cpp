@@ -34,6 +34,8 @@ RrtStarSearch::RrtStarSearch(const PlanningProblem& problem, MotionSimulator& si
                     problem.limits),
       scale_kpa_(pressure_scales_kpa(problem.arm)),
       box_(problem.limits.empty() ? pressure_box(problem.arm) : pressure_box(problem.limits)),
+      match_kpa_(static_cast<float>(settings.match_pressure *
+                                    double(pressure_limits_kpa(problem.arm).maxCoeff()))),
       near_gain_(settings.near_factor * min_near_gain(problem.arm.channel_count())),
       tree_(problem.model),
       index_(problem.arm.channel_count()),
@@ -124,8 +126,7 @@ bool RrtStarSearch::matches(const MotionState& end, int node) const {
   const auto valves = tree_.valves(node);
   const auto backbone = tree_.backbone(node);
   return end.setpoint_kpa() == valves.segment(n, n) &&
-         (end.valves - valves).lpNorm<Eigen::Infinity>() <=
-             static_cast<float>(settings_.match_pressure_kpa) &&
+         (end.valves - valves).lpNorm<Eigen::Infinity>() <= match_kpa_ &&
          largest_plate_distance_m(end.backbone, backbone) <= settings_.match_position_m &&
          (end.backbone - backbone).col(2).lpNorm<Eigen::Infinity>() <=
              static_cast<float>(settings_.match_orientation_rad);

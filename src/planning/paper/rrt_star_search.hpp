@@ -75,6 +75,7 @@ class RrtStarSearch {
   GoalSampler goal_sampler_;
   Pressures scale_kpa_;  // distances are measured in it
   PressureBox box_;
+  float match_kpa_;  // between pressures of a node and of what may stand for it
   double near_gain_;
 
   PressureTree tree_;

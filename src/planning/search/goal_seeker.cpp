@@ -6,6 +6,7 @@
 
 #include "limber/arm/damped_solve.hpp"
 #include "limber/arm/jacobian.hpp"
+#include "limber/world/pressure_box.hpp"
 
 namespace limber {
 
@@ -13,7 +14,8 @@ namespace {
 
 constexpr double kNewtonToleranceM = 1e-3;  // of an inverse-kinematics solution
 constexpr double kNewtonToleranceRad = 0.01;
-constexpr double kStepDamping = 1e-3;  // of the step's normal matrix, of its trace
+constexpr double kLimitsPerTolerance = 20.0;  // of the largest command, for merits
+constexpr double kStepDamping = 1e-3;         // of the step's normal matrix, of its trace
 
 }  // namespace
 
@@ -24,7 +26,10 @@ double goal_error(const PoseGoal& goal, const Pose& tip) {
 }
 
 GoalAim::GoalAim(const PlanningProblem& problem)
-    : goal_(problem.environment.goal), inner_(problem.environment.goal) {
+    : goal_(problem.environment.goal),
+      inner_(problem.environment.goal),
+      kpa_per_tolerance_(kLimitsPerTolerance *
+                         double(pressure_limits_kpa(problem.arm).maxCoeff())) {
   if (problem.aim) {
     inner_.position_tolerance_m = std::min(goal_.position_tolerance_m, problem.aim->position_m);
     inner_.orientation_tolerance_rad =

@@ -24,13 +24,13 @@ class GoalAim {
   double beyond(const Pose& held_tip) const;
   /// The number that plans are compared by: their cost, plus much more if they end beyond the aim.
   double merit_kpa(double cost_kpa, const Pose& held_tip) const {
-    return cost_kpa + kKpaPerTolerance * beyond(held_tip);
+    return cost_kpa + kpa_per_tolerance_ * beyond(held_tip);
   }
 
  private:
-  static constexpr double kKpaPerTolerance = 2000.0;  // several times what plans cost
   PoseGoal goal_;
   PoseGoal inner_;
+  double kpa_per_tolerance_;  // several times what plans cost
 };
 
 /// Configurations whose no-load tip lies in the goal's region, sampled one by one (the paper's goal
