@@ -122,8 +122,8 @@ void bind_inverse_kinematics(py::module_& module) {
              "Largest number of Newton steps from each start, 1 to 1000.")
       .field("convergence_m", &Settings::convergence_m,
              "A start is done when the tip is this near to the goal [m], > 0.")
-      .field("distinct_pressure_kpa", &Settings::distinct_pressure_kpa,
-             "Solutions differ by more than this in some segment [kPa], >= 0.")
+      .field("distinct_pressure", &Settings::distinct_pressure,
+             "Solutions differ by more than this share of some segment's largest command, >= 0.")
       .keywords()
       .done();
   Record<Result>(module, "InverseKinematicsResult",

@@ -173,12 +173,12 @@ void require_valid(const PoseGoal& goal, const InverseKinematicsSettings& settin
   }
   if (settings.starts < 1 || settings.starts > kMaxStarts || settings.max_solutions < 1 ||
       settings.iterations < 1 || settings.iterations > kMaxIterations ||
-      !(settings.convergence_m > 0.0) || !(settings.distinct_pressure_kpa >= 0.0)) {
+      !(settings.convergence_m > 0.0) || !(settings.distinct_pressure >= 0.0)) {
     throw InputError(fmt::format(
         "inverse kinematics: {} starts, {} solutions, {} iterations, convergence of {} m, distinct "
-        "by {} kPa; all must be positive, at most {} starts and {} iterations",
+        "by {} of the largest command; all must be positive, at most {} starts and {} iterations",
         settings.starts, settings.max_solutions, settings.iterations, settings.convergence_m,
-        settings.distinct_pressure_kpa, kMaxStarts, kMaxIterations));
+        settings.distinct_pressure, kMaxStarts, kMaxIterations));
   }
 }
 
@@ -207,8 +207,11 @@ InverseKinematicsResult solve_inverse_kinematics(const NoLoadModel& model, const
   require_valid(goal, settings);
   const int n = model.segment_count();
   double arm_length_m = 0.0;
+  Eigen::VectorXd distinct_kpa(n);
   for (int i = 0; i < n; ++i) {
     arm_length_m += model.segment(i).length_m;
+    distinct_kpa[i] =
+        settings.distinct_pressure * model.segment(i).pressure_limit_kpa.largest_kpa();
   }
   InverseKinematicsResult result;
   double min_excess = std::numeric_limits<double>::infinity();
@@ -228,7 +231,7 @@ InverseKinematicsResult solve_inverse_kinematics(const NoLoadModel& model, const
       result.best_pressures_kpa = pressures;
     }
     const auto is_same = [&](const Eigen::VectorXd& other) {
-      return (other - pressures).cwiseAbs().maxCoeff() <= settings.distinct_pressure_kpa;
+      return ((other - pressures).cwiseAbs().array() <= distinct_kpa.array()).all();
     };
     if (is_within(goal, error) &&
         std::none_of(result.pressures_kpa.begin(), result.pressures_kpa.end(), is_same)) {

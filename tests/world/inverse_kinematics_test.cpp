@@ -119,7 +119,7 @@ TEST(InverseKinematics, SolutionsAreDistinct) {
   const NoLoadModel model(arm_of(3));
   RandomStream random(23, 0);
   InverseKinematicsSettings settings;
-  settings.distinct_pressure_kpa = 5.0;
+  settings.distinct_pressure = 0.05;  // of 100 kPa
   const auto result =
       solve_inverse_kinematics(model, {0.5, 0.2, std::nullopt, 0.001, 0.05}, settings, random);
   ASSERT_EQ(result.pressures_kpa.size(), 8u);  // three pressures for two coordinates: a curve
@@ -127,6 +127,23 @@ TEST(InverseKinematics, SolutionsAreDistinct) {
     for (std::size_t b = a + 1; b < result.pressures_kpa.size(); ++b) {
       EXPECT_GT((result.pressures_kpa[a] - result.pressures_kpa[b]).cwiseAbs().maxCoeff(), 5.0);
     }
+  }
+}
+
+TEST(InverseKinematics, SolutionsAreAsManyInAnyUnit) {
+  for (const double per_kpa : {1.0, 1e-3, 1e3}) {
+    ArmDescription arm = arm_of(3);
+    for (Segment& segment : arm.segments) {
+      segment.pressure_limit_kpa = per_kpa * segment.pressure_limit_kpa.largest_kpa();
+      double power = 1.0;
+      for (double& coefficient : segment.strain_polynomial) {
+        coefficient /= power *= per_kpa;
+      }
+    }
+    RandomStream random(23, 0);
+    const auto result = solve_inverse_kinematics(NoLoadModel(arm),
+                                                 {0.5, 0.2, std::nullopt, 0.001, 0.05}, {}, random);
+    EXPECT_EQ(result.pressures_kpa.size(), 8u) << per_kpa;
   }
 }
 
@@ -217,7 +234,7 @@ TEST(InverseKinematics, RefusesGoalsThatAreNoNumbersAndSettingsThatCannotWork) {
   for (const InverseKinematicsSettings& settings :
        {InverseKinematicsSettings{.starts = 0}, InverseKinematicsSettings{.max_solutions = 0},
         InverseKinematicsSettings{.iterations = 0}, InverseKinematicsSettings{.convergence_m = 0.0},
-        InverseKinematicsSettings{.distinct_pressure_kpa = -1.0}}) {
+        InverseKinematicsSettings{.distinct_pressure = -1.0}}) {
     EXPECT_THAT(
         [&] {
           solve({0.1, 0.0}, settings);

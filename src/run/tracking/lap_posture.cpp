@@ -17,7 +17,7 @@ constexpr int kShapesPerPoint = 24;
 constexpr int kShapeStarts = 96;        // of inverse kinematics, per point
 constexpr double kKeptOfLimits = 0.85;  // friction and load take the rest
 constexpr double kTipTolerance_m = 0.002;
-constexpr double kDistinctKpa = 4.0;
+constexpr double kDistinct = 0.04;       // of the largest command
 constexpr double kPostureWeight = 0.02;  // of distance from the middle, beside a step's square
 
 /// One shape at one point of the lap, and the cheapest way there.
@@ -71,7 +71,7 @@ std::vector<Shapes> shapes_along(const NoLoadModel& model, const TipPath& path,
   InverseKinematicsSettings settings;
   settings.starts = kShapeStarts;
   settings.max_solutions = kShapesPerPoint;
-  settings.distinct_pressure_kpa = kDistinctKpa;
+  settings.distinct_pressure = kDistinct;
   for (const PressureLimits& of : limits) {
     settings.limits.push_back({kKeptOfLimits * of.lower_kpa, kKeptOfLimits * of.upper_kpa});
   }

@@ -15,11 +15,11 @@ namespace limber {
 class RandomStream;
 
 struct InverseKinematicsSettings {
-  int starts = 40;                     ///< random configurations Newton starts from, 1 to 10000
-  int max_solutions = 8;               ///< stops early at this many distinct ones, ≥ 1
-  int iterations = 60;                 ///< Newton steps per start, 1 to 1000
-  double convergence_m = 1e-10;        ///< a start is done at this residual, > 0
-  double distinct_pressure_kpa = 1.0;  ///< solutions differ by more than this in some segment
+  int starts = 40;                  ///< random configurations Newton starts from, 1 to 10000
+  int max_solutions = 8;            ///< stops early at this many distinct ones, ≥ 1
+  int iterations = 60;              ///< Newton steps per start, 1 to 1000
+  double convergence_m = 1e-10;     ///< a start is done at this residual, > 0
+  double distinct_pressure = 0.01;  ///< solutions differ by more of some segment's largest command
   /// Of each segment, within the model's; empty: the model's.
   std::vector<PressureLimits> limits = {};
 };
