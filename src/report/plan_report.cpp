@@ -90,8 +90,9 @@ std::string to_text(const Certificate& certificate, const ArmDescription& arm,
                                : fmt::format("refused: {}: {}\n", failure.check, failure.message);
   }
   if (!certificate.certified()) {
-    return text + fmt::format("not certified: {} of {} frames' checks failed as above",
-                              certificate.failures.size(), certificate.frames);
+    const std::size_t count = certificate.failures.size();
+    return text + fmt::format("not certified: {} {} as above; {} frames in all", count,
+                              count == 1 ? "failure" : "failures", certificate.frames);
   }
   const std::string where =
       certificate.clearance_obstacle < 0

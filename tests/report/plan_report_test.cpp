@@ -31,5 +31,14 @@ TEST(PlanReport, SaysHowFarThePlanKeepsFromObstaclesWhereThereAreSome) {
                     Not(HasSubstr("inf"))));
 }
 
+TEST(PlanReport, CountsWhatIsWrongWithAPlanAndNotItsFrames) {
+  Certificate certificate;
+  certificate.frames = 68;
+  certificate.failures = {{"claims", -1, "clearance_m = 1; found 2"}};
+  EXPECT_THAT(to_text(certificate, ArmDescription(), Environment()),
+              AllOf(HasSubstr("refused: claims: clearance_m = 1"),
+                    HasSubstr("not certified: 1 failure as above; 68 frames in all")));
+}
+
 }  // namespace
 }  // namespace limber
