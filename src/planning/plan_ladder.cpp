@@ -70,13 +70,18 @@ void close_search(const PlannerBudget& budget, const PressureTree& tree, Planner
     return;
   }
   result.events = budget.events();
-  // Those that were cheaper, and did not hold.
+  // Those that were cheaper, and did not hold. With an aim the first plan, too, may be cheaper than
+  // the last.
+  const double min_kpa = result.first_solution
+                             ? std::min(result.plan->cost_kpa, result.first_solution->cost_kpa)
+                             : result.plan->cost_kpa;
   std::erase_if(result.events, [&](const PlannerProgress& event) {
-    return *event.best_cost_kpa < result.plan->cost_kpa - kRoundingKpa;
+    return *event.best_cost_kpa < min_kpa - kRoundingKpa;
   });
   end.time_s = result.statistics.time_s;
   end.queries = result.statistics.queries;
   end.best_cost_kpa = result.plan->cost_kpa;
+  end.tree = {};  // of a search that is over
   result.events.push_back(end);
 }
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "limber/arm/pressure_limits.hpp"
 #include "limber/forward/motion_simulator.hpp"
 
 namespace limber {
@@ -10,11 +11,15 @@ MotionState start_of(const PlanningProblem& problem) {
   return state_of(start_state(problem.environment, problem.arm), problem.model);
 }
 
+std::vector<PressureLimits> limits_of(const PlanningProblem& problem) {
+  return problem.limits.empty() ? limits_of(problem.arm) : problem.limits;
+}
+
 PressureBox setpoints_of(const PlanningProblem& problem) {
-  const PressureBox box = problem.stay_within == nullptr
-                              ? pressure_box(problem.arm)
-                              : problem.stay_within->setpoints_of(problem.arm);
-  return problem.limits.empty() ? box : box.within(pressure_box(problem.limits));
+  const PressureBox box = pressure_box(limits_of(problem));
+  return problem.stay_within == nullptr
+             ? box
+             : problem.stay_within->setpoints_of(problem.arm).within(box);
 }
 
 PlanningProblem problem_with_room(const ArmDescription& arm, const MotionModel& model,

@@ -1,5 +1,6 @@
 #include "limber/planning/problem_check.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -28,13 +29,30 @@ std::string margin_note(const PlanningProblem& problem) {
              : std::string();
 }
 
+/// Half width that the tip has anywhere in the goal's disc. Of a tube that grows, the tip's own room
+/// where the disc is nearest to its start: the plate before it may have any.
+double min_tip_radius_m(const PlanningProblem& problem, const CollisionChecker& checker) {
+  const int gap = problem.arm.point_count() - 2;
+  if (!problem.tube || problem.tube->growth.is_constant()) {
+    return checker.radius_m(gap);
+  }
+  const PoseGoal& goal = problem.environment.goal;
+  const Pose tip = tip_pose(start_state(problem.environment, problem.arm).backbone);
+  const double moved_m = std::hypot(goal.x_m - tip.x_m, goal.y_m - tip.y_m);
+  const double min_moved_m = std::max(0.0, moved_m - goal.position_tolerance_m);
+  const std::vector<double>& full_m = problem.tube->plate_radius_m;
+  const auto before = static_cast<std::size_t>(gap);
+  return checker.radius_m(gap) - std::max(full_m[before], full_m[before + 1]) +
+         full_m[before + 1] * problem.tube->growth.share_after(min_moved_m);
+}
+
 /// Refused where no point of the goal's disc is far enough from some one obstacle: the distance to
 /// an obstacle rises by at most the tolerance within it.
 void check_goal_clearance(const PlanningProblem& problem, const CollisionChecker& checker,
                           ProblemCheck& result) {
   const Environment& environment = problem.environment;
   const PoseGoal& goal = environment.goal;
-  const double tip_radius = checker.radius_m(problem.arm.point_count() - 2);
+  const double tip_radius = min_tip_radius_m(problem, checker);
   for (std::size_t i = 0; i < environment.obstacles.size(); ++i) {
     const ObstacleShape shape = make_obstacle_shape(environment.obstacles[i], static_cast<int>(i));
     const double distance = signed_distance(shape, Eigen::Vector2d(goal.x_m, goal.y_m));
@@ -76,14 +94,15 @@ void check_goal_reach(const PlanningProblem& problem, ProblemCheck& result) {
 /// A plan's first set points are the start's: they have to be within its limits.
 void check_start_limits(const PlanningProblem& problem, ProblemCheck& result) {
   const Pressures start_kpa = start_state(problem.environment, problem.arm).setpoint_kpa();
-  for (std::size_t i = 0; i < problem.limits.size(); ++i) {
+  const std::vector<PressureLimits> limits = limits_of(problem);
+  for (std::size_t i = 0; i < limits.size(); ++i) {
     const double value = start_kpa[static_cast<Eigen::Index>(i)];
-    if (!problem.limits[i].contains(value)) {
+    if (!limits[i].contains(value)) {
       result.refusal = PlanStatus::invalid_start;
       result.reason = fmt::format(
           "the arm starts with {} at {:.6g} {unit}; the limits to plan within are {} {unit}: widen "
           "them, or move the start",
-          segment_name(static_cast<Eigen::Index>(i)), value, to_string(problem.limits[i]),
+          segment_name(static_cast<Eigen::Index>(i)), value, to_string(limits[i]),
           fmt::arg("unit", problem.arm.command.unit));
       return;
     }

@@ -61,6 +61,17 @@ TEST_F(Judge, RefusesAPlanThatEndsElsewhereAndSaysWhy) {
                                        "certificate, the cheapest for this: goal"));
 }
 
+TEST_F(Judge, NamesAFrameOnlyWhereOneIsToBlame) {
+  Plan plan = build(sound_kpa_);
+  plan.clearance_m += 0.01;
+  EXPECT_EQ(judge_.judge(plan, kNever), Verdict::refused);
+  PlanResult result;
+  result.status = PlanStatus::not_certified;
+  result.best_partial = plan;
+  judge_.report(result);
+  EXPECT_THAT(result.reason, HasSubstr("for this: claims: clearance_m = "));
+}
+
 TEST_F(Judge, PassesOnPlansThatHoldWithTheirFiguresAndNoOthers) {
   std::vector<Plan> passed_on;
   problem_.on_plan = [&](const Plan& plan) { passed_on.push_back(plan); };

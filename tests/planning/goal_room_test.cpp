@@ -9,6 +9,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 class GoalRoom : public ::testing::Test {
  protected:
@@ -56,6 +57,30 @@ TEST_F(GoalRoom, AnErrorToKeepRoomForMakesTheInnerTenthTheAim) {
   ASSERT_TRUE(aim);
   EXPECT_NEAR(aim->position_m, 0.002, 1e-12);
   EXPECT_NEAR(aim->orientation_rad, 0.03, 1e-12);
+}
+
+TEST_F(GoalRoom, AReasonThatNamesTheToleranceSaysWhatIsKeptOfIt) {
+  setting_.environment.goal.orientation_tolerance_rad = 0.002;  // which no first round meets
+  problem_.goal_margin = {0.01, 0.0};
+  PlannerLimits limits;
+  limits.iterations = 1;
+  const PlanResult result = make_planner("default")->plan(problem_, limits, 3);
+  ASSERT_EQ(result.status, PlanStatus::limit);
+  EXPECT_THAT(result.reason, HasSubstr("(tolerance 1.0 cm)"));
+  EXPECT_THAT(result.reason, HasSubstr("; 1.01 cm of the tolerance are kept for the model's"));
+}
+
+// Nearer than the searches' reserve: nothing that the goal's tolerances could change.
+TEST_F(GoalRoom, IsNotToBlameForAStartBesideAnObstacle) {
+  problem_.goal_margin = {0.01, 0.0};
+  setting_.environment.obstacles = {Circle{0.3, 0.1, 0.02}};
+  const double away_m = checker_of(problem_).clearance(start_of(problem_).backbone).value_m;
+  setting_.environment.obstacles = {Circle{0.3, 0.1 - away_m + 1.5e-4, 0.02}};
+  PlannerLimits limits;
+  limits.iterations = 1;
+  const PlanResult result = make_planner("default")->plan(problem_, limits, 3);
+  EXPECT_EQ(result.status, PlanStatus::invalid_start);
+  EXPECT_THAT(result.reason, Not(HasSubstr("--goal-margin-m")));
 }
 
 TEST_F(GoalRoom, TellsWhetherThereIsRoomAndWarnsWhereNot) {

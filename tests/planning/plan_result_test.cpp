@@ -84,6 +84,24 @@ TEST_F(PlanResults, EventsEndWithThePlanAndNoneIsCheaper) {
   EXPECT_TRUE(result.tree.empty());
 }
 
+// With an aim plans get dearer; their first one is told all the same.
+TEST_F(PlanResults, EventsBeginWithTheFirstPlanAndKeepNoTree) {
+  for (const double cost_kpa : {20.0, 10.0}) {
+    budget_.note(progress(cost_kpa));
+  }
+  PlanResult result;
+  result.plan = build_plan(problem_, simulator_, aside_kpa_, "test", 7);
+  result.first_solution = FirstSolution{.cost_kpa = 20.0};
+  PressureTree tree(problem_.model);
+  tree.add(start_of(problem_), -1, 0.0);
+  PlannerProgress end = progress(10.0);
+  end.tree = [] { return std::vector<TreeEdge>(); };
+  close_search(budget_, tree, end, result);
+  ASSERT_EQ(result.events.size(), 2U);
+  EXPECT_EQ(*result.events.front().best_cost_kpa, 20.0);
+  EXPECT_FALSE(result.events.back().tree) << "what it would ask is gone";
+}
+
 TEST_F(PlanResults, TheTreeForPicturesLeadsFromTipToTip) {
   PressureTree tree(problem_.model);
   tree.add(start_of(problem_), -1, 0.0);

@@ -90,6 +90,30 @@ TEST_F(ProblemChecks, AGoalIsInCollisionWhereNoPointOfItsDiscIsFree) {
   EXPECT_LT(refused, 190);
 }
 
+// Where a plate has not moved far it has only a part of its tube.
+TEST_F(ProblemChecks, OfATubeThatGrowsTheTipHasAPartNearItsStart) {
+  const auto plates = static_cast<std::size_t>(setting_.arm.point_count());
+  setting_.environment.goal = {0.6, 0.2, std::nullopt, 0.02, 0.3};
+  setting_.environment.obstacles = {Circle{0.6, 0.3, 0.02}};  // 8 cm from the goal
+  PlanTube tube;
+  tube.plate_radius_m.assign(plates, 0.1);
+  problem_.tube = tube;
+  EXPECT_EQ(find_refusal(problem_, checker_of(problem_)).refusal, PlanStatus::goal_in_collision);
+  problem_.tube->growth = {0.1, 10.0};
+  EXPECT_FALSE(find_refusal(problem_, checker_of(problem_)).refusal);
+  setting_.environment.obstacles = {Circle{0.6, 0.22, 0.02}};  // at whose rim it is
+  EXPECT_EQ(find_refusal(problem_, checker_of(problem_)).refusal, PlanStatus::goal_in_collision);
+}
+
+// Its first set points are a plan's first.
+TEST_F(ProblemChecks, AStartBeyondTheArmsOwnLimitsIsRefused) {
+  setting_.environment.start = start_state(setting_.environment, setting_.arm);
+  setting_.environment.start->setpoints_kpa = {Pressures::Constant(3, 100.0F)};
+  EXPECT_FALSE(refusal());
+  setting_.environment.start->setpoints_kpa[0][1] = 101.0F;
+  EXPECT_EQ(refusal(), PlanStatus::invalid_start);
+}
+
 TEST_F(ProblemChecks, TheMarginCountsAtStartAndGoalAndIsNamed) {
   setting_.environment.obstacles = {Circle{0.3, 0.06, 0.02}};
   EXPECT_FALSE(refusal());

@@ -28,6 +28,18 @@ bool is_refusal(PlanStatus status) {
          status == PlanStatus::goal_in_collision;
 }
 
+/// Searches name the tolerance that they were given.
+std::string kept_of_tolerance(const PlanningProblem& problem) {
+  if (problem.goal_margin.position_m <= 0.0) {
+    return "";
+  }
+  const double searched_m =
+      with_room(problem.environment, problem.goal_margin).goal.position_tolerance_m;
+  return fmt::format(
+      "; {:.2f} cm of the tolerance are kept for the model's error: --goal-margin-m 0 keeps none",
+      (problem.environment.goal.position_tolerance_m - searched_m) * kCmPerM);
+}
+
 class CertifiedPlanner final : public Planner {
  public:
   CertifiedPlanner(std::unique_ptr<Planner> planner, int jobs, Valves valves)
@@ -86,21 +98,19 @@ class CertifiedPlanner final : public Planner {
     const CollisionChecker checker = checker_of(problem);
     if (result.status == PlanStatus::limit) {
       const std::string note = reached_only_in_collision(problem, checker, seed, is_late);
-      result.reason += note.empty() ? "" : "; " + note;
+      result.reason += (result.best_partial ? kept_of_tolerance(problem) : "") +
+                       (note.empty() ? "" : "; " + note);
       return;
     }
     if (!is_refusal(result.status)) {
       return;
     }
-    const ProblemCheck check = check_problem(problem, checker, seed);
+    const ProblemCheck check = find_refusal(problem, checker);
     if (check.refusal) {
       result.status = *check.refusal;
       result.reason = check.reason;
-    } else if (problem.goal_margin.position_m > 0.0) {
-      result.reason += fmt::format(
-          "; {:.2f} cm of the tolerance are kept for the "
-          "model's error: --goal-margin-m 0 keeps none",
-          problem.goal_margin.position_m * kCmPerM);
+    } else if (result.status != PlanStatus::invalid_start) {
+      result.reason += kept_of_tolerance(problem);
     }
   }
 

@@ -80,12 +80,12 @@ void CertifyingJudge::report(PlanResult& result) {
       return;
     }
     const CertificateFailure& first = refused_->failures.front();
+    const std::string where = first.frame >= 0 ? frame_name(first.frame) + ": " : "";
     result.reason = fmt::format(
         "every plan that planner '{}' found is refused by its certificate, the cheapest for this: "
-        "{}: {}: {}; if the model is not at fault, the planner is: please report it with "
+        "{}: {}{}; if the model is not at fault, the planner is: please report it with "
         "arm, model, environment and seed {}",
-        result.best_partial->planner, first.check, frame_name(first.frame), first.message,
-        result.best_partial->seed);
+        result.best_partial->planner, first.check, where, first.message, result.best_partial->seed);
   }
 }
 

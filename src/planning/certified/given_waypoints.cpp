@@ -83,6 +83,7 @@ void require_waypoints(const PlanningProblem& problem, const std::vector<Pressur
   if (kpa.empty()) {
     throw InputError("no waypoints; expected at least one, to which the motion goes");
   }
+  const std::vector<PressureLimits> all_limits = limits_of(problem);
   for (std::size_t w = 0; w < kpa.size(); ++w) {
     if (kpa[w].size() != problem.arm.channel_count()) {
       throw InputError(fmt::format("{} has {} set points; arm '{}' has {} segments",
@@ -90,10 +91,7 @@ void require_waypoints(const PlanningProblem& problem, const std::vector<Pressur
                                    problem.arm.channel_count()));
     }
     for (Eigen::Index i = 0; i < kpa[w].size(); ++i) {
-      const auto index = static_cast<std::size_t>(i);
-      const PressureLimits& limits = problem.limits.empty()
-                                         ? problem.arm.segments[index].pressure_limit_kpa
-                                         : problem.limits[index];
+      const PressureLimits& limits = all_limits[static_cast<std::size_t>(i)];
       if (!limits.contains(double(kpa[w][i]))) {  // NaN neither
         throw InputError(fmt::format(
             "{}: {} at {:.6g} {unit}; expected within {} {unit}", waypoint_name(w), segment_name(i),

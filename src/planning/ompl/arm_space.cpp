@@ -33,11 +33,8 @@ const double* values(const oc::Control* control) {
   return control->as<oc::RealVectorControlSpace::ControlType>()->values;
 }
 
-/// What set points of a segment may be.
-PressureLimits limits_of(const ArmWorld& world, int segment) {
-  const auto i = static_cast<std::size_t>(segment);
-  return world.problem.limits.empty() ? world.problem.arm.segments[i].pressure_limit_kpa
-                                      : world.problem.limits[i];
+const PressureLimits& limits_of(const ArmWorld& world, int segment) {
+  return world.limits[static_cast<std::size_t>(segment)];
 }
 
 /// What distances between set points are measured in.

@@ -31,6 +31,8 @@ struct ArmWorld {
   RandomStream random;
   std::vector<Pressures> goal_configurations = {};
   std::uint64_t states = 0;  ///< that OMPL holds now
+  /// What set points of each segment may be.
+  std::vector<PressureLimits> limits = limits_of(problem);
 
   int segments() const { return problem.arm.segment_count(); }
   int valves() const { return problem.model.valves().state_size(); }

@@ -191,7 +191,8 @@ class OmplRun {
     offer_improvement();
     budget_.keep_for_the_end(kSecondsToFreeAState * double(world_.states) + judging_s_);
     const std::optional<double> best_kpa = ladder_->best_cost_kpa();
-    return budget_.spent({budget_.elapsed_s(), 0, world_.states, simulator_.queries(), best_kpa},
+    return budget_.spent({budget_.elapsed_s(), 0, world_.states, simulator_.queries(), best_kpa,
+                          [] { return std::vector<TreeEdge>(); }},
                          0.0);
   }
 

@@ -12,9 +12,8 @@ struct PressureRrtStarSettings {
   double goal_bias = 0.2;         ///< share of samples at inverse-kinematics solutions, in [0, 1]
   double goal_spread = 0.1;       ///< standard deviation about such a solution: it is approximate
   int goal_configurations = 200;  ///< solutions sampled before they are used again, ≥ 1
-  double match_pressure =
-      0.01;  ///< of the largest limit: a rewired node's set points are the same,
-             ///< its pressures agree so
+  /// Of the largest limit: a rewired node's set points are the same, its pressures agree so,
+  double match_pressure = 0.01;
   double match_position_m = 0.005;  ///< and its backbone agrees at every plate
   double match_orientation_rad = 0.05;
   double hold_position_m = 0.05;  ///< nodes whose tip is this near the goal are held and judged

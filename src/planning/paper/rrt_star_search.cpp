@@ -33,7 +33,7 @@ RrtStarSearch::RrtStarSearch(const PlanningProblem& problem, MotionSimulator& si
       goal_sampler_(problem.model.no_load(), problem.environment.goal, settings.goal_configurations,
                     problem.limits),
       scale_kpa_(pressure_scales_kpa(problem.arm)),
-      box_(problem.limits.empty() ? pressure_box(problem.arm) : pressure_box(problem.limits)),
+      box_(pressure_box(limits_of(problem))),
       match_kpa_(static_cast<float>(settings.match_pressure *
                                     double(pressure_limits_kpa(problem.arm).maxCoeff()))),
       near_gain_(settings.near_factor * min_near_gain(problem.arm.channel_count())),

@@ -64,6 +64,8 @@ CollisionChecker checker_of(const PlanningProblem& problem);
 
 /// The state that the environment starts with, at rest or in motion.
 MotionState start_of(const PlanningProblem& problem);
+/// What set points keep: the problem's limits, or else the arm's.
+std::vector<PressureLimits> limits_of(const PlanningProblem& problem);
 /// Set points that a plan may use.
 PressureBox setpoints_of(const PlanningProblem& problem);
 
