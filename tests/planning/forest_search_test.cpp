@@ -60,14 +60,15 @@ class ForestSearches : public ::testing::Test {
     std::uint64_t queries = 0;
   };
 
-  static Found search(const PlanningProblem& problem, int jobs = 1) {
+  /// @param stand  whether a solution is a plan; else all of them are refused
+  static Found search(const PlanningProblem& problem, int jobs = 1, bool stand = true) {
     const CollisionChecker checker(problem.arm, problem.environment.obstacles);
     PathSimulator simulator(problem, checker, {0.05, 0.5}, jobs);
     BatchSearch tree(problem, simulator, {}, 1);
     ForestSearch search(*forest_, problem, checker, simulator, tree);
     Found found;
     for (ForestSearch::Round round{true, {}}; round.more && found.rounds < kNodes; ++found.rounds) {
-      round = search.round(kNever);
+      round = search.round(kNever, stand && !tree.solutions().empty());
       for (const BatchSearch::Solution& one : round.found) {
         found.solutions.push_back(one);
         found.waypoints_kpa.push_back(tree.waypoints_to(one.node));
@@ -140,6 +141,44 @@ TEST_F(ForestSearches, SolutionsAreFreeAndEndInTheGoal) {
     }
   }
   EXPECT_GT(count, 20U);
+}
+
+TEST_F(ForestSearches, GoOnWhereAllThatTheyFoundIsRefused) {
+  Setting& s = *setting_;
+  const PlanningProblem problem{s.arm, s.model, s.environment};
+  std::size_t standing = 0, refused = 0;
+  for (const PoseGoal& goal : goals()) {
+    s.environment.goal = goal;
+    standing += search(problem).solutions.size();
+    refused += search(problem, 1, false).solutions.size();
+  }
+  EXPECT_GT(refused, standing);
+}
+
+TEST_F(ForestSearches, StayWithinTheSetPointsThatWereRecorded) {
+  Setting& s = *setting_;
+  PlanningProblem problem{s.arm, s.model, s.environment};
+  const Eigen::Index joint = 3 + 3 * (s.arm.point_count() - 1);
+  LearntRegion learnt;  // any shape and rate is known
+  learnt.low_kpa = Pressures::Constant(3, -60.0F);
+  learnt.high_kpa = Pressures::Constant(3, 60.0F);
+  learnt.steepest_fall_kpa_per_s = learnt.steepest_rise_kpa_per_s = Pressures::Constant(3, 1e6F);
+  learnt.joint_offset = Eigen::VectorXf::Zero(joint);
+  learnt.joint_scale = Eigen::VectorXf::Ones(joint);
+  learnt.axes = Eigen::MatrixXf::Zero(1, joint);
+  learnt.axes(0, joint - 1) = 1.0F;
+  learnt.axis_low = Eigen::VectorXf::Constant(1, -100.0F);
+  learnt.axis_high = Eigen::VectorXf::Constant(1, 100.0F);
+  const RecordedRegion region(learnt, s.arm.frame_rate_hz);
+  problem.stay_within = &region;
+  for (const PoseGoal& goal : goals()) {
+    s.environment.goal = goal;
+    for (const std::vector<Pressures>& waypoints_kpa : search(problem).waypoints_kpa) {
+      for (const Pressures& kpa : waypoints_kpa) {
+        EXPECT_LE(kpa.cwiseAbs().maxCoeff(), 60.0F);
+      }
+    }
+  }
 }
 
 TEST_F(ForestSearches, AreTheSameForAnyNumberOfThreads) {

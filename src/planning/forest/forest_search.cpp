@@ -112,7 +112,7 @@ ForestSearch::ForestSearch(const Forest& forest, const PlanningProblem& problem,
       simulator_(simulator),
       search_(search),
       filter_(forest, problem, checker),
-      limits_(problem.limits.empty() ? std::nullopt : std::optional(pressure_box(problem.limits))),
+      setpoints_(setpoints_of(problem)),
       in_goal_(those_in_goal()),
       near_left_(kMaxNear) {
   grafted_[0] = 0;
@@ -154,10 +154,9 @@ std::optional<ForestSearch::Candidate> ForestSearch::candidate(int node, bool st
   for (; known_.count(i) == 0; i = forest_.parents[static_cast<std::size_t>(i)]) {
     found.path.push_back(i);
   }
-  // Of the problem: a forest is grown within the arm's.
-  const bool is_within_limits = !limits_ || std::ranges::all_of(found.path, [this](int passed) {
-    return limits_->limited(forest_.setpoints_kpa.col(passed)) ==
-           Pressures(forest_.setpoints_kpa.col(passed));
+  const bool is_within_limits = std::ranges::all_of(found.path, [this](int passed) {
+    const Pressures kpa = forest_.setpoints_kpa.col(passed);
+    return setpoints_.limited(kpa) == kpa;
   });
   if (!is_within_limits) {
     return std::nullopt;
@@ -208,12 +207,12 @@ ForestSearch::Batch ForestSearch::collect(Ranking& nodes, std::size_t wanted, bo
 }
 
 /// Those that end in the goal; once there are none, and still no plan, those near it.
-ForestSearch::Batch ForestSearch::next_batch(const std::function<bool()>& give_up) {
+ForestSearch::Batch ForestSearch::next_batch(const std::function<bool()>& give_up, bool has_plan) {
   const auto wanted = [this](std::size_t first) {
     return std::min(first << std::min(rounds_, 8), kMaxBatch);
   };
   Batch batch = collect(in_goal_, wanted(kFirstBatch), false, give_up);
-  if (in_goal_.empty() && batch.paths.empty() && search_.solutions().empty()) {
+  if (in_goal_.empty() && batch.paths.empty() && !has_plan) {
     if (!near_) {
       near_.emplace(those_near());
     }
@@ -224,11 +223,11 @@ ForestSearch::Batch ForestSearch::next_batch(const std::function<bool()>& give_u
   return batch;
 }
 
-ForestSearch::Round ForestSearch::round(const std::function<bool()>& give_up) {
-  if (!search_.solutions().empty() && ++rounds_since_plan_ > kRoundsWithPlan) {
+ForestSearch::Round ForestSearch::round(const std::function<bool()>& give_up, bool has_plan) {
+  if (has_plan && ++rounds_since_plan_ > kRoundsWithPlan) {
     return {};
   }
-  const Batch batch = next_batch(give_up);
+  const Batch batch = next_batch(give_up, has_plan);
   if (batch.paths.empty()) {
     return {!in_goal_.empty() || (near_ && !near_->empty() && near_left_ > 0), {}};
   }

@@ -61,8 +61,8 @@ class ForestSearch {
     std::vector<BatchSearch::Solution> found;  ///< that the search now has
   };
 
-  /// Tries a batch of motions.
-  Round round(const std::function<bool()>& give_up);
+  /// Tries a batch of motions. @param has_plan  whether one of those found so far stands
+  Round round(const std::function<bool()>& give_up, bool has_plan);
 
  private:
   /// Nodes, those with the smallest numbers first. A heap, because mostly few of them are needed.
@@ -82,7 +82,7 @@ class ForestSearch {
 
   Ranking those_in_goal() const;
   Ranking those_near() const;
-  Batch next_batch(const std::function<bool()>& give_up);
+  Batch next_batch(const std::function<bool()>& give_up, bool has_plan);
   /// Of the first of `nodes`, which are taken out, at most `wanted` that may be free. @param step
   /// toward the goal
   Batch collect(Ranking& nodes, std::size_t wanted, bool step,
@@ -98,9 +98,9 @@ class ForestSearch {
   PathSimulator& simulator_;
   BatchSearch& search_;
   ForestFilter filter_;
-  std::optional<PressureBox> limits_;  // where the problem has its own
-  Ranking in_goal_;                    // nodes that end there, by cost
-  std::optional<Ranking> near_;        // by error; found once they are asked for
+  PressureBox setpoints_;        // that the problem allows: a forest is grown within the arm's
+  Ranking in_goal_;              // nodes that end there, by cost
+  std::optional<Ranking> near_;  // by error; found once they are asked for
   std::size_t near_left_;
   int rounds_ = 0;
   int rounds_since_plan_ = 0;

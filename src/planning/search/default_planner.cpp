@@ -115,7 +115,7 @@ class DefaultRun {
   void take_turn() {
     const std::uint64_t before = paths_.queries();
     if (forest_) {
-      const ForestSearch::Round round = forest_->round(give_up());
+      const ForestSearch::Round round = forest_->round(give_up(), has_plan());
       if (!round.more) {
         forest_.reset();
       }
