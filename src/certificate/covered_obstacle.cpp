@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include <fmt/format.h>
-
 namespace limber {
 
 namespace {
@@ -116,22 +114,6 @@ std::variant<Circle, Rectangle, PolygonOutline> readable(const Obstacle& obstacl
     return *rectangle;
   }
   return PolygonOutline(std::get<Polygon>(obstacle));
-}
-
-bool is_solid(const Obstacle& obstacle) {
-  const auto is_size = [](double size_m) { return std::isfinite(size_m) && size_m > 0.0; };
-  if (const auto* circle = std::get_if<Circle>(&obstacle)) {
-    return std::isfinite(circle->x_m) && std::isfinite(circle->y_m) && is_size(circle->radius_m);
-  }
-  if (const auto* rectangle = std::get_if<Rectangle>(&obstacle)) {
-    return std::isfinite(rectangle->x_m) && std::isfinite(rectangle->y_m) &&
-           std::isfinite(rectangle->angle_rad) && is_size(rectangle->width_m) &&
-           is_size(rectangle->height_m);
-  }
-  const auto& corners_m = std::get<Polygon>(obstacle).points_m;
-  return corners_m.size() >= 3 && std::ranges::all_of(corners_m, [](const Eigen::Vector2d& corner) {
-           return corner.allFinite();
-         });
 }
 
 }  // namespace
@@ -255,15 +237,6 @@ CoveredObstacle::CoveredObstacle(const Obstacle& obstacle)
 
 Reading CoveredObstacle::read(Complex p) const {
   return std::visit([p](const auto& s) { return reading_of(s, p); }, shape);
-}
-
-std::string why_not_solid(const std::vector<Obstacle>& obstacles) {
-  const auto wrong = std::ranges::find_if_not(obstacles, is_solid);
-  return wrong == obstacles.end()
-             ? ""
-             : fmt::format(
-                   "obstacles[{}]: expected finite numbers, sizes > 0, and 3 corners or more",
-                   wrong - obstacles.begin());
 }
 
 }  // namespace limber

@@ -2,7 +2,6 @@
 
 #include <complex>
 #include <limits>
-#include <string>
 #include <variant>
 #include <vector>
 
@@ -74,9 +73,5 @@ struct CoveredObstacle {
   explicit CoveredObstacle(const Obstacle& obstacle);
   Reading read(std::complex<double> p) const;
 };
-
-/// Which of them is no obstacle, in words; empty where all are. Files are read so that all are, but
-/// programs can make others: a NaN lies nowhere, and collides with nothing.
-std::string why_not_solid(const std::vector<Obstacle>& obstacles);
 
 }  // namespace limber

@@ -237,6 +237,9 @@ CollisionChecker::CollisionChecker(const ArmDescription& arm,
     throw InputError(
         fmt::format("margin_m = {}; expected a distance in metres, at least 0", margin_m));
   }
+  if (const std::string why = why_not_solid(obstacles); !why.empty()) {
+    throw InputError(why);
+  }
   for (std::size_t i = 0; i < obstacles.size(); ++i) {
     obstacles_.push_back(make_obstacle_shape(obstacles[i], static_cast<int>(i)));
   }

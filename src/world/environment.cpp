@@ -1,5 +1,6 @@
 #include "limber/world/environment.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -78,7 +79,32 @@ std::string body_to_yaml(const Environment& environment) {
   return text + "goal: " + to_yaml(environment.goal) + "\n";
 }
 
+bool is_solid(const Obstacle& obstacle) {
+  const auto is_size = [](double size_m) { return std::isfinite(size_m) && size_m > 0.0; };
+  if (const auto* circle = std::get_if<Circle>(&obstacle)) {
+    return std::isfinite(circle->x_m) && std::isfinite(circle->y_m) && is_size(circle->radius_m);
+  }
+  if (const auto* rectangle = std::get_if<Rectangle>(&obstacle)) {
+    return std::isfinite(rectangle->x_m) && std::isfinite(rectangle->y_m) &&
+           std::isfinite(rectangle->angle_rad) && is_size(rectangle->width_m) &&
+           is_size(rectangle->height_m);
+  }
+  const auto& corners_m = std::get<Polygon>(obstacle).points_m;
+  return corners_m.size() >= 3 && std::ranges::all_of(corners_m, [](const Eigen::Vector2d& corner) {
+           return corner.allFinite();
+         });
+}
+
 }  // namespace
+
+std::string why_not_solid(const std::vector<Obstacle>& obstacles) {
+  const auto wrong = std::ranges::find_if_not(obstacles, is_solid);
+  return wrong == obstacles.end()
+             ? ""
+             : fmt::format(
+                   "obstacles[{}]: expected finite numbers, sizes > 0, and 3 corners or more",
+                   wrong - obstacles.begin());
+}
 
 const char* obstacle_kind(const Obstacle& obstacle) {
   constexpr const char* kKinds[] = {"circle", "rectangle", "polygon"};

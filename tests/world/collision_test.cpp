@@ -260,5 +260,19 @@ TEST(CollisionChecker, RefusesANegativeMargin) {
               ThrowsMessage<InputError>(HasSubstr("margin_m = -0.01; expected a distance")));
 }
 
+// Files can't hold them, programs can; nothing would collide with a NaN.
+TEST(CollisionChecker, TakesNoObstacleThatIsNowhereOrHasNoSize) {
+  const ArmDescription arm = three_segment_arm();
+  for (const Obstacle& nothing :
+       {Obstacle(Circle{std::nan(""), 0.0, 0.1}), Obstacle(Circle{0.3, 0.0, -0.1}),
+        Obstacle(Rectangle{0.3, 0.0, 0.1, 0.0, 0.0}), Obstacle(Polygon{})}) {
+    EXPECT_THAT(
+        [&] {
+          CollisionChecker(arm, {Circle{0.3, 0.3, 0.1}, nothing});
+        },
+        ThrowsMessage<InputError>(HasSubstr("obstacles[1]: expected finite numbers")));
+  }
+}
+
 }  // namespace
 }  // namespace limber

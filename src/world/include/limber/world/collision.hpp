@@ -44,6 +44,7 @@ class CollisionChecker {
   static constexpr double kToleranceM = 0.001;  ///< false alarms only this close to touching
 
   /// @param margin_m  added to the arm's radius everywhere, ≥ 0.
+  /// @throws InputError for a margin or room out of range, or an obstacle that is none.
   CollisionChecker(const ArmDescription& arm, const std::vector<Obstacle>& obstacles,
                    double margin_m = 0.0, PlateRoom room = {});
   CollisionChecker(CollisionChecker&&) noexcept;

@@ -74,6 +74,10 @@ struct Environment {
 /// "obstacle 2 (circle)", counted from 0 as in the file.
 std::string obstacle_name(const Environment& environment, int obstacle);
 
+/// Which of them is no obstacle, in words; empty where all are. Files are read so that all are, but
+/// programs can make others: a NaN lies nowhere, and collides with nothing.
+std::string why_not_solid(const std::vector<Obstacle>& obstacles);
+
 /// Reads and validates an environment file. @throws InputError naming file, line, field, what was
 /// found and what is allowed.
 Environment load_environment(const std::filesystem::path& path);
