@@ -61,7 +61,7 @@ std::uint32_t BroadPhase::may_touch(const Eigen::Ref<const Backbone>& from,
     box.high_y = std::max(std::max(a[1], c[1]), std::max(b[1], d[1])) + reach;
     // What is not finite is lost in a minimum, but never in a sum.
     const float sum =
-        a[0] + a[1] + a[2] + a[3] + a[4] + a[5] + b[0] + b[1] + b[2] + b[3] + b[4] + b[5] + reach;
+        a[0] + a[1] + a[2] + c[0] + c[1] + c[2] + b[0] + b[1] + b[2] + d[0] + d[1] + d[2] + reach;
     touching |= std::uint32_t{!std::isfinite(sum)} << i;
     all.low_x = std::min(all.low_x, box.low_x);
     all.high_x = std::max(all.high_x, box.high_x);

@@ -106,7 +106,7 @@ TEST(BroadPhase, LeavesOutGapsFarAway) {
 // Three columns of a wider matrix are a backbone too.
 TEST(BroadPhase, LooksAtTheColumnsThatItIsGiven) {
   Eigen::Matrix<float, Eigen::Dynamic, 4, Eigen::RowMajor> wide(3, 4);
-  wide << 9.0F, 0.0F, 0.0F, 0.0F, 9.0F, 0.1F, 0.0F, 0.0F, 9.0F, 0.2F, 0.0F, 0.0F;
+  wide << NAN, 0.0F, 0.0F, 0.0F, NAN, 0.1F, 0.0F, 0.0F, NAN, 0.2F, 0.0F, 0.0F;
   const BroadPhase broad({make_obstacle_shape(Circle{0.15, 0.0, kPinM}, 0)}, {0.02, 0.02});
   const auto backbone = wide.rightCols<3>();
   EXPECT_EQ(broad.may_touch(backbone, backbone, 0), 2U);
