@@ -154,7 +154,7 @@ Eigen::VectorXd pressures_at(const NoLoadModel& model, const SegmentVector& curv
   return pressures;
 }
 
-/// Distance from the region itself, in tolerances if they are given; orders the failures.
+/// Distance from the region itself [m], a turn weighed by the arm's length; orders the failures.
 double excess(const PoseGoal& goal, const PoseError& error, double arm_length_m) {
   return std::max(0.0, error.position_m - goal.position_tolerance_m) +
          std::max(0.0, error.orientation_rad - goal.orientation_tolerance_rad) * arm_length_m;

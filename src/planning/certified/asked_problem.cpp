@@ -62,7 +62,7 @@ void yield_to_start(PlanningProblem& problem, std::vector<std::string>& notes) {
     if (at_start.obstacle >= 0 && max_m > 0.0 && problem.tube) {
       leave_tube_at_start(problem, start, kYield * max_m, notes);
     }
-    return;  // nothing is near, or it starts in an obstacle, which is refused
+    return;  // nothing is near, the margin fits, or it starts in an obstacle, which is refused
   }
   notes.push_back(
       fmt::format("the arm starts {:.2f} cm from {}: plans keep that "

@@ -8,8 +8,7 @@
 
 namespace limber {
 
-/// What an ensemble's other networks say about a plan that was searched with the leading one, or
-/// all of its networks about a plan that was searched with their mean. Each
+/// What an ensemble's other networks say about a plan that was searched with the leading one. Each
 /// is wrong in other places: if a search has found an error of the leading network that makes a
 /// plan cheap, the others mostly disagree (docs/planning.md, No feeding on errors).
 class SecondOpinions {

@@ -163,7 +163,7 @@ struct PlanResult {
   std::optional<double> max_clearance_m;
   std::optional<FirstSolution> first_solution;
   /// How the search went: the first plan, each plan that costs over half a per cent less than the
-  /// one noted before, and the end. Empty without a plan.
+  /// one noted before, and the end. Empty without a plan, or where its motion was given.
   std::vector<PlannerProgress> events;
   PlannerStatistics statistics;
   std::vector<TreeEdge> tree;  ///< at most kMaxTreeEdges, the oldest
@@ -175,9 +175,9 @@ struct PlanResult {
 ///
 /// Laws: before a plan is returned it is simulated again from the start, frame by frame. Every
 /// frame and the motion between frames is free, and the last frame, after the hold, is in the goal.
-/// The cost never rises with the budget. Runs limited by iterations or queries alone depend on the
-/// seed and nothing else, not even the number of threads. The time limit is kept to 50 ms. Threads:
-/// one planner, one caller at a time.
+/// Without an aim, the cost never rises with the budget. Runs limited by iterations or queries
+/// alone depend on the seed and nothing else, not even the number of threads. The time limit is
+/// kept to 50 ms. Threads: one planner, one caller at a time.
 class Planner {
  public:
   virtual ~Planner() = default;
