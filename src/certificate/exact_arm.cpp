@@ -343,12 +343,4 @@ std::array<ExactArm::Shape, 2> ExactArm::next_two(const std::vector<double>& pre
   return answers;
 }
 
-ExactArm::Shape ExactArm::next(const std::vector<double>& previous_kpa,
-                               const std::vector<double>& current_kpa,
-                               const Shape& previous) const {
-  ExactNetwork::Workspace workspace;
-  const Past still{&previous, &previous};
-  return next_two(previous_kpa, current_kpa, {still, still}, workspace)[0];
-}
-
 }  // namespace limber

@@ -65,12 +65,8 @@ class ExactArm {
     const Shape* previous;
   };
 
-  /// F(q_{t−1}, q_t, B_{t−1}), (5) or (16), kept within (20), of an arm that stood still.
-  Shape next(const std::vector<double>& previous_kpa, const std::vector<double>& current_kpa,
-             const Shape& previous) const;
-
-  /// F(q_{t−1}, q_t, B_{t−2}, B_{t−1}) for two pasts that the same pressures move, in little more
-  /// time than for one.
+  /// F(q_{t−1}, q_t, B_{t−2}, B_{t−1}), (5) or (16), kept within (20), for two pasts that the same
+  /// pressures move, in little more time than for one.
   std::array<Shape, 2> next_two(const std::vector<double>& previous_kpa,
                                 const std::vector<double>& current_kpa,
                                 const std::array<Past, 2>& past,

@@ -9,8 +9,6 @@
 
 namespace limber {
 
-enum class CpuLevel;
-
 /// Eight rows of a column, which are computed together.
 struct alignas(64) Eight {
   double value[8] = {};

@@ -29,8 +29,8 @@ std::string margin_note(const PlanningProblem& problem) {
              : std::string();
 }
 
-/// Half width that the tip has anywhere in the goal's disc. Of a tube that grows, the tip's own room
-/// where the disc is nearest to its start: the plate before it may have any.
+/// Half width that the tip has anywhere in the goal's disc. Of a tube that grows, the tip's own
+/// room where the disc is nearest to its start: the plate before it may have any.
 double min_tip_radius_m(const PlanningProblem& problem, const CollisionChecker& checker) {
   const int gap = problem.arm.point_count() - 2;
   if (!problem.tube || problem.tube->growth.is_constant()) {

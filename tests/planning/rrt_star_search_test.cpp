@@ -36,8 +36,7 @@ void expect_sound_tree(const Setting& s, int iterations, std::uint64_t* accepted
     ASSERT_TRUE(simulator.move(tree.state(parent), tree.setpoint_kpa(i), end));
     ASSERT_TRUE(end == tree.state(i)) << "node " << i;
   }
-  PlannerStatistics statistics;
-  search.fill(statistics);
+  const PlannerStatistics statistics = search.statistics();
   *accepted = statistics.rewires_accepted;
   EXPECT_GT(statistics.rewires_tried, statistics.rewires_accepted);
 }

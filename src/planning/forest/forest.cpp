@@ -133,6 +133,9 @@ ArmIdentity arm_of(const Forest& forest) {
 
 /// Its motions change set points as fast as the arm of then allowed.
 std::string why_another_rate(const Forest& forest, const ArmDescription& arm) {
+  if (forest.key.arm_hash == arm.hash()) {  // which holds the rate, too
+    return "";
+  }
   const std::optional<double> rate = rate_limit_of(arm_of(forest), "the forest");
   return !rate || *rate == arm.pressure_rate_limit_kpa_per_s
              ? std::string()

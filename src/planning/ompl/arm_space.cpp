@@ -17,8 +17,6 @@ namespace oc = ompl::control;
 constexpr double kMaxAngleRad = 100.0;
 constexpr double kOvershoot = 1.05;  // × the limit: OMPL asks for bounds, the arm keeps its own
 constexpr double kGoalSpread = 0.1;  // of the limits, about a goal configuration
-constexpr double kHoldPositionM = 0.05;  // tips this near are held and judged, as in the default
-constexpr double kHoldOrientationRad = 0.5;
 
 const double* values(const ob::State* state) {
   return state->as<ob::RealVectorStateSpace::StateType>()->values;
@@ -224,15 +222,9 @@ class ArmGoal final : public ob::GoalSampleableRegion {
   bool isSatisfied(const ob::State* state, double* distance) const override {
     const PoseGoal& goal = world_.problem.environment.goal;
     const MotionState now = world_.motion_state(state);
-    const PoseError error = pose_error(goal, settled_tip(now));
     *distance = excess(settled_tip(now));
-    if (error.position_m > goal.position_tolerance_m + kHoldPositionM ||
-        (goal.theta_rad &&
-         error.orientation_rad > goal.orientation_tolerance_rad + kHoldOrientationRad)) {
-      return false;
-    }
     MotionState held;
-    if (!world_.simulator.hold(now, held)) {
+    if (!HoldRange().reaches(goal, settled_tip(now)) || !world_.simulator.hold(now, held)) {
       return false;
     }
     const Pose tip = tip_pose(held.backbone);

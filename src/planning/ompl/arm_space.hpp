@@ -10,6 +10,7 @@
 #include "limber/common/random_stream.hpp"
 #include "limber/forward/motion_simulator.hpp"
 #include "limber/planning/planner.hpp"
+#include "search/goal_seeker.hpp"
 
 namespace limber {
 

@@ -31,8 +31,7 @@ class RrtStarRun {
 
  private:
   PlannerProgress progress() const {
-    PlannerStatistics statistics;
-    search_.fill(statistics);
+    const PlannerStatistics statistics = search_.statistics();
     return {budget_.elapsed_s(),     statistics.iterations,
             statistics.nodes,        simulator_.queries(),
             ladder_.best_cost_kpa(), [this] { return tree_edges(search_.tree()); }};
@@ -52,7 +51,7 @@ class RrtStarRun {
 
   PlanResult result() {
     PlanResult result;
-    search_.fill(result.statistics);
+    result.statistics = search_.statistics();
     const PlannerProgress end = progress();
     ladder_.finish(simulator_.queries(), search_.nearest_waypoints_kpa(), result);
     result.statistics.queries = simulator_.queries();

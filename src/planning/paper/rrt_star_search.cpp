@@ -220,13 +220,9 @@ void RrtStarSearch::accept_rewiring(const std::vector<Changed>& changed, int fro
 
 bool RrtStarSearch::ends_in_goal(int node) {
   const PoseGoal& goal = problem_.environment.goal;
-  const PoseError error = pose_error(goal, tree_.settled_tip(node));
-  if (error.position_m > goal.position_tolerance_m + settings_.hold_position_m ||
-      error.orientation_rad > goal.orientation_tolerance_rad + settings_.hold_orientation_rad) {
-    return false;
-  }
   MotionState held;
-  return simulator_.hold(tree_.state(node), held) &&
+  return settings_.hold.reaches(goal, tree_.settled_tip(node)) &&
+         simulator_.hold(tree_.state(node), held) &&
          is_within(goal, pose_error(goal, tip_pose(held.backbone)));
 }
 
@@ -272,11 +268,10 @@ double RrtStarSearch::bytes() const {
   return double(tree_.size()) * double(tree_.bytes_per_node() + index_bytes + 1);
 }
 
-void RrtStarSearch::fill(PlannerStatistics& statistics) const {
-  statistics.iterations = statistics_.iterations;
+PlannerStatistics RrtStarSearch::statistics() const {
+  PlannerStatistics statistics = statistics_;
   statistics.nodes = static_cast<std::uint64_t>(tree_.size());
-  statistics.rewires_tried = statistics_.rewires_tried;
-  statistics.rewires_accepted = statistics_.rewires_accepted;
+  return statistics;
 }
 
 }  // namespace limber

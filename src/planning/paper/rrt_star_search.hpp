@@ -7,11 +7,25 @@
 #include "limber/forward/motion_simulator.hpp"
 #include "limber/world/pressure_index.hpp"
 #include "planner_budget.hpp"
-#include "pressure_rrt_star.hpp"
 #include "pressure_tree.hpp"
 #include "search/goal_seeker.hpp"
 
 namespace limber {
+
+/// What the paper leaves open about its planner, with our choices (docs/planning.md says why).
+/// Distances in pressure are Euclidean, each pressure as a fraction of its segment's limit.
+struct PressureRrtStarSettings {
+  double step_size = 0.5;  ///< longest edge, > 0
+  double near_factor = 1.0;  ///< × the smallest radius that RRT* allows, ≥ 1; at most the step size
+  double goal_bias = 0.2;         ///< share of samples at inverse-kinematics solutions, in [0, 1]
+  double goal_spread = 0.1;       ///< standard deviation about such a solution: it is approximate
+  int goal_configurations = 200;  ///< solutions sampled before they are used again, ≥ 1
+  /// Of the largest limit: a rewired node's set points are the same, its pressures agree so,
+  double match_pressure = 0.01;
+  double match_position_m = 0.005;  ///< and its backbone agrees at every plate
+  double match_orientation_rad = 0.05;
+  HoldRange hold;  ///< nodes whose tip is this near the goal are held and judged
+};
 
 /// The tree of pressure-space RRT*, grown iteration by iteration. All arguments are borrowed.
 class RrtStarSearch {
@@ -30,8 +44,8 @@ class RrtStarSearch {
 
   const PressureTree& tree() const { return tree_; }
   double bytes() const;
-  /// Writes iterations, nodes and rewires; leaves the rest.
-  void fill(PlannerStatistics& statistics) const;
+  /// Iterations, nodes and rewires; the rest is left out.
+  PlannerStatistics statistics() const;
 
  private:
   struct Candidate {

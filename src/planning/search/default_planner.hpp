@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "goal_seeker.hpp"
 #include "limber/planning/forest.hpp"
 #include "limber/planning/planner.hpp"
 #include "planner_name.hpp"
@@ -32,8 +33,8 @@ struct DefaultPlannerSettings {
   double improvement_queries_without_room = 10'000;  ///< if the goal leaves none for the error
   /// Queries of the shortest search; without a plan it then begins again (planner_budget.hpp).
   double restart_queries = 20'000;
-  double hold_position_m = 0.05;  ///< paths that end this near the goal are held and judged
-  double hold_orientation_rad = 0.5;
+  double hold_position_m = HoldRange().position_m;  ///< paths that end so near are held and judged
+  double hold_orientation_rad = HoldRange().orientation_rad;
   int jobs = 0;  ///< threads, 0 for one per core; the plan does not depend on it
   /// Grown for the arm, model and start of every problem, and tried first, in turns with the
   /// search; borrowed. None: everything is searched.

@@ -25,6 +25,12 @@ double goal_error(const PoseGoal& goal, const Pose& tip) {
          (goal.theta_rad ? error.orientation_rad / goal.orientation_tolerance_rad : 0.0);
 }
 
+bool HoldRange::reaches(const PoseGoal& goal, const Pose& settled_tip) const {
+  const PoseError error = pose_error(goal, settled_tip);
+  return error.position_m <= goal.position_tolerance_m + position_m &&
+         error.orientation_rad <= goal.orientation_tolerance_rad + orientation_rad;
+}
+
 GoalAim::GoalAim(const PlanningProblem& problem)
     : goal_(problem.environment.goal),
       inner_(problem.environment.goal),

@@ -13,6 +13,15 @@ namespace limber {
 /// Distance to the goal in tolerances, for comparing states.
 double goal_error(const PoseGoal& goal, const Pose& tip);
 
+/// How near the goal a motion's tip has to settle (MotionModel::settled_tip) for the hold after it
+/// to be worth simulating.
+struct HoldRange {
+  double position_m = 0.05;
+  double orientation_rad = 0.5;
+
+  bool reaches(const PoseGoal& goal, const Pose& settled_tip) const;
+};
+
 /// Where in the goal a plan should end: arriving well comes before a low cost.
 class GoalAim {
  public:

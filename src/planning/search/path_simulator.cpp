@@ -138,11 +138,8 @@ class PathSimulator::Worker {
   }
 
   bool is_near_goal(const MotionState& state) const {
-    const PoseGoal& goal = problem_.environment.goal;
-    const PoseError error =
-        pose_error(goal, problem_.model.settled_tip(state.valves, state.backbone));
-    return error.position_m <= goal.position_tolerance_m + range_.position_m &&
-           error.orientation_rad <= goal.orientation_tolerance_rad + range_.orientation_rad;
+    return range_.reaches(problem_.environment.goal,
+                          problem_.model.settled_tip(state.valves, state.backbone));
   }
 
   const PlanningProblem& problem_;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "goal_seeker.hpp"
 #include "limber/forward/motion_simulator.hpp"
 #include "limber/forward/rollout_batch.hpp"
 #include "limber/planning/planner.hpp"
@@ -26,13 +27,6 @@ struct PathOutcome {
   std::optional<Pose> held_tip;  ///< after that hold, where it was simulated and free
   std::vector<MotionState> at;   ///< after each motion; those not reached are absent
   std::uint64_t queries = 0;
-};
-
-/// How near the goal a path's tip has to settle (MotionModel::settled_tip) for the hold after it
-/// to be worth simulating.
-struct HoldRange {
-  double position_m;
-  double orientation_rad;
 };
 
 /// Simulates many paths at once, in batches of the forward model, spread over threads. Every frame
