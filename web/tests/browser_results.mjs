@@ -58,7 +58,7 @@ pageTest('a family is fitted to the virtual arm, and plans', async (page) => {
   page.setDefaultTimeout(180_000); // a minute of motion and its fit, on a busy machine
   await page.getByLabel('Model').selectOption('limber:three_segment_small');
   await page.getByRole('button', { name: 'Fit it to the virtual arm' }).click();
-  await page.getByText('Certified plan', { exact: false }).waitFor();
+  await page.locator('#panel').getByText('Certified plan', { exact: false }).waitFor();
   assert.match(await page.getByLabel('Model').inputValue(), /^models\/three_segment_fitted.*safetensors$/);
   assert.match(await page.textContent('#notice'), /cm off on seconds that it had not seen/);
 });
