@@ -9,8 +9,8 @@
 
 namespace limber {
 
-/// Where the base is a point that stands still, it lies at its median pose in the rows that hide it:
-/// these are no loss, and count as tracked.
+/// Where the base is a point that stands still, it lies at its median pose in the rows that hide
+/// it: these are no loss, and count as tracked.
 void show_still_base(PointTracks& tracks, RunReport& report);
 
 /// Turns and moves the tracks into frame B, found by `alignment` from the tracked rows. Adds the

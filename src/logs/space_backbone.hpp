@@ -16,9 +16,9 @@ SpacePose arc_to(const Eigen::Vector3d& point);
 SpacePose along(const SpacePose& step, double part);
 
 /// The whole backbone in frame B from points tracked in space (docs/importing.md): rotations that
-/// jump are settled (rotation_flips.hpp), frame B is found (space_alignment.hpp), points missing for
-/// at most `mapping.longest_gap_s` are put between their neighbours in time, poses are lifted from
-/// positions where no rotations were logged, and plates between points are put on the curve of
+/// jump are settled (rotation_flips.hpp), frame B is found (space_alignment.hpp), points missing
+/// for at most `mapping.longest_gap_s` are put between their neighbours in time, poses are lifted
+/// from positions where no rotations were logged, and plates between points are put on the curve of
 /// constant strain.
 /// @param tracks  in order of time
 /// @return poses T×7m, quaternions without jumps of sign

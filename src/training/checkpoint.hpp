@@ -19,9 +19,9 @@ struct Checkpoint {
 struct RunShape {
   Eigen::Index parameters = 0;  ///< of all networks together
   int members = 1;              ///< networks
-  bool keeps_moments = false;  ///< of the gradient
-  Eigen::Index rotations = 0;  ///< SOAP's numbers
-  bool validates = true;       ///< on data held back
+  bool keeps_moments = false;   ///< of the gradient
+  Eigen::Index rotations = 0;   ///< SOAP's numbers
+  bool validates = true;        ///< on data held back
 };
 
 /// Writes safetensors (schema limber/checkpoint/5), atomically; every number survives exactly.

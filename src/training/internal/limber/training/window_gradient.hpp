@@ -164,10 +164,10 @@ class WindowGradient {
   Storage uncompensated_;
   std::vector<double> frame_counts_;  ///< T, how much a window's frames count, before their sum
   Storage weight_;                    ///< of a block's windows: its share of that sum, or 0
-  Storage output_;      ///< one block
-  Storage last_state_;  ///< one block: what no frame reads
-  Storage carried_;     ///< one block: ∂loss/∂state, carried from frame to frame
-  Storage direct_;      ///< one block: the part of it that the network had no part in
+  Storage output_;                    ///< one block
+  Storage last_state_;                ///< one block: what no frame reads
+  Storage carried_;                   ///< one block: ∂loss/∂state, carried from frame to frame
+  Storage direct_;                    ///< one block: the part of it that the network had no part in
   Storage changed_;  ///< one block: ∂loss/∂(state's change) of the frame behind, in state's units
   Storage change_back_;     ///< one block: the same of this frame
   Storage unbounded_;       ///< states before (20), where there are bounds
