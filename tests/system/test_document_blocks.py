@@ -67,7 +67,7 @@ SHORTER = (
     (r" --calibration calibration.yaml", ""),  # the stand's driver speaks as the arm file does
     (r"(limber train .*)", r"\1 --hidden 16 --epochs 6"),
     (r"(limber plan .*)",
-     r"\1 --time-limit-s 5 --margin-m 0.001 --goal-margin-m 0 --goal-margin-rad 0"),
+     r"\1 --time-limit-s 20 --margin-m 0.001 --goal-margin-m 0 --goal-margin-rad 0"),
 )
 # Exit codes besides 0 that are what the page says, or what small models make of it.
 CODES = (("--fault die@30", (3,)), ("limber execute", (0, 1)), ("environments/03_gap_in_a_wall.yaml", (0, 1)),
