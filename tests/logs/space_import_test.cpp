@@ -236,7 +236,8 @@ TEST_F(SpaceImport, ManyLogsKeepWhatTellsAWrongFileInTheirLines) {
 
 TEST_F(SpaceImport, WarnsOfRotationsThatAreNotThoseOfTheArcs) {
   const auto warning = [&] {
-    for (const ImportNote& note : import(log(), mapping()).report.runs.front().notes) {
+    const ImportReport report = import(log(), mapping()).report;
+    for (const ImportNote& note : report.runs.front().notes) {
       if (note.what.starts_with("warning: measured rotations")) {
         return note.first;
       }
