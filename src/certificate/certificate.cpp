@@ -84,12 +84,9 @@ class Certifier::Certification {
   }
 
   bool has_failed(const std::string& check) const {
-    for (const CertificateFailure& failure : result_.failures) {
-      if (failure.check == check) {
-        return true;
-      }
-    }
-    return false;
+    return std::ranges::any_of(result_.failures, [&](const CertificateFailure& failure) {
+      return failure.check == check;
+    });
   }
 
   void check_start() {

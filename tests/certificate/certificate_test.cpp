@@ -7,12 +7,12 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "certificate/solved_problem.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/planning/planner.hpp"
 #include "limber/planning/planner_factory.hpp"
 #include "limber/report/plan_report.hpp"
-#include "planning/play_model.hpp"
 #include "src/planning/certified/certified_planner.hpp"
 #include "src/planning/paper/pressure_rrt_star.hpp"
 #include "support/property.hpp"
@@ -27,48 +27,6 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::ThrowsMessage;
-
-/// A solved problem with a heading asked for, so that every check has work.
-struct Solved {
-  ArmDescription arm = three_segment_arm();
-  bool has_network;
-  ForwardModel model;
-  Environment environment;
-  Plan plan;
-
-  explicit Solved(bool with_network)
-      : has_network(with_network),
-        model(with_network ? ForwardModel(arm, play_network(arm, 0.01F)) : ForwardModel(arm)) {
-    environment.name = "pillars";
-    environment.obstacles = {Circle{0.45, 0.22, 0.025}, Rectangle{0.6, -0.1, 0.04, 0.1, 0.3},
-                             Polygon{{{0.1, 0.3}, {0.2, 0.3}, {0.15, 0.4}}}};
-    environment.goal = {0.30, 0.40, 2.4, 0.02, 0.8};
-    PlannerLimits limits;
-    limits.iterations = 1500;
-    PlanResult result = make_planner("default")->plan({arm, model, environment}, limits, 3);
-    if (result.plan) {
-      plan = *result.plan;
-    }
-  }
-
-  Certificate certificate(const Plan& p) const {
-    return certify(p, arm, has_network ? &model.compensation() : nullptr, {}, environment);
-  }
-};
-
-const Solved& solved(bool with_network = true) {
-  static const Solved network(true);
-  static const Solved no_load(false);
-  return with_network ? network : no_load;
-}
-
-std::vector<std::string> failed_checks(const Certificate& certificate) {
-  std::vector<std::string> checks;
-  for (const CertificateFailure& failure : certificate.failures) {
-    checks.push_back(failure.check);
-  }
-  return checks;
-}
 
 // A network that learnt from set points knows the valves along with the arm.
 TEST(Certificate, PutsNoValvesBeforeWhatLearntFromSetPoints) {
@@ -106,58 +64,6 @@ TEST(Certificate, ANoLoadPlanIsCertifiedToo) {
   const PlanResult result = make_planner("paper")->plan({s.arm, model, environment}, limits, 3);
   ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
   EXPECT_TRUE(certify(*result.plan, s.arm, nullptr, {}, environment).certified());
-}
-
-// Roundings are shares of commands: float32 of 100 000 Pa are 8 mPa apart.
-TEST(Certificate, HoldsInAnyUnit) {
-  for (const auto& [unit, per_kpa] : {std::pair{"Pa", 1000.0}, std::pair{"MPa", 1e-3}}) {
-    ArmDescription arm = three_segment_arm();
-    arm.command = {"pressure", unit};
-    arm.pressure_rate_limit_kpa_per_s *= per_kpa;
-    for (Segment& segment : arm.segments) {
-      PressureLimits& limits = segment.pressure_limit_kpa;
-      limits = {per_kpa * limits.lower_kpa, per_kpa * limits.upper_kpa};
-      double power = 1.0;
-      for (double& coefficient : segment.strain_polynomial) {
-        coefficient /= power *= per_kpa;
-      }
-    }
-    const ForwardModel model(arm);
-    Environment environment = solved().environment;
-    environment.goal.theta_rad.reset();
-    PlannerLimits limits;
-    limits.iterations = 1500;
-    const PlanResult result = make_planner("default")->plan({arm, model, environment}, limits, 3);
-    ASSERT_EQ(result.status, PlanStatus::solved) << unit << ": " << result.reason;
-    EXPECT_TRUE(certify(*result.plan, arm, nullptr, {}, environment).certified());
-    // Every second frame left out: twice as fast as the arm may be asked to move.
-    Plan fast = *result.plan;
-    for (std::size_t k = fast.frames.size() / 2; k-- > 0;) {
-      fast.frames.erase(fast.frames.begin() + long(2 * k + 1));
-    }
-    EXPECT_THAT(failed_checks(certify(fast, arm, nullptr, {}, environment)), Contains("rate"));
-  }
-}
-
-// Its motions take as many frames as the rate that was asked for needs.
-TEST(Certificate, HoldsAtARateBelowTheArmsAndAtNoneAbove) {
-  const ArmDescription arm = three_segment_arm();
-  Environment environment = solved().environment;
-  environment.goal.theta_rad.reset();
-  PlannerLimits limits;
-  limits.iterations = 1500;
-  for (const double factor : {0.25, 2.0}) {
-    ArmDescription asked = arm;
-    asked.pressure_rate_limit_kpa_per_s *= factor;
-    const ForwardModel model(asked);
-    const PlanResult result = make_planner("default")->plan({asked, model, environment}, limits, 3);
-    ASSERT_TRUE(result.plan) << result.reason;
-    const Certificate certificate = certify(*result.plan, arm, nullptr, {}, environment);
-    EXPECT_EQ(certificate.certified(), factor < 1.0);
-    if (factor > 1.0) {
-      EXPECT_THAT(failed_checks(certificate), Contains("rate"));
-    }
-  }
 }
 
 TEST(Certificate, IsNoneBesideObstaclesOfNoNumbers) {

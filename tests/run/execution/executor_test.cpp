@@ -8,7 +8,6 @@
 
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
-#include "limber/common/random_stream.hpp"
 #include "limber/report/execution_report.hpp"
 #include "limber/sim/virtual_arm.hpp"
 #include "limber/world/straight_motion.hpp"
@@ -374,43 +373,6 @@ TEST_F(Executor, DrawsRunPredictionAndCollision) {
   ExecutionResult unseen;
   unseen.status = ExecutionStatus::fault;
   EXPECT_THAT(execution_picture(arm_, environment_, plan(), unseen), HasSubstr("test: fault"));
-}
-
-TEST(CollisionWatch, MissesNothingWhileSkippingMostChecks) {
-  const ArmDescription arm = small_arm();
-  const NoLoadModel model(arm);
-  Environment environment;
-  environment.obstacles = {Circle{0.3, 0.15, 0.03}, Rectangle{0.2, -0.2, 0.1, 0.05, 0.3}};
-  const CollisionChecker checker(arm, environment.obstacles);
-  RandomStream random(5, 0);
-  constexpr int kTrials = 20;
-  constexpr int kSteps = 2000;
-  int checks = 0;
-  for (int trial = 0; trial < kTrials; ++trial) {
-    CollisionWatch watch(arm, environment);
-    Eigen::VectorXd from = Eigen::VectorXd::Zero(2);
-    Eigen::VectorXd to(2);
-    to << random.uniform(-100, 100), random.uniform(-100, 100);
-    double smallest = 1e9;
-    double first_s = -1.0;
-    for (int k = 0; k <= kSteps; ++k) {
-      const Eigen::VectorXd pressures = from + (to - from) * k / kSteps;
-      BackboneD backbone(arm.point_count(), 3);
-      model.backbone(Eigen::Ref<const Eigen::VectorXd>(pressures), Eigen::Ref<BackboneD>(backbone));
-      watch.observe(k, backbone);
-      const double value = checker.clearance(backbone).value_m;
-      smallest = std::min(smallest, value);
-      first_s = first_s < 0.0 && value < 0.0 ? k : first_s;
-    }
-    ASSERT_TRUE(watch.closest());
-    EXPECT_NEAR(watch.closest()->clearance.value_m, smallest, 1e-4);
-    EXPECT_EQ(watch.first_collision().has_value(), first_s >= 0.0);
-    if (watch.first_collision()) {
-      EXPECT_EQ(watch.first_collision()->time_s, first_s);
-    }
-    checks += watch.checks();
-  }
-  EXPECT_LT(checks, kTrials * kSteps / 2);
 }
 
 }  // namespace
