@@ -203,6 +203,25 @@ void require_known_flags(const Campaign& campaign, const CampaignUnit& unit) {
   }
 }
 
+void require_forests(const Campaign& campaign) {
+  const auto require = [](const std::string& flag, const FlagValues& values) {
+    for (const std::string& path : values) {
+      if (flag == "forest" && !fs::exists(path)) {
+        throw InputError(fmt::format(
+            "forest: '{}': not found; grow it first, limber plan --build-forest", path));
+      }
+    }
+  };
+  for (const auto& [flag, values] : campaign.flags) {
+    require(flag, values);
+  }
+  for (const CampaignFactor& factor : campaign.factors) {
+    for (const FlagValues& values : factor.choices) {
+      require(factor.name, values);
+    }
+  }
+}
+
 void require_known_parameters(const CampaignUnit& unit) {
   if (const Flags parameters = arm_parameters(unit); !parameters.empty()) {
     (void)arm_with(find_arm_file(arm_of(unit)), parameters);

@@ -22,6 +22,10 @@ std::vector<std::string> unit_command(const Campaign& campaign, const CampaignUn
 /// @throws InputError what the verb says of flags that it does not have, or that lack values.
 void require_known_flags(const Campaign& campaign, const CampaignUnit& unit);
 
+/// A forest that a unit grew would be another input to it when asked again.
+/// @throws InputError where the file of a --forest is not there.
+void require_forests(const Campaign& campaign);
+
 /// @throws InputError where the arm has none of the unit's arm.PARAMETERs, or not of such a value.
 void require_known_parameters(const CampaignUnit& unit);
 

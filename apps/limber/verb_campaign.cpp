@@ -77,6 +77,7 @@ class CampaignVerb final : public Verb {
     const auto [first, step] = shard(count);
     CampaignFolder folder(out_.empty() ? fs::path(file_).stem() : fs::path(out_), campaign);
     if (!status_ && !collect_) {
+      require_forests(campaign);
       require_known_parameters(campaign_unit(campaign, 0));
       require_known_parameters(campaign_unit(campaign, count - 1));
     }

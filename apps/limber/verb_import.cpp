@@ -53,11 +53,15 @@ class ImportVerb final : public Verb {
       refuse_to_overwrite(out_, flags.force);
     }
     const ArmDescription of_file = load_any_arm(arm_, PolynomialsOf::characterisation);
+    if (of_file.no_load == NoLoadKind::fitted) {
+      (void)load_any_arm(arm_);  // refuses a missing matrix: clocks are compared by it
+    }
     const ArmDescription arm = with_lines_for_missing_polynomials(of_file);
     if (arm.hash() != of_file.hash()) {
       say(flags,
-          "note: arm '{}' has no strain polynomials yet: clocks and columns are compared with "
-          "strains that rise evenly; limber characterize --recording fits them to what comes out",
+          "note: arm '{}' has segments without a usable strain polynomial: clocks and columns are "
+          "compared with strains that rise evenly; limber characterize --recording fits them to "
+          "what comes out",
           arm.name);
     }
     if (format_ == "csv" && mapping_.empty()) {

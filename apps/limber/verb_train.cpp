@@ -205,10 +205,11 @@ class TrainVerb final : public Verb {
                                    checkpoint_path().string()));
     }
     if (!resume_ && !flags.force && was_stopped) {
-      throw InputError(
-          fmt::format("{}: a run that was stopped; --resume goes on with it, --force "
-                      "starts over",
-                      checkpoint_path().string()));
+      throw InputError(fmt::format(
+          "{}: of a run that was stopped; --resume goes on with it, --force "
+          "starts over",
+          (fs::exists(checkpoint_path()) ? checkpoint_path() : folds_path_of(checkpoint_path()))
+              .string()));
     }
   }
 

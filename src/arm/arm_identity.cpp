@@ -183,7 +183,7 @@ std::optional<double> rate_limit_of(const ArmIdentity& made_for, const std::stri
 ArmDescription at_rate_of(const ArmIdentity& made_for, ArmDescription arm,
                           const std::string& file) {
   double& own = arm.pressure_rate_limit_kpa_per_s;
-  if (made_for.hash != arm.hash()) {  // which holds the rate, too
+  if (made_for.hash != arm.hash() && why_another_arm(made_for, arm, file).empty()) {
     own = std::min(own, rate_limit_of(made_for, file).value_or(own));
   }
   return arm;

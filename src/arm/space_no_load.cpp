@@ -13,10 +13,11 @@ namespace limber {
 namespace {
 
 constexpr double kSameColumn = 1e-9;  // of the largest: angles and radii have fewer digits
+constexpr double kOneWay = 0.2;       // chambers within 20 degrees of opposite bend one way
 
-Eigen::Index rank_of(const Eigen::MatrixXd& matrix) {
+Eigen::Index rank_of(const Eigen::MatrixXd& matrix, double least) {
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> parts(matrix);
-  return parts.setThreshold(kSameColumn).rank();
+  return parts.setThreshold(least).rank();
 }
 
 /// Of a segment whose chambers are springs of equal stiffness: the constant strain that fits all of
@@ -34,7 +35,7 @@ Eigen::MatrixXd shape_of_chambers(const Segment& segment) {
   // each, bend it both ways: what bends can do is no extension then, and the length stays.
   const Eigen::MatrixXd bends = places.leftCols<2>();
   Eigen::MatrixXd shape = Eigen::MatrixXd::Zero(kShapeRows, count);
-  if (rank_of(places) > rank_of(bends)) {
+  if (rank_of(places, kSameColumn) > rank_of(bends, kOneWay)) {
     shape = places.completeOrthogonalDecomposition().pseudoInverse();
   } else {
     shape.topRows<2>() = bends.completeOrthogonalDecomposition().pseudoInverse();

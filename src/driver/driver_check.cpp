@@ -4,7 +4,6 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <span>
 #include <thread>
@@ -197,7 +196,7 @@ class Check {
   }
 
   /// Raises every pressure to `kPulseShare`-sized ones that a deadman has to take away.
-  /// @return what is read then; 0 of a channel that the driver allows nothing
+  /// @return what is read then; -1 of a channel that the driver allows nothing
   Pressures pressurise() {
     Pressures wanted(channels());
     for (int s = 0; s < channels(); ++s) {
@@ -205,7 +204,7 @@ class Check {
       wanted[s] = static_cast<float>(2.0 * kPulseShare * limit_kpa(s, sign));
     }
     hold(wanted, kPulseS);
-    return (wanted.array() != 0.0F).select(above_zero_kpa(driver_->state()).array(), 0.0F);
+    return (wanted.array() != 0.0F).select(above_zero_kpa(driver_->state()).array(), -1.0F);
   }
 
   /// Sizes of the readings, without what the sensors say of no pressure.
@@ -253,7 +252,7 @@ class Check {
   /// A channel that has kept its pressure; none: all were vented.
   static std::optional<int> held_channel(const Pressures& before_kpa, const Pressures& after_kpa) {
     for (int s = 0; s < before_kpa.size(); ++s) {
-      if (before_kpa[s] != 0.0F && !(after_kpa[s] < kVentedShare * before_kpa[s])) {
+      if (before_kpa[s] >= 0.0F && !(after_kpa[s] < kVentedShare * before_kpa[s])) {
         return s;
       }
     }

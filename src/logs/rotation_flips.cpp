@@ -142,10 +142,17 @@ class BodyRotations {
     std::vector<Eigen::Quaterniond> backs = {Eigen::Quaterniond::Identity()};
     std::vector<std::size_t> of_row(rows_.size(), 0);
     for (std::size_t j = 1; j < rows_.size(); ++j) {
+      const Eigen::Quaterniond before = rotation(j - 1) * backs[of_row[j - 1]];
       of_row[j] = of_row[j - 1];
-      if (jumps(j - 1, sizes_.flip_rad)) {
+      if (!stays_[j - 1]) {  // nothing was compared: what turns the body least
+        const auto turn_rad = [&](const Eigen::Quaterniond& back) {
+          return angle_between(before, rotation(j) * back);
+        };
+        of_row[j] = std::size_t(std::ranges::min_element(backs, {}, turn_rad) - backs.begin());
+      } else if (jumps(j - 1, sizes_.flip_rad)) {
         // R_after back = R_before back_before: the body goes on as it was.
-        of_row[j] = like(rotation(j).conjugate() * rotation(j - 1) * backs[of_row[j - 1]], backs);
+        of_row[j] = like(rotation(j).conjugate() * before, backs);
+        flips_.largest_rad = std::max(flips_.largest_rad, turn_rad_[j - 1]);
       } else if (jumps(j - 1, sizes_.least_rad)) {
         note(j);
         ++flips_.jumps;

@@ -283,7 +283,8 @@ double error_on_other_arms_m(const ArmDescription& arm, const CompensationModel&
     }
     const ForwardModel forward(
         arm, is_family(model) ? fit_arm(arm, model, parts->first, 1).model : model);
-    errors[i] = tip_error_m(forward, parts->rest, kValidationFrames, 1);
+    const double error_m = tip_error_m(forward, parts->rest, kValidationFrames, 1);
+    errors[i] = std::isnan(error_m) ? std::numeric_limits<double>::infinity() : error_m;  // ran off
   });
   std::erase_if(errors, [](double error) { return std::isnan(error); });
   return errors.empty() ? std::numeric_limits<double>::quiet_NaN() : mean(errors);

@@ -196,7 +196,7 @@ std::vector<int> EpochTrainer::shuffled_starts(const TrainingStage& stage) const
     const auto shifted_by = [&](int by) {
       return window_starts(episodes, tables_.frames.tracked, stage.window_frames, by);
     };
-    std::vector<int> shifted = shifted_by(shift);  // none where no episode has room for the shift
+    std::vector<int> shifted = shifted_by(shift);  // none if none is tracked
     return shifted.empty() && shift > 0 ? shifted_by(0) : shifted;
   };
   std::vector<int> starts = starts_in(all.first(all.size() - replayed_));

@@ -350,7 +350,11 @@ TrainingResult TrainingRun::run() {
     }
   }
   if (settings_.time_limit_s > 0.0) {
-    fit_epochs_to_time_limit();
+    try {
+      fit_epochs_to_time_limit();
+    } catch (const Interrupted&) {  // nothing is learnt yet
+      return result(TrainingStatus::interrupted, "stopped by the user");
+    }
   }
   try {
     return run_stages();

@@ -99,9 +99,8 @@ TEST(SpaceNoLoad, ThreeAlikeChambersHaveTheirClosedForm) {
   EXPECT_NEAR(shape.length_m, 0.18 * (1.0 + f.head<3>().mean()), 1e-12);
 }
 
-// Two motors that pull a pair each: nothing tells an extension, so that each bends its own way.
-TEST(SpaceNoLoad, PairsOfTendonsAtRightAnglesBendItAndKeepItsLength) {
-  const ArmDescription arm = space_arm(R"(schema: limber/arm/1
+ArmDescription two_chambers(double second_deg) {
+  return space_arm(fmt::format(R"(schema: limber/arm/1
 name: tendons
 dimension: 3
 no_load: chambers
@@ -109,18 +108,36 @@ frame_rate_hz: 20
 pressure_rate_limit_kpa_per_s: 100
 actuator_radius_m: 0.004
 segments:
-  - {length_m: 0.2, width_m: 0.05, gaps: 2, chambers: [
-      {angle_deg: 0, radius_m: 0.02, sense: extending, pressure_limit_kpa: [-100, 100],
-       strain_polynomial: [0.002, 0, 0, 0]},
-      {angle_deg: 90, radius_m: 0.02, sense: extending, pressure_limit_kpa: [-100, 100],
-       strain_polynomial: [0.002, 0, 0, 0]}]}
-)");
+  - {{length_m: 0.2, width_m: 0.05, gaps: 2, chambers: [
+      {{angle_deg: 0, radius_m: 0.02, sense: extending, pressure_limit_kpa: [-100, 100],
+       strain_polynomial: [0.002, 0, 0, 0]}},
+      {{angle_deg: {}, radius_m: 0.02, sense: extending, pressure_limit_kpa: [-100, 100],
+       strain_polynomial: [0.002, 0, 0, 0]}}]}}
+)",
+                               second_deg));
+}
+
+// Two motors that pull a pair each: nothing tells an extension, so that each bends its own way.
+TEST(SpaceNoLoad, PairsOfTendonsAtRightAnglesBendItAndKeepItsLength) {
+  const ArmDescription arm = two_chambers(90.0);
   const SpaceNoLoad no_load(arm);
   const Eigen::VectorXd f = no_load.strains(Eigen::Vector2d(50.0, -20.0));
   const SpaceSegmentShape shape = no_load.segment_shape(0, f);
   EXPECT_NEAR(shape.rotation_rad.z(), -0.2 * f[0] / 0.02, 1e-12);
   EXPECT_NEAR(shape.rotation_rad.y(), 0.2 * f[1] / 0.02, 1e-12);
   EXPECT_NEAR(shape.length_m, 0.2, 1e-12);
+}
+
+// Measured angles are seldom opposite to the digit: half a degree is no second direction.
+TEST(SpaceNoLoad, ChambersThatAreNearlyOppositeBendItOneWay) {
+  const ArmDescription opposite_arm = two_chambers(180.0), nearly_arm = two_chambers(180.5);
+  const SpaceNoLoad opposite(opposite_arm), nearly(nearly_arm);
+  const Eigen::VectorXd f = opposite.strains(Eigen::Vector2d(50.0, 20.0));
+  const SpaceSegmentShape shape = opposite.segment_shape(0, f);
+  const SpaceSegmentShape other = nearly.segment_shape(0, f);
+  EXPECT_NEAR(shape.length_m, 0.2 * (1.0 + f.mean()), 1e-12);
+  EXPECT_NEAR(other.length_m, shape.length_m, 1e-3);
+  EXPECT_LT((other.rotation_rad - shape.rotation_rad).norm(), 0.02);
 }
 
 constexpr const char* kPlanar = R"(schema: limber/arm/1

@@ -158,6 +158,24 @@ TEST_F(SpaceImport, HidesSingleFlipsAndTurnsLastingOnesBack) {
   EXPECT_THAT(to_text(result.report), HasSubstr("'x4' (plate 4) jumps while its place does not"));
 }
 
+// What came back right behind a silence is no flip, although a flip went before it.
+TEST_F(SpaceImport, TurnsNothingBackBehindASilence) {
+  mistake_ = [](int row, int plate, SpacePose& pose) {
+    if (plate == 4 && row >= 100 && row < 150) {
+      pose.rotation = pose.rotation * rotation_of_vector<double>(Eigen::Vector3d(0.0, 0.0, M_PI));
+    } else if (plate == 4 && row >= 150 && row < 200) {
+      pose.rotation.coeffs().setZero();
+      pose.position_m.setZero();
+    }
+  };
+  const ImportResult result = import(log(), mapping());
+  const std::vector<SpaceFlips>& flips = result.report.runs.front().space->flips;
+  ASSERT_THAT(flips, SizeIs(1));
+  EXPECT_EQ(flips[0].turned_rows, 50);
+  EXPECT_NEAR(flips[0].largest_rad, M_PI, 0.1);
+  EXPECT_LT(errors(result.recording.episodes.front()).rotation_rad, 0.03);
+}
+
 TEST_F(SpaceImport, CountsRowsOfANominalRateAndAddsOffsets) {
   std::string map = replaced(mapping(), "time: {column: t}", "time: {rate_hz: 100}");
   map = replaced(map, "pressures:\n", "pressures:\n  offset: [-1, -2, -3, -4, -5, -6]\n");

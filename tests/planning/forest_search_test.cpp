@@ -68,13 +68,12 @@ class ForestSearches : public ::testing::Test {
     ForestSearch search(*forest_, problem, checker, simulator, tree);
     Found found;
     for (ForestSearch::Round round{true, {}}; round.more && found.rounds < kNodes; ++found.rounds) {
-      round = search.round(kNever, stand && !tree.solutions().empty());
+      round = search.round(kNever, stand && !found.solutions.empty());
       for (const BatchSearch::Solution& one : round.found) {
         found.solutions.push_back(one);
         found.waypoints_kpa.push_back(tree.waypoints_to(one.node));
       }
     }
-    EXPECT_EQ(tree.solutions().size(), found.solutions.size());
     found.queries = simulator.queries();
     return found;
   }

@@ -22,8 +22,9 @@ struct Work {
         team(problem, opinions, team_size, 3),
         budget(some_limits(), {}),
         ladder(problem, single, budget, "test", 3) {
-    while (search.solutions().size() < 8) {
+    for (int found = 0; found < 8;) {
       for (const BatchSearch::Solution& one : search.round(std::nullopt, kNever)) {
+        ++found;
         team.add(one);
         if (!ladder.best_cost_kpa() || one.cost_kpa < *ladder.best_cost_kpa()) {
           EXPECT_TRUE(ladder.offer(search.waypoints_to(one.node), one.cost_kpa, 1));

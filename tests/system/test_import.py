@@ -100,7 +100,7 @@ class RoundTrip(InFolder):
             "import", "csv", "tables/episode_000.csv", "--arm", "unfitted.yaml", "--mapping",
             "tables/mapping.yaml", "--out", "back.h5",
         ).stderr
-        self.assertIn("no strain polynomials yet", message)
+        self.assertIn("without a usable strain polynomial", message)
         self.run_limber("characterize", "--arm", "unfitted.yaml", "--recording", "back.h5",
                         "--out", "fitted.yaml")
         fitted = (self.folder / "fitted.yaml").read_text(encoding="utf-8")

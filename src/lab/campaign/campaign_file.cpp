@@ -115,23 +115,12 @@ CampaignFactor::Range range_of(const YamlReader& value) {
   return range;
 }
 
-/// A flag's values. A forest that a unit grew would be another input to it when asked again.
-FlagValues values_of(const YamlReader& value, const std::string& name) {
-  FlagValues values = values_of(value);
-  for (const std::string& path : values) {
-    if (name == "forest" && !fs::exists(path)) {
-      value.refuse(fmt::format("'{}': not found; grow it first, limber plan --build-forest", path));
-    }
-  }
-  return values;
-}
-
 CampaignFactor factor_of(const YamlReader& value, const std::string& name, bool is_random) {
   require_unit_flag(value, name);
   CampaignFactor factor{name, {}, std::nullopt};
   if (value.is_sequence()) {
     for (const YamlReader& element : value.elements()) {
-      factor.choices.push_back(values_of(element, name));
+      factor.choices.push_back(values_of(element));
     }
   } else if (value.is_mapping() && value.has("files")) {
     value.refuse_unknown_keys({"files"});
@@ -250,7 +239,7 @@ Campaign read_campaign(const fs::path& path) {
     for (const std::string& name : root.at("flags").keys()) {
       const YamlReader value = root.at("flags").at(name);
       require_unit_flag(value, name);
-      campaign.flags.emplace_back(name, values_of(value, name));
+      campaign.flags.emplace_back(name, values_of(value));
     }
   }
   read_design(root, campaign);

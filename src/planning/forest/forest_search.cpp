@@ -258,7 +258,7 @@ std::optional<BatchSearch::Solution> ForestSearch::settle(const Candidate& tried
   if (tried.step_kpa) {
     node = search_.graft(node, outcome.at.back());
   }
-  return outcome.in_goal ? std::optional(search_.note_solution(node, *outcome.held_tip))
+  return outcome.in_goal ? std::optional(search_.solution_at(node, *outcome.held_tip))
                          : std::nullopt;
 }
 

@@ -148,12 +148,11 @@ std::optional<BatchSearch::Solution> BatchSearch::add(const Edge& edge,
     return std::nullopt;
   }
   note_error(*node);
-  return outcome.in_goal ? std::optional(note_solution(*node, *outcome.held_tip)) : std::nullopt;
+  return outcome.in_goal ? std::optional(solution_at(*node, *outcome.held_tip)) : std::nullopt;
 }
 
-BatchSearch::Solution BatchSearch::note_solution(int node, const Pose& held_tip) {
-  solutions_.push_back({node, tree().cost_kpa(node), held_tip});
-  return solutions_.back();
+BatchSearch::Solution BatchSearch::solution_at(int node, const Pose& held_tip) const {
+  return {node, tree().cost_kpa(node), held_tip};
 }
 
 int BatchSearch::graft(int parent, const MotionState& state) {

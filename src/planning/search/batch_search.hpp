@@ -35,15 +35,12 @@ class BatchSearch {
   /// Adds a state that other code has reached from `parent`, free of collision.
   /// @return its node
   int graft(int parent, const MotionState& state);
-  /// Someone else has found that a node is in the goal after the hold.
-  Solution note_solution(int node, const Pose& held_tip);
+  Solution solution_at(int node, const Pose& held_tip) const;
 
   Pressures limited(const Pressures& pressures_kpa) const {
     return tree_.box().limited(pressures_kpa);
   }
 
-  /// Nodes in the goal, in the order found.
-  const std::vector<Solution>& solutions() const { return solutions_; }
   std::vector<Pressures> waypoints_to(int node) const { return tree().path_to(node); }
   /// The node whose tip settles nearest to the goal.
   int nearest_node() const { return elite_.front().node; }
@@ -88,7 +85,6 @@ class BatchSearch {
   GoalSampler goal_sampler_;
   SparseTree tree_;
   std::vector<Elite> elite_;  // nearest to the goal first
-  std::vector<Solution> solutions_;
   int rounds_ = 0;
   std::uint64_t proposals_;
 };

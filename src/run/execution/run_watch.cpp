@@ -58,7 +58,7 @@ void RunWatch::see() {
   if (std::optional<BackboneD> seen = look_()) {
     observe(now_s_, *seen);
     shape_ = std::move(seen);
-    shape_frame_ = frames_;
+    shape_frame_ = shape_frame_ >= 0 && shape_time_s_ == now_s_ ? shape_frame_ : frames_;
     shape_time_s_ = now_s_;
     goal_time_.see(now_s_, tip_pose(*shape_));
   }

@@ -107,7 +107,8 @@ Decision JacobianController::step(const Moment& now) {
       frame_ - std::min(frame_, static_cast<std::size_t>(now.arm.lag_frames()));
   std::optional<Eigen::VectorXd> error;
   Eigen::VectorXd velocity = Eigen::VectorXd::Zero(rows_);
-  if (const std::optional<Backbone>& shape = now.arm.measured().backbone) {
+  if (const std::optional<Backbone>& shape = now.arm.measured().backbone;
+      shape && now.arm.frames_unseen() == 0) {
     const Eigen::VectorXd tip = in_metres(tip_pose(*shape));
     error = reference(seen) - tip;
     velocity = feedback(tip, seen);

@@ -88,7 +88,7 @@ void TipTracker::take_in(const ArmEstimate& arm) {
   queries_ += std::uint64_t(1 + arm.lag_frames());
   const int seen = frame_ - arm.lag_frames();
   const int since = seen - path_start_frame_;
-  if (since > 0 && arm.measured().backbone) {  // the lap's first frame is the approach's
+  if (since > 0 && arm.frames_unseen() == 0) {  // the lap's first frame is the approach's
     laps_.learn(since, path_.at(path_time_s(seen)) - tip_position_m(*arm.measured().backbone));
   }
 }
