@@ -151,6 +151,7 @@ std::string reached_only_in_collision(const PlanningProblem& problem,
   settings.starts = 200;
   settings.max_solutions = 50;
   settings.limits = problem.limits;
+  settings.give_up = give_up;
   const InverseKinematicsResult found =
       solve_inverse_kinematics(problem.model.no_load(), problem.environment.goal, settings, random);
   if (!found.reachable()) {

@@ -8,8 +8,6 @@ namespace {
 
 using httplib::Response;
 
-constexpr double kMinScale = 0.01;
-
 void require(bool done, Response& response) {
   if (!done) {
     refuse(response, kConflict, "this page has not armed the arm, or not any more");
@@ -28,7 +26,7 @@ void arm(ArmStation& station, const JsonReader& body, Response& response) {
 
 void run(ArmStation& station, Tabs& tabs, const JsonReader& body, Response& response) {
   ArmRunJob job;
-  job.limit_scale = body.at("limit_scale").number(kMinScale, 1.0);
+  job.limit_scale = body.at("limit_scale").number(kMinLimitScale, 1.0);
   job.replan = body.at("replan").boolean();
   job.drop_obstacle = body.at("obstacle").boolean();
   std::optional<FoundPlan> found;

@@ -205,9 +205,13 @@ void ArmStation::run_now(const ArmRunJob& job) {
 }
 
 /// Pages see states in the order in which they came about.
-void ArmStation::tell() {
+void ArmStation::tell(const Send& send) {
   const std::lock_guard lock(tell_mutex_);
-  send_("arm", status());
+  send("arm", status());
+}
+
+void ArmStation::tell() {
+  tell(send_);
 }
 
 /// What the driver says of a vent: also to whoever watches the terminal.

@@ -42,6 +42,8 @@ class ArmStation {
 
   /// The event `arm` (docs/studio_api.md).
   std::string status() const;
+  /// The same to a page that is new, in order with what all get.
+  void tell(const Send& send);
 
  private:
   void work();

@@ -19,6 +19,7 @@ namespace limber {
 
 /// Of the jobs that compute for seconds: the other cores are for other tabs, and VENT.
 inline constexpr int kJobThreads = 1;
+inline constexpr double kMinLimitScale = 0.01;
 
 /// What a tab asks its worker for (docs/studio_api.md). `request` comes back with every event.
 struct PlanJob {
@@ -28,7 +29,7 @@ struct PlanJob {
   double time_limit_s = 5.0;
   std::uint64_t seed = 1;
   bool with_tree = false;
-  double limit_scale = 1.0;  ///< of the arm's pressure limits, in (0, 1]
+  double limit_scale = 1.0;  ///< of the arm's pressure limits, kMinLimitScale to 1
 };
 /// The plan that stands, by every model.
 struct RunJob {

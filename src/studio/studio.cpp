@@ -30,7 +30,6 @@ using httplib::Request;
 using httplib::Response;
 
 constexpr double kMaxTimeLimitS = 60.0;
-constexpr double kMinLimitScale = 0.01;
 constexpr double kMaxE = 10.0;  // no arm of a family is so far from its middle
 
 /// Only this machine's own program listens here: cpp-httplib would share the port with others.
@@ -302,8 +301,9 @@ class Studio::Server {
       return;
     }
     if (station_) {
-      const std::string status = station_->status();
-      tabs_.with(id, [&](Tab& tab) { tab.events().push("arm", status); });
+      station_->tell([&](const std::string& kind, const std::string& json) {
+        tabs_.with(id, [&](Tab& tab) { tab.events().push(kind, json); });
+      });
     }
     response.set_chunked_content_provider(
         "text/event-stream",

@@ -38,10 +38,11 @@ Tab::~Tab() {
 }
 
 void Tab::post(Job job) {
+  std::optional<FoundPlan> gone;  // without the lock, which an arm's frames may wait for
   {
     const std::lock_guard lock(mutex_);
     if (std::holds_alternative<PlanJob>(job) || std::holds_alternative<OpenJob>(job)) {
-      found_.reset();  // of another scene: nothing may run it any more
+      gone.swap(found_);  // of another scene: nothing may run it any more
     }
     next_ = std::move(job);
     stop_job_ = true;
@@ -88,10 +89,6 @@ void Tab::work() {
 
 void Tab::run(const Job& job) {
   if (const auto* plan = std::get_if<PlanJob>(&job)) {
-    {
-      const std::lock_guard lock(mutex_);
-      found_.reset();
-    }
     run_plan_job(*plan, scene(plan->scene), stop_job_, events_,
                  [this](FoundPlan found) { keep(std::move(found)); });
   } else if (const auto* open = std::get_if<OpenJob>(&job)) {
@@ -110,9 +107,10 @@ void Tab::run(const Job& job) {
 }
 
 void Tab::keep(FoundPlan found) {
+  std::optional<FoundPlan> other(std::move(found));  // goes without the lock
   const std::lock_guard lock(mutex_);
   if (!next_) {  // else it answers a question that nobody asks any more
-    found_ = std::move(found);
+    other.swap(found_);
   }
 }
 

@@ -18,6 +18,8 @@ std::string Tabs::open() {
   const std::string id = make_token();
   auto tab = std::make_unique<Tab>(project_);
   tab->events().push("tab", nlohmann::json{{"id", id}}.dump());
+  const std::lock_guard events_lock(events_mutex_);
+  events_[id] = &tab->events();
   tabs_[id] = std::move(tab);
   return id;
 }
@@ -25,13 +27,17 @@ std::string Tabs::open() {
 void Tabs::close(const std::string& id) {
   decltype(tabs_)::node_type closed;  // joins its thread without the lock
   const std::lock_guard lock(mutex_);
+  {
+    const std::lock_guard events_lock(events_mutex_);
+    events_.erase(id);
+  }
   closed = tabs_.extract(id);
 }
 
 void Tabs::send_to_all(const std::string& kind, const std::string& json) {
-  const std::lock_guard lock(mutex_);
-  for (const auto& [id, tab] : tabs_) {
-    tab->events().push(kind, json);
+  const std::lock_guard lock(events_mutex_);
+  for (const auto& [id, events] : events_) {
+    events->push(kind, json);
   }
 }
 

@@ -25,7 +25,7 @@ class Tabs {
   /// The stream's next piece; empty after a while without one.
   std::string pop_event(const std::string& id);
 
-  /// The same event for every tab.
+  /// The same event for every tab. Waits for no tab's work.
   void send_to_all(const std::string& kind, const std::string& json);
 
   /// use(tab), while it can't be closed. @return whether there is such a tab
@@ -44,6 +44,8 @@ class Tabs {
   const ProjectFolder& project_;
   std::mutex mutex_;
   std::map<std::string, std::unique_ptr<Tab>> tabs_;
+  std::mutex events_mutex_;                    // after mutex_
+  std::map<std::string, EventQueue*> events_;  // of tabs_
 };
 
 }  // namespace limber

@@ -217,7 +217,8 @@ InverseKinematicsResult solve_inverse_kinematics(const NoLoadModel& model, const
   double min_excess = std::numeric_limits<double>::infinity();
   Descent descent(model, goal, settings.limits);
   while (result.starts_used < settings.starts &&
-         int(result.pressures_kpa.size()) < settings.max_solutions) {
+         int(result.pressures_kpa.size()) < settings.max_solutions &&
+         !(result.starts_used > 0 && settings.give_up && settings.give_up())) {
     ++result.starts_used;
     descent.start_at(descent.random_start(random));
     descent.run(settings.iterations, settings.convergence_m);

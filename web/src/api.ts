@@ -227,13 +227,15 @@ const asJson = (body: object): RequestInit => ({
   body: JSON.stringify(body),
 });
 
-type Chain = 'arm' | 'rest';
-const lastPost: Record<Chain, Promise<unknown>> = { arm: Promise.resolve(), rest: Promise.resolve() };
+type Chain = 'arm' | 'read' | 'rest';
+const noneYet = (): Record<Chain, Promise<unknown>> =>
+  ({ arm: Promise.resolve(), read: Promise.resolve(), rest: Promise.resolve() });
+let lastPost = noneYet();
 
-/** One after another: what is asked for later arrives later. The arm waits for nothing else. */
+/** One after another: what is asked for later arrives later. The arm waits for nothing else, a plan for no files. */
 export function post<T>(path: string, body: object): Promise<T> {
   const { signal } = others;
-  const chain: Chain = path.startsWith('arm/') ? 'arm' : 'rest';
+  const chain: Chain = path.startsWith('arm/') ? 'arm' : path === 'experiment/runs' ? 'read' : 'rest';
   const answer = lastPost[chain].then(() => ask<T>(path, asJson(body), signal));
   lastPost[chain] = answer.catch(() => {});
   return answer;
@@ -246,7 +248,7 @@ const kVentPatience_ms = 500;
 export async function vent(): Promise<void> {
   others.abort();
   others = new AbortController();
-  lastPost.arm = lastPost.rest = Promise.resolve();
+  lastPost = noneYet();
   const send = () =>
     fetch('/api/arm/vent', {
       ...asJson({}),

@@ -20,8 +20,8 @@ import { offerVent, showArmState } from './vent_button';
 
 type ModeName = 'plan' | 'play' | 'follow' | 'drive' | 'results';
 
-/** A drag's own frame waits so long: the plan that it asks for mostly comes with it. */
-const kPlanIsNear_ms = 20;
+/** A drag's own frame waits so long: the plan that it asks for, there after 25 to 60 ms, mostly comes with it. */
+const kPlanIsNear_ms = 40;
 
 const kLost = 'The studio does not answer. Is limber studio still running, in fewer than five tabs?';
 const kForeign = 'The studio was started again: open the address that it has printed.';
@@ -195,7 +195,7 @@ export class App {
     const arm = armName === this.armName ? this.arm : await get<Arm>('arm', { name: armName });
     const shown = environment ?? (await get<Environment>('environment', { name: environmentName, arm: armName }));
     if (choice !== this.choice) return false;
-    this.planner.forget();
+    this.forget();
     if (arm !== this.arm) {
       const { length_m } = arm;
       this.arm = arm;
@@ -258,7 +258,7 @@ export class App {
     this.replan();
   }
   private replan(): void {
-    this.planner.forget();
+    this.forget();
     this.enter(this.mode);
     if (this.mode === 'plan') this.ask();
   }
@@ -296,7 +296,7 @@ export class App {
   }
   /** @param at_ms  when the hand asked */
   private question(at_ms: number): void {
-    if (this.isFamily) return this.planner.forget();
+    if (this.isFamily) return this.forget();
     this.planner.ask(
       {
         arm: this.armName, model: this.model, environment: this.environment,
@@ -311,6 +311,12 @@ export class App {
     if (this.tab !== '') void post('stop', { tab: this.tab }).catch(() => {}); // it has ended then
   }
 
+  /** The plan, and the search for it. */
+  private forget(): void {
+    if (this.planner.searching) this.endWork();
+    this.planner.forget();
+  }
+
   private armChanged(): void {
     showArmState(this);
     this.refresh();
@@ -318,13 +324,14 @@ export class App {
 
   /** The environment as one step of its history. */
   edit(environment: Environment): void {
+    if (this.stage.isHeld) return; // the hand's next move would take it back
     this.history.set(environment);
     this.edited();
   }
   /** @param dragged_ms  when a hand moved something that it holds: then the plan is asked for first */
   edited(dragged_ms?: number): void {
     if (this.live) this.question(dragged_ms ?? performance.now());
-    else this.planner.forget(); // its plan is of another scene
+    else this.forget(); // its plan is of another scene
     if (dragged_ms === undefined) this.refresh();
     else if (this.live) this.late ??= setTimeout(() => this.refreshSoon(), kPlanIsNear_ms);
     else this.refreshSoon();
@@ -334,6 +341,7 @@ export class App {
     this.refresh();
   }
   add(kind: string): void {
+    if (this.stage.isHeld) return;
     const { width, height } = this.stage.camera;
     const middle = toWorld(this.stage.camera, [width / 2, height / 4]);
     this.selected = this.environment.obstacles.length;
@@ -341,10 +349,11 @@ export class App {
     byId('canvas').focus();
   }
   removeSelected(): void {
-    if (typeof this.selected !== 'number') return;
+    if (typeof this.selected !== 'number' || this.stage.isHeld) return;
     const gone = this.selected;
     this.selected = null;
     this.edit(removed(this.environment, gone));
+    byId('canvas').focus();
   }
   undo(): void {
     if (this.stage.isHeld) return; // a drag under way would be half in the past

@@ -43,9 +43,11 @@ export class ArmLink {
   prepare(): void {
     const worker = new Worker(new URL('./lease_worker.ts', import.meta.url), { type: 'module' });
     this.worker = worker;
-    this.ready = new Promise((resolve) => {
+    this.ready = new Promise((resolve, reject) => {
+      worker.onerror = () => reject(new Error('The page can’t renew its hold on the arm: load it again.'));
       worker.onmessage = ({ data }: MessageEvent<'ready' | 'over'>) => (data === 'ready' ? resolve() : this.drop());
     });
+    this.ready.catch(() => {}); // arm() says it
   }
   async arm(): Promise<void> {
     await this.ready;

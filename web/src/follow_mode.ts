@@ -5,7 +5,6 @@ import type { Point } from './environment';
 import { save } from './export';
 import type { Mode } from './mode';
 import { durationOf, figuresAt, mainOf } from './motion';
-import { tracksPanel } from './panels';
 import { csvOf, figureOf, pathOf, timed } from './path';
 import type { Scene } from './picture';
 import { Player } from './player';
@@ -98,7 +97,7 @@ export class FollowMode implements Mode {
   onFollowed(run: Followed): void {
     if (run.request !== this.request) return;
     this.run = run;
-    this.outcome.replaceChildren(tracksPanel(run, this.shown, () => {}));
+    this.say(mainOf(run).outcome);
     this.plots.show(chartsOf(run, mainOf(run), run.wanted_m, this.app.unit), run.frame_rate_hz, this.shown);
     this.player.seek(0);
     this.player.toggle();

@@ -143,7 +143,7 @@ function sliderRow(
   name: string, label: string, [low, high]: [number, number], value: number,
   text: (value: number) => string, set: (value: number) => void,
 ): HTMLElement {
-  const output = h('output', {}, text(value));
+  const output = h('output', { 'aria-live': 'off' }, text(value)); // the slider says it
   const input = h('input', { type: 'range', min: low, max: high, step: 'any', value: String(value), 'aria-label': label });
   input.addEventListener('keydown', (event) => {
     const step = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -10, PageUp: 10 }[event.key];

@@ -128,6 +128,7 @@ export class PlanMode implements Mode {
     this.grip = null;
     this.app.history.end();
     this.app.refresh();
+    this.app.planner.hurry();
   }
 
   refresh(): void {

@@ -47,10 +47,18 @@ export class LivePlanner {
   ask(question: PlanQuestion, asked_ms: number): void {
     this.next = { question, asked_ms };
     if (this.tab() === '') ++this.request; // nobody answers for now: the plan is of another scene
+    this.begin();
+    void this.send();
+  }
+  /** What was said of the question before is over. */
+  private begin(): void {
     this.searching = true;
     this.progress = this.result = this.tree = null;
     this.fault = '';
-    void this.send();
+  }
+  /** The hand has let go: the newest question goes at once. */
+  hurry(): void {
+    if (this.next !== null) this.heard();
   }
 
   /** No further answer is awaited; a plan is of another scene if a newer question still waited. */
@@ -125,6 +133,9 @@ export class LivePlanner {
     if (this.sending || this.next === null || this.tab() === '') return;
     const { question, asked_ms } = this.next;
     this.next = null;
+    const wasAnswered = this.result !== null || this.fault !== '';
+    this.begin();
+    if (wasAnswered) this.changed(); // while this one waited
     this.sending = true;
     this.asked_ms = asked_ms;
     const request = ++this.request;

@@ -1,7 +1,7 @@
-import { type ArmFrame, type Motion, post, type Run, type TrackKey } from './api';
+import { type ArmFrame, type Environment, type Motion, post, type Run, type TrackKey } from './api';
 import type { App } from './app';
 import { ArmPanel } from './arm_panel';
-import { button, checkbox, h } from './dom';
+import { button, changeText, checkbox, h } from './dom';
 import type { Point } from './environment';
 import { exportRow } from './export';
 import type { Mode } from './mode';
@@ -20,6 +20,7 @@ export class PlayMode implements Mode {
   private readonly options: RunOptions = { replan: false, obstacle: false }; // as they were ticked
   private trail: Point[] = []; // of the arm's tip, while it moves
   private seen: ArmFrame | null = null; // the last one of the trail
+  private armScene: Environment | null = null; // of the arm's run
   private player: Player = new Player(() => (this.run ? durationOf(this.run) : 0), () => this.app.refresh(), () => this.toggle());
   private stop = button('Stop', () => void this.app.attempt(() => this.app.armLink.stop().then(() => {})));
   private tracks = h('div');
@@ -89,7 +90,9 @@ export class PlayMode implements Mode {
 
   /** The arm's own motion, once it is over: beside the models' of the same plan. */
   onArmRun(motion: Motion): void {
-    if (!this.run || !this.app.armLink.ownRun) return;
+    const { app } = this;
+    if (!this.run || !app.armLink.ownRun) return;
+    if (app.environment !== this.armScene) return app.say('The arm’s run was of the scene before: it is recorded');
     const models = this.run.tracks.filter(({ key }) => key !== 'arm' && key !== 'virtual_arm');
     this.trail = [];
     this.show({ ...motion, tracks: [...models, ...motion.tracks] });
@@ -119,6 +122,7 @@ export class PlayMode implements Mode {
       const { armLink } = app;
       if (armLink.runs) return void app.attempt(() => armLink.pause(!armLink.paused));
       this.trail = [];
+      this.armScene = app.environment;
       this.player.seek(0);
       return void app.attempt(() => armLink.run({ ...possible(this.options, app.model), limit_scale: this.armPanel.limitScale }));
     }
@@ -140,9 +144,9 @@ export class PlayMode implements Mode {
     }
     player.slider.disabled = isLive;
     player.press.disabled = isLive && !armLink.isMine;
-    player.press.textContent = isLive
+    changeText(player.press, isLive
       ? (armLink.paused ? 'Go on' : 'Pause')
-      : player.playing ? 'Pause' : this.armPanel.isChosen ? 'Play on the arm' : 'Play';
+      : player.playing ? 'Pause' : this.armPanel.isChosen ? 'Play on the arm' : 'Play');
     if (run) this.plots.at(player.time_s);
   }
 
@@ -153,11 +157,12 @@ export class PlayMode implements Mode {
     if (!live) {
       return run ? { environment: environmentAt(environment, run, time_s), figures: figuresAt(run, this.shown, time_s), showReach: false, showTree } : {};
     }
+    const around = this.armScene ?? environment;
     const models = new Set([...this.shown].filter((key) => key !== 'arm' && key !== 'virtual_arm'));
     const now: Figure[] = live.shape ? [{ shape: live.shape, pressures_kpa: live.pressure_kpa, colour: 'arm', trail: this.trail }] : [];
     return {
-      environment: { ...environment, obstacles: [...environment.obstacles, ...(live.obstacle ? [live.obstacle] : [])] },
-      figures: [...now, ...(run ? figuresAt(run, models, time_s, true) : [])],
+      environment: { ...around, obstacles: [...around.obstacles, ...(live.obstacle ? [live.obstacle] : [])] },
+      figures: [...now, ...(run && around === environment ? figuresAt(run, models, time_s, true) : [])],
       showReach: false,
     };
   }

@@ -1,4 +1,4 @@
-import { button, h } from './dom';
+import { button, changeText, h } from './dom';
 
 /** Play, a slider and the time; `show` shows what there is to see of a moment. */
 export class Player {
@@ -7,7 +7,7 @@ export class Player {
   playing = false;
   private turn = 0; // of steps: those of another one end
   readonly slider = h('input', { type: 'range', min: 0, step: 'any', value: 0, 'aria-label': 'Time in seconds' });
-  private readonly clock = h('output');
+  private readonly clock = h('output', { 'aria-live': 'off' }); // the slider says it
   readonly press: HTMLButtonElement;
 
   /** @param pressed  of whoever plays something else too */
@@ -57,7 +57,7 @@ export class Player {
     this.slider.max = String(this.duration_s());
     this.slider.value = String(this.time_s);
     this.slider.setAttribute('aria-valuetext', `${this.time_s.toFixed(1)} seconds`);
-    this.clock.textContent = `${this.time_s.toFixed(1)} s`;
-    this.press.textContent = this.playing ? 'Pause' : 'Play';
+    changeText(this.clock, `${this.time_s.toFixed(1)} s`);
+    changeText(this.press, this.playing ? 'Pause' : 'Play');
   }
 }

@@ -8,8 +8,9 @@ import { pageTest, serve, shared } from './page_test.mjs';
 import { network, pixelsOf, program } from './studio.mjs';
 
 serve();
-const followed = (page) => page.waitForSelector('.tracks small');
-const rms_cm = async (page) => Number((await page.textContent('.tracks')).match(/off the path by ([\d.]+) cm/)[1]);
+const outcome = (page) => page.getByText(/off the path by [\d.]+ cm/);
+const followed = (page) => outcome(page).waitFor();
+const rms_cm = async (page) => Number((await outcome(page).textContent()).match(/off the path by ([\d.]+) cm/)[1]);
 
 pageTest('a path is drawn by hand, and the arm follows it', async (page) => {
   await page.getByRole('tab', { name: 'Follow' }).click();
@@ -20,7 +21,7 @@ pageTest('a path is drawn by hand, and the arm follows it', async (page) => {
   for (const point of [[0.4, 0.3], [0.36, 0.35], [0.32, 0.38]]) await page.mouse.move(...(await pixelsOf(page, point)), { steps: 5 });
   await page.mouse.up();
   await followed(page);
-  assert.ok((await rms_cm(page)) < 1.5, await page.textContent('.tracks'));
+  assert.ok((await rms_cm(page)) < 1.5, await outcome(page).textContent());
   assert.match(await page.textContent('.plots'), /Pressure of segment 2.*Tip from the path.*Clearance/s);
   await page.waitForFunction(() => document.querySelector('.play input').valueAsNumber > 0.3);
 });
@@ -30,7 +31,7 @@ pageTest('a circle is followed by keyboard alone, and its file by the program', 
   await page.getByLabel('Takes').selectOption('10');
   await page.getByRole('button', { name: 'Circle' }).press('Enter');
   await followed(page);
-  assert.ok((await rms_cm(page)) < 1.5, await page.textContent('.tracks'));
+  assert.ok((await rms_cm(page)) < 1.5, await outcome(page).textContent());
   const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'CSV' }).press('Enter')]);
   const file = join(shared.studio.project, 'path.csv');
   await download.saveAs(file);

@@ -26,6 +26,36 @@ describe('the live planner', () => {
     answers[1](); // a page's next post waits for it
   });
 
+  it('keeps no verdict of a question on the one that waited for it', async () => {
+    const { sent, answers } = heldFetch('request');
+    const planner = new LivePlanner(() => 'tab', () => {});
+    planner.ask(question, 0);
+    planner.ask(question, 0);
+    await vi.waitFor(() => expect(sent).toHaveLength(1));
+    planner.onFault(sent[0] as number, 'edges cross');
+    expect(planner.fault).toBe('edges cross');
+    answers[0]();
+    await vi.waitFor(() => expect(sent).toHaveLength(2));
+    expect([planner.fault, planner.result, planner.searching]).toEqual(['', null, true]);
+    answers[1]();
+  });
+
+  it('sends the last question at once when the hand lets go', async () => {
+    vi.useFakeTimers();
+    const { sent, answers } = heldFetch('arm');
+    const planner = new LivePlanner(() => 'tab', () => {});
+    for (const arm of ['1', '2']) planner.ask({ ...question, arm }, 0);
+    await vi.advanceTimersByTimeAsync(1);
+    answers[0]();
+    await vi.advanceTimersByTimeAsync(1);
+    expect(sent).toEqual(['1']);
+    planner.hurry();
+    await vi.advanceTimersByTimeAsync(1);
+    expect(sent).toEqual(['1', '2']);
+    answers[1]();
+    vi.useRealTimers();
+  });
+
   it('lets a search go on until it is heard, or for its patience, before the next question ends it', async () => {
     vi.useFakeTimers();
     const sent: number[] = [];

@@ -1,6 +1,7 @@
 #pragma once
 // For those who plan.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct InverseKinematicsSettings {
   double distinct_pressure = 0.01;  ///< solutions differ by more of some segment's largest command
   /// Of each segment, within the model's; empty: the model's.
   std::vector<PressureLimits> limits = {};
+  std::function<bool()> give_up = {};  ///< asked between starts; may be empty
 };
 
 /// What was found; no solution is an expected outcome.
