@@ -72,7 +72,7 @@ async function follow(page) {
   await page.getByText('There is no path yet').waitFor();
   await isAccessible(page, 'Follow, empty');
   await press(page, 'Eight');
-  await page.waitForSelector('.tracks small');
+  await page.getByText(/off the path by/).waitFor();
   await isAccessible(page, 'Follow');
 }
 

@@ -23,10 +23,13 @@ export function serve(...flags) {
 export function pageTest(name, use, options) {
   test(name, async () => {
     const page = await openPage(shared.browser, shared.studio.address, options);
-    await page.waitForSelector('.status.good');
-    await use(page);
-    assert.deepEqual(page.faults, []);
-    await page.context().close();
+    try {
+      await page.waitForSelector('.status.good');
+      await use(page);
+      assert.deepEqual(page.faults, []);
+    } finally {
+      await page.context().close(); // four tabs can be open at once
+    }
   });
 }
 

@@ -44,7 +44,7 @@ for (const [look, options] of Object.entries(looks)) {
   await idle();
   await page.getByRole('tab', { name: 'Follow' }).click();
   await page.getByRole('button', { name: 'Eight' }).click();
-  await page.waitForFunction(() => document.querySelector('.tracks small') && document.querySelector('.play input').valueAsNumber > 9);
+  await page.waitForFunction(() => document.body.textContent.includes('off the path by') && document.querySelector('.play input').valueAsNumber > 9);
   await shot('follow');
   await page.getByRole('tab', { name: 'Drive' }).click();
   const slide = async (segment, key) => {
