@@ -140,11 +140,16 @@ class Campaigns(InFolder):
         self.assertEqual((status["done"], status["waiting"]), (UNITS // 2, UNITS // 2))
         self.assertGreater(status["left_s"], 0)
 
+    def test_a_forest_is_grown_before_units_run_and_not_needed_after(self):
+        self.write("c.yaml", "schema: limber/campaign/1\nverb: experiment\nflags: {model: m.safetensors, max-queries: 100, "
+                   "forest: none.forest}\ngrid: {trials: [1]}\n")
+        self.assertIn("'none.forest': not found; grow it first", self.campaign("--dry-run", code=2).stderr)
+        self.assertEqual(self.run_json("campaign", "c.yaml", "--status")["done"], 0)
+
     def test_budgets_in_seconds_and_unknown_flags_are_refused(self):
         for flag, wanted in (("time-limit-s: 3", "budgets are"), ("jobs: 3", "limber campaign"),
                              ("dry-run: true", "give --dry-run to limber campaign"),
                              ("build-forest: true", "grow it first"),
-                             ("forest: none.forest", "'none.forest': not found; grow it first"),
                              ("nonsense: 3", "nonsense")):
             self.write("c.yaml", COLLECT.replace("count: 6", f"count: 6, {flag}"))
             message = self.campaign(code=2).stderr
