@@ -58,10 +58,9 @@ for (const environment of environments) {
       performance.clearMeasures();
       window.reasonAt_ms = undefined;
       window.movedAt_ms = performance.now();
-      // Until the page takes it down, the verdict there is the place's before.
-      const isBad = () => document.querySelector('.status.bad') !== null;
-      window.isOld = isBad();
-      window.watch ??= new MutationObserver(() => { window.isOld &&= isBad(); });
+      // Until the page renews it, what stands there was said of the place before.
+      window.isOld = true;
+      window.watch ??= new MutationObserver(() => { window.isOld = false; });
       window.watch.observe(document.querySelector('#status'), { childList: true });
     });
     await page.mouse.move(...(await pixelsOf(page, [middles_m[cell], middles_m[cell + 1]])));
