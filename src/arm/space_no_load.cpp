@@ -13,7 +13,7 @@ namespace limber {
 namespace {
 
 constexpr double kSameColumn = 1e-9;  // of the largest: angles and radii have fewer digits
-constexpr double kOneWay = 0.2;       // chambers within 20 degrees of opposite bend one way
+constexpr double kOneWay = 0.2;       // chambers within 15 to 22 degrees of opposite bend one way
 
 Eigen::Index rank_of(const Eigen::MatrixXd& matrix, double least) {
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> parts(matrix);
