@@ -203,22 +203,6 @@ std::vector<SpaceFlips> settle(double length_m, double longest_gap_s, const Jump
   return found;
 }
 
-bool any_heading_jumps(const PointTracks& tracks) {
-  for (Eigen::Index i = 0; i < tracks.point_count(); ++i) {
-    double before_rad = std::numeric_limits<double>::quiet_NaN();
-    for (Eigen::Index t = 0; t < tracks.row_count(); ++t) {
-      if (tracks.is_tracked(t, i)) {
-        const double theta_rad = tracks.theta_rad(t, i);
-        if (std::abs(std::remainder(theta_rad - before_rad, 2.0 * M_PI)) > kInPlane.least_rad) {
-          return true;
-        }
-        before_rad = theta_rad;
-      }
-    }
-  }
-  return false;
-}
-
 /// The same points in space, in the plane z = 0.
 SpaceTracks in_space(const PointTracks& tracks) {
   SpaceTracks space;
@@ -251,9 +235,6 @@ std::vector<SpaceFlips> settle_rotations(double length_m, double longest_gap_s,
 void settle_headings(double length_m, double longest_gap_s, PointTracks& tracks,
                      RunReport& report) {
   constexpr double kTurned_rad = 1e-6;  // less is rounding
-  if (!any_heading_jumps(tracks)) {
-    return;
-  }
   SpaceTracks space = in_space(tracks);
   for (const SpaceFlips& flips : settle(length_m, longest_gap_s, kInPlane, space)) {
     report.note(

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -14,8 +13,7 @@ namespace limber {
 
 namespace {
 
-constexpr std::size_t kMinTubeRuns = 39;     // 95 % of fewer is their largest, or nearly so
-constexpr double kQuantileConfidence = 0.5;  // a measured quantile is too small as often as not
+constexpr std::size_t kMinTubeRuns = 39;  // 95 % of fewer is their largest, or nearly so
 // 95 % beside the median, of 127 plans on as many unseen arms of `wide` (docs/families.md): of the
 // largest error on the way, of the tip's at the end, and of its heading's.
 constexpr double kPathTail = 2.0;
@@ -65,64 +63,21 @@ std::optional<PredictionError> RunErrors::result(double frame_period_s) const {
   return result;
 }
 
-RoomGrowth growth_of(std::size_t candidate, double arm_length_m) {
-  return {kStartShares[candidate], usual_growth(arm_length_m).full_after_m};
-}
-
-double RunErrors::tip_share(std::size_t candidate) const {
-  double sum = 0.0;
-  for (const GrowingErrors& motion : motions_) {
-    sum += motion.tip_share[candidate];
-  }
-  return sum / double(motions_.size());
-}
-
-Tube RunErrors::tube_that_grows(std::size_t candidate, double arm_length_m) const {
-  const auto half = motions_.begin() + static_cast<std::ptrdiff_t>(motions_.size() / 2);
-  std::vector<MotionErrors> first;
-  for (auto motion = motions_.begin(); motion != half; ++motion) {
-    first.push_back(motion->of[candidate]);
-  }
-  Tube tube = tube_shape(first, growth_of(candidate, arm_length_m));
-  std::vector<double> scores;
-  for (auto motion = half; motion != motions_.end(); ++motion) {
-    scores.push_back(score_of(motion->of[candidate].plate_m, tube.plate_scale_m));
-  }
-  TubeLevel level;
-  level.level = Tube::kDefaultLevel;
-  level.factor = conformal_quantile(scores, level.level);
-  level.runs = static_cast<int>(scores.size());
-  level.outside = static_cast<int>(
-      std::ranges::count_if(scores, [&](double score) { return score > level.factor; }));
-  level.confidence = kQuantileConfidence;
-  tube.levels = {level};
-  // The end has quantiles of its own, as in PredictionError: the goal asks for them, not obstacles.
-  tube.end_scale_m =
-      std::max(kMinScaleM, largest_at_end(&MotionErrors::end_m, kEndTail).value_or(0.0)) /
-      level.factor;
-  tube.end_heading_scale_rad =
-      std::max(kMinScaleRad,
-               largest_at_end(&MotionErrors::end_heading_rad, kHeadingTail).value_or(0.0)) /
-      level.factor;
-  tube.source = "recorded motions that networks had not learnt from, off their path";
-  return tube;
-}
-
 std::optional<Tube> RunErrors::tube(double arm_length_m) const {
   if (motions_.size() / 2 < kMinTubeRuns) {
     return std::nullopt;
   }
-  std::optional<Tube> narrowest;
-  double least_m = std::numeric_limits<double>::infinity();
-  for (std::size_t g = 0; g < kStartShares.size(); ++g) {
-    Tube tube = tube_that_grows(g, arm_length_m);
-    const double mean_m = tube.levels.front().factor * tube.plate_scale_m.back() * tip_share(g);
-    if (mean_m < least_m) {
-      least_m = mean_m;
-      narrowest = std::move(tube);
-    }
-  }
-  return narrowest;
+  Tube tube = narrowest_tube(motions_, arm_length_m).tube;
+  // The end has quantiles of its own, as in PredictionError: the goal asks for them, not obstacles.
+  const double factor = tube.levels.front().factor;
+  tube.end_scale_m =
+      std::max(kMinScaleM, largest_at_end(&MotionErrors::end_m, kEndTail).value_or(0.0)) / factor;
+  tube.end_heading_scale_rad =
+      std::max(kMinScaleRad,
+               largest_at_end(&MotionErrors::end_heading_rad, kHeadingTail).value_or(0.0)) /
+      factor;
+  tube.source = "recorded motions that networks had not learnt from, off their path";
+  return tube;
 }
 
 std::string RunErrors::widest_where(const std::string& unit) const {

@@ -22,6 +22,7 @@
 #include "limber/common/json_reader.hpp"
 #include "limber/common/version.hpp"
 #include "limber/network/arm_family.hpp"
+#include "limber/network/tube_shape.hpp"
 #include "limber/report/report_page.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
 
@@ -111,7 +112,7 @@ constexpr double kAuditConfidence = 0.99;  // that an audit contradicts
 /// What has to be the same for runs of two starts to be one calibration.
 Json identity(const CalibrationSettings& settings) {
   const TubeRunSettings& runs = settings.runs;
-  Json json = {{"schema", "limber/calibration/4"},
+  Json json = {{"schema", "limber/calibration/5"},
                {"arm", {{"name", runs.arm.name}, {"hash", runs.arm.hash()}}},
                {"virtual_arm", virtual_arm_hash(runs.executed_arm)},
                {"model", file_hash(settings.model_file)},
@@ -213,7 +214,9 @@ class Calibration {
   void find_shape() {
     const TubeRuns runs = run_phase("shape", settings_.scale_runs, nullptr, 0.0);
     expected_error_m_ = runs.expected_error_m();
-    shape_ = tube_shape(runs.errors(), usual_growth(settings_.runs.arm.length_m()));
+    const std::vector<GrowingErrors> motions = runs.errors();
+    const auto& [growth, tube] = narrowest_tube(motions, settings_.runs.arm.length_m());
+    shape_ = tube_shape(errors_of(motions, growth), tube.growth);
     shape_.source = "virtual arm";
   }
 
@@ -353,7 +356,7 @@ int min_test_runs(const CalibrationSettings& settings) {
 }
 
 void require_usable(const CalibrationSettings& settings) {
-  require_runs("--shape-runs", settings.scale_runs, 1);
+  require_runs("--shape-runs", settings.scale_runs, 2);
   require_runs("--audit-runs", settings.audit_runs, 0);
   require_usable_levels(settings.levels, settings.confidence);
   const double highest = settings.levels.back();

@@ -48,12 +48,30 @@ Json to_json(const TubeRun& run) {
   if (run.expected_error_m > 0.0) {
     json["expected_error_m"] = run.expected_error_m;
   }
-  if (run.errors) {
-    json["plate_m"] = run.errors->plate_m;
-    json["end_m"] = run.errors->end_m;
-    json["end_heading_rad"] = run.errors->end_heading_rad;
+  for (std::size_t g = 0; run.errors && g < kStartShares.size(); ++g) {
+    const MotionErrors& errors = run.errors->of[g];
+    json["errors"].push_back({{"start_share", kStartShares[g]},
+                              {"plate_m", errors.plate_m},
+                              {"end_m", errors.end_m},
+                              {"end_heading_rad", errors.end_heading_rad},
+                              {"tip_share", run.errors->tip_share[g]}});
   }
   return json;
+}
+
+GrowingErrors read_errors(const JsonReader& json) {
+  const std::vector<JsonReader> rows = json.elements("a list of errors");
+  if (rows.size() != kStartShares.size()) {
+    json.refuse(fmt::format("{} found; expected {}", rows.size(), kStartShares.size()));
+  }
+  GrowingErrors errors;
+  for (std::size_t g = 0; g < rows.size(); ++g) {
+    constexpr std::size_t kAny = std::string::npos;
+    errors.of[g] = {rows[g].at("plate_m").numbers(kAny, "distances in metres", 0.0),
+                    rows[g].at("end_m").number(0.0), rows[g].at("end_heading_rad").number(0.0)};
+    errors.tip_share[g] = rows[g].at("tip_share").number(0.0);
+  }
+  return errors;
 }
 
 TubeRun read_tube_run(const JsonReader& json) {
@@ -71,10 +89,8 @@ TubeRun read_tube_run(const JsonReader& json) {
   if (json.has("expected_error_m")) {
     run.expected_error_m = json.at("expected_error_m").number(0.0);
   }
-  if (json.has("plate_m")) {
-    constexpr std::size_t kAny = std::string::npos;
-    run.errors = MotionErrors{json.at("plate_m").numbers(kAny, "distances in metres", 0.0),
-                              json.at("end_m").number(0.0), json.at("end_heading_rad").number(0.0)};
+  if (json.has("errors")) {
+    run.errors = read_errors(json.at("errors"));
   }
   return run;
 }
@@ -257,7 +273,7 @@ class PhaseRunner {
       run.score = tube_score(plan, execution.episode, tube);
       run.tip_radius_m = mean_tip_radius_m(plan, tube, tube.levels.front());
     } else {
-      run.errors = motion_errors(plan, execution.episode, usual_growth(settings_.arm.length_m()));
+      run.errors = growing_errors(plan, execution.episode, settings_.arm.length_m());
     }
   }
 
@@ -286,13 +302,15 @@ double mean_of(const std::vector<TubeRun>& runs, double TubeRun::*member) {
 }
 
 /// Of an arm that is expected to be off by `times` as much.
-MotionErrors scaled(MotionErrors errors, double times) {
-  for (double& error_m : errors.plate_m) {
-    error_m *= times;
+GrowingErrors scaled(GrowingErrors motion, double times) {
+  for (MotionErrors& errors : motion.of) {
+    for (double& error_m : errors.plate_m) {
+      error_m *= times;
+    }
+    errors.end_m *= times;
+    errors.end_heading_rad *= times;
   }
-  errors.end_m *= times;
-  errors.end_heading_rad *= times;
-  return errors;
+  return motion;
 }
 
 int count_of(const std::vector<TubeRun>& runs, bool TubeRun::*member) {
@@ -314,9 +332,9 @@ int TubeRuns::outside(double factor) const {
       all, [&](const TubeRun& run) { return run.executed && !(run.score <= factor); }));
 }
 
-std::vector<MotionErrors> TubeRuns::errors() const {
+std::vector<GrowingErrors> TubeRuns::errors() const {
   const double usual_m = expected_error_m();
-  std::vector<MotionErrors> result;
+  std::vector<GrowingErrors> result;
   for (const TubeRun& run : all) {
     if (run.errors) {
       result.push_back(scaled(*run.errors, usual_m > 0.0 ? usual_m / run.expected_error_m : 1.0));

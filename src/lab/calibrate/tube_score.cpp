@@ -56,6 +56,16 @@ class Moved {
   const Backbone& start_;
 };
 
+/// Of its room that the tip has, on average over the plan's frames.
+double mean_tip_share(const Plan& plan, const RoomGrowth& growth) {
+  const Moved moved(plan.frames.front().backbone);
+  double sum = 0.0;
+  for (const PlanFrame& frame : plan.frames) {
+    sum += growth.share_after(moved(frame.backbone, frame.backbone.rows() - 1));
+  }
+  return sum / plan.frame_count();
+}
+
 }  // namespace
 
 std::vector<int> shown_frames(const Plan& plan, const Episode& run) {
@@ -116,14 +126,18 @@ double tube_score(const Plan& plan, const Episode& run, const Tube& shape) {
   return std::max(score, end_score);
 }
 
-double mean_tip_radius_m(const Plan& plan, const Tube& tube, const TubeLevel& level) {
-  const Moved moved(plan.frames.front().backbone);
-  double sum = 0.0;
-  for (const PlanFrame& frame : plan.frames) {
-    const Eigen::Index tip = frame.backbone.rows() - 1;
-    sum += tube.radius_m(level, static_cast<std::size_t>(tip), moved(frame.backbone, tip));
+GrowingErrors growing_errors(const Plan& plan, const Episode& run, double arm_length_m) {
+  GrowingErrors errors;
+  for (std::size_t g = 0; g < kStartShares.size(); ++g) {
+    const RoomGrowth growth = growth_of(g, arm_length_m);
+    errors.of[g] = motion_errors(plan, run, growth);
+    errors.tip_share[g] = mean_tip_share(plan, growth);
   }
-  return sum / plan.frame_count();
+  return errors;
+}
+
+double mean_tip_radius_m(const Plan& plan, const Tube& tube, const TubeLevel& level) {
+  return level.factor * tube.plate_scale_m.back() * mean_tip_share(plan, tube.growth);
 }
 
 }  // namespace limber

@@ -126,6 +126,21 @@ TEST(TubeScore, CountsErrorsMoreWhereTheTubeIsNarrower) {
               2.0 * 0.02 * (0.25 + 0.625 + 0.625) / 3.0, 1e-6);
 }
 
+TEST(MotionErrors, GrowInEachWayThatATubeMay) {
+  Plan plan = straight_plan(2);
+  plan.frames[1].backbone = shape(0.02);
+  const Episode run = run_of({shape(0.0), shape(0.025)});
+  // The tip goes 4 cm of the 15 % of a metre after which it has all its room, and ends 1 cm off.
+  const GrowingErrors errors = growing_errors(plan, run, 1.0);
+  for (std::size_t g = 0; g < kStartShares.size(); ++g) {
+    const double start = kStartShares[g];
+    const double moved = start + (1.0 - start) * 0.04 / 0.15;
+    EXPECT_NEAR(errors.of[g].plate_m[2], 0.01 / moved, 1e-5);
+    EXPECT_NEAR(errors.of[g].end_m, 0.01, kFloat);
+    EXPECT_NEAR(errors.tip_share[g], 0.5 * (start + moved), 1e-6);
+  }
+}
+
 // 99 of 100 inside, 95 at the tip and at the end.
 TEST(TubeShape, IsWhatMostRunsStayBelow) {
   std::vector<MotionErrors> runs;

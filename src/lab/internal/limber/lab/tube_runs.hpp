@@ -30,8 +30,8 @@ struct TubeRun {
   double expected_error_m = 0.0;
   bool collided = false;
   bool reached = false;  ///< ended in the goal, without collision
-  /// Kept where they give a tube its shape, which grows as usual_growth has it; as measured.
-  std::optional<MotionErrors> errors;
+  /// Kept where they give a tube its shape; as measured.
+  std::optional<GrowingErrors> errors;
 };
 
 /// Runs of one phase of a calibration: one plan in each environment, so that they are independent.
@@ -43,7 +43,7 @@ struct TubeRuns {
   /// Runs whose score exceeds the factor.
   int outside(double factor) const;
   /// Of a family's runs, as if each arm were expected to be off by expected_error_m().
-  std::vector<MotionErrors> errors() const;
+  std::vector<GrowingErrors> errors() const;
   /// The median over executed runs; 0: they are of no family.
   double expected_error_m() const;
 };

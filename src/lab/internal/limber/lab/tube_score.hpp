@@ -16,6 +16,9 @@ std::vector<int> shown_frames(const Plan& plan, const Episode& run);
 /// @pre the run is that plan's, open loop
 MotionErrors motion_errors(const Plan& plan, const Episode& run, const RoomGrowth& growth = {});
 
+/// The same for each growth that a tube may have.
+GrowingErrors growing_errors(const Plan& plan, const Episode& run, double arm_length_m);
+
 /// (3): the largest of error over scale, over plates, the middles of gaps and frames, and over tip
 /// and heading at the run's end. The run is inside a tube if its score does not exceed the factor.
 double tube_score(const Plan& plan, const Episode& run, const Tube& shape);

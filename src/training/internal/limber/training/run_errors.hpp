@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,18 +10,6 @@
 #include "limber/network/tube_shape.hpp"
 
 namespace limber {
-
-/// Share of its room that a plate has where it starts: 1 is a tube that does not grow.
-inline constexpr std::array kStartShares{0.4, 0.7, 1.0};
-
-/// The growth of such a tube; as far as usual_growth.
-RoomGrowth growth_of(std::size_t candidate, double arm_length_m);
-
-/// A run's errors as tubes see them that grow by each of kStartShares.
-struct GrowingErrors {
-  std::array<MotionErrors, kStartShares.size()> of;
-  std::array<double, kStartShares.size()> tip_share{};  ///< mean over frames of what the tip has
-};
 
 /// What PredictionError is made of: the errors of runs, also of several models.
 class RunErrors {
@@ -47,8 +34,6 @@ class RunErrors {
  private:
   /// None where no run has a number.
   std::optional<double> largest_at_end(double MotionErrors::*value, double tail) const;
-  Tube tube_that_grows(std::size_t candidate, double arm_length_m) const;
-  double tip_share(std::size_t candidate) const;
 
   std::vector<double> max_m_, off_path_m_;
   std::vector<GrowingErrors> motions_;
