@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 
 #include <gmock/gmock.h>
 
@@ -231,6 +232,12 @@ TEST_F(FamilyOfPlays, AnArmThatWasSeenTooLateIsLeftOutOfTheMean) {
   EXPECT_EQ(error_on_other_arms_m(arm(), family(), episodes), error_m);
   EXPECT_TRUE(tells_of_other_arms(episodes));
   EXPECT_FALSE(tells_of_other_arms({late}));
+}
+
+TEST_F(FamilyOfPlays, AModelThatRunsOffOnAnArmIsNotJudgedByTheOthers) {
+  CompensationModel model = fit_to(20.0F, 4, 1).model;
+  model.layers.back().bias.setConstant(std::numeric_limits<float>::quiet_NaN());
+  EXPECT_TRUE(std::isinf(error_on_other_arms_m(arm(), model, motions_of(20.0F, 6, 900))));
 }
 
 // Arms held back are fitted for long: a run stopped meanwhile keeps what it has, and goes on.

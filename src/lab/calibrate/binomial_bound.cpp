@@ -63,24 +63,13 @@ int min_runs(double level, double confidence) {
   return static_cast<int>(std::ceil(std::log(1.0 - confidence) / std::log(level) - kRounding));
 }
 
-std::optional<std::size_t> narrowest_factor(std::size_t start, std::size_t count, int max_tests,
-                                            const std::function<bool(std::size_t)>& holds) {
-  if (holds(start)) {
-    std::size_t narrowest = start;
-    while (narrowest + 1 < count && holds(narrowest + 1)) {
-      ++narrowest;
-    }
-    return narrowest;
+double share_that_passes(int runs, double level, double confidence, double probability) {
+  int allowed = 0;
+  while (binomial_at_most(allowed + 1, runs, 1.0 - level) <= 1.0 - confidence) {
+    ++allowed;
   }
-  for (int tests = 1; tests < max_tests && start > 0; ++tests) {
-    const std::size_t refused = start;
-    start -= std::min<std::size_t>(start, 2);
-    if (holds(start)) {
-      const bool has_between = start + 1 < refused && tests + 1 < max_tests;
-      return has_between && holds(start + 1) ? start + 1 : start;
-    }
-  }
-  return std::nullopt;
+  return first_share(
+      [&](double share) { return binomial_at_most(allowed, runs, share) <= probability; });
 }
 
 }  // namespace limber

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <functional>
-#include <optional>
-
 namespace limber {
 
 /// P(X ≤ count) for X of `runs` trials with probability `share` each: the exact sum of its terms.
@@ -20,19 +16,9 @@ double share_at_least(int outside, int runs, double confidence);
 /// @pre 0 < level < 1, 0 < confidence < 1
 int min_runs(double level, double confidence);
 
-/// The narrowest factor of a list, the largest first, that holds its test (docs/tube.md,
-/// Calibration): from `start` towards narrower ones until one is refused. Where the first is
-/// refused, towards wider ones by two steps each until one holds, and then the one between.
-///
-/// A test that accepts a factor that doesn't hold has a probability of at most p, and whoever
-/// chose `start` has not seen its runs. Then the answer doesn't hold with a probability of at most
-/// max_tests · p: on the way down only the first factor that doesn't hold can be accepted wrongly
-/// before the search ends (fixed sequence); otherwise there are no more tests than that.
-/// @param count  of factors in the list
-/// @param max_tests  where the first is refused; it counts
-/// @param holds  tests factor k; every k is asked for once at most
-/// @pre start < count, max_tests ≥ 1
-std::optional<std::size_t> narrowest_factor(std::size_t start, std::size_t count, int max_tests,
-                                            const std::function<bool(std::size_t)>& holds);
+/// A test of so many runs is passed where share_at_most of those outside is no more than 1 − level.
+/// @return the share outside of all runs with which it is passed with that probability
+/// @pre runs ≥ min_runs(level, confidence), 0 < probability < 1
+double share_that_passes(int runs, double level, double confidence, double probability);
 
 }  // namespace limber

@@ -1,10 +1,6 @@
 #include "limber/lab/tube_calibration.hpp"
 
-#include <algorithm>
 #include <cstdint>
-#include <functional>
-#include <iterator>
-#include <map>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -99,20 +95,18 @@ std::string evidence_page(const nlohmann::ordered_json& evidence) {
 namespace fs = std::filesystem;
 
 constexpr const char* kCalibrationFile = "calibration.json";
-// Wide tubes are only passed through; where factors end up, a step changes coverage by about half
-// a percent.
-constexpr double kWideFactors[] = {2.2, 1.95, 1.7};
-constexpr double kFirstNarrow = 1.5;
-constexpr double kStep = 0.9874;
-constexpr int kFactors = 60;               // down to 0.73
-constexpr double kScreenConfidence = 0.5;  // a screen only finds what is worth testing
-constexpr int kMaxTests = 3;  // of a level whose first test failed; they share its confidence
+constexpr double kScreenConfidence = 0.5;  // a screen only says what is worth testing
+constexpr int kMaxTests = 3;               // of a level; they share its confidence
+constexpr double kPassesTest = 0.8;        // how likely a factor that is tested is to hold
+constexpr const char* kTooFewPlans =
+    "so wide a tube leaves too few environments with a plan; a model with smaller errors is needed, "
+    "or a larger budget";
 constexpr double kAuditConfidence = 0.99;  // that an audit contradicts
 
 /// What has to be the same for runs of two starts to be one calibration.
 Json identity(const CalibrationSettings& settings) {
   const TubeRunSettings& runs = settings.runs;
-  Json json = {{"schema", "limber/calibration/5"},
+  Json json = {{"schema", "limber/calibration/6"},
                {"arm", {{"name", runs.arm.name}, {"hash", runs.arm.hash()}}},
                {"virtual_arm", virtual_arm_hash(runs.executed_arm)},
                {"model", file_hash(settings.model_file)},
@@ -133,31 +127,25 @@ Json identity(const CalibrationSettings& settings) {
   return json;
 }
 
-/// What screens found for a level, as places in the list of factors: the narrowest that held, and
-/// the widest that didn't.
-struct Screened {
-  std::optional<std::size_t> narrowest;
-  std::optional<std::size_t> too_narrow;
-};
-
 class Calibration {
  public:
   explicit Calibration(const CalibrationSettings& settings)
-      : settings_(settings), factors_(tube_factors()), identity_(identity(settings)) {
+      : settings_(settings), identity_(identity(settings)) {
     prepare_folder();
   }
 
   CalibrationResult run() {
     find_shape();
-    std::vector<Screened> screened;
+    const TubeRuns screen = run_phase("screen", settings_.screen_runs, first_factor_);
+    std::vector<TubeLevel> levels;
     for (const double level : settings_.levels) {
-      screened.push_back(screen(level));
-    }
-    for (std::size_t l = 0; l < screened.size(); ++l) {
-      if (const std::optional<TubeLevel> found = find_level(settings_.levels[l], screened[l])) {
-        shape_.levels.push_back(*found);
+      if (screen.executed() < settings_.screen_runs) {
+        fail(level, kTooFewPlans);
+      } else if (const std::optional<TubeLevel> found = find_level(level, screen)) {
+        levels.push_back(*found);
       }
     }
+    shape_.levels = levels;
     result_.model = settings_.runs.model;
     result_.model.tube.reset();
     if (!shape_.levels.empty()) {
@@ -197,13 +185,16 @@ class Calibration {
     evidence_["phases"] = Json::array();
   }
 
-  TubeRuns run_phase(const std::string& name, int runs, const Tube* shape, double factor,
-                     bool may_fall_short = false) {
+  /// With fewer runs where a tube leaves hardly any environment with a plan.
+  /// @param factor  0: without a tube
+  TubeRuns run_phase(const std::string& name, int runs, double factor) {
+    const bool has_tube = factor > 0.0;
     const TubeRuns done = run_tube_phase(
-        settings_.runs, {name, runs, shape, factor, expected_error_m_, may_fall_short}, &*folder_);
+        settings_.runs,
+        {name, runs, has_tube ? &shape_ : nullptr, factor, expected_error_m_, has_tube}, &*folder_);
     Json json = {{"phase", name}, {"factor", factor}};
     json.update(to_json(done, factor));
-    if (shape == nullptr) {
+    if (!has_tube) {
       json.erase("outside");
       json.erase("coverage");
     }
@@ -212,95 +203,50 @@ class Calibration {
   }
 
   void find_shape() {
-    const TubeRuns runs = run_phase("shape", settings_.scale_runs, nullptr, 0.0);
+    const TubeRuns runs = run_phase("shape", settings_.scale_runs, 0.0);
     expected_error_m_ = runs.expected_error_m();
     const std::vector<GrowingErrors> motions = runs.errors();
     const auto& [growth, tube] = narrowest_tube(motions, settings_.runs.arm.length_m());
     shape_ = tube_shape(errors_of(motions, growth), tube.growth);
     shape_.source = "virtual arm";
+    first_factor_ = tube.levels.front().factor;
   }
 
-  /// By halving the list of those that are screened, the wide ones and every second narrow one:
-  /// narrower tubes leave fewer runs inside, and too wide ones too few environments with a plan.
-  Screened screen(double level) {
-    constexpr std::size_t kWide = std::size(kWideFactors);
-    Screened found;
-    std::size_t begin = 0;
-    std::size_t end = kWide + (factors_.size() - kWide + 1) / 2;
-    while (begin < end) {
-      const std::size_t middle = (begin + end) / 2;
-      const std::size_t k = middle < kWide ? middle : 2 * middle - kWide;
-      const std::optional<int> outside = screen_factor(middle, factors_[k]);
-      if (outside &&
-          share_at_most(*outside, settings_.screen_runs, kScreenConfidence) > 1.0 - level) {
-        found.too_narrow = k;
-        end = middle;
-      } else {
-        found.narrowest = outside ? k : found.narrowest;
-        begin = middle + 1;
+  double test_confidence() const { return 1.0 - (1.0 - settings_.confidence) / kMaxTests; }
+
+  /// With which a test would leave as few runs outside as mostly passes it, as far as runs with
+  /// about such a factor tell.
+  double factor_by(const TubeRuns& runs, double level) const {
+    return conformal_quantile(
+        runs.scores(),
+        1.0 - share_that_passes(settings_.test_runs, level, test_confidence(), kPassesTest));
+  }
+
+  /// The first factor that holds its test. Each is chosen by the runs before.
+  std::optional<TubeLevel> find_level(double level, TubeRuns runs) {
+    for (int test = 0; test < kMaxTests; ++test) {
+      const double factor = factor_by(runs, level);
+      runs =
+          run_phase(fmt::format("test_{:g}_{}", 100.0 * level, test), settings_.test_runs, factor);
+      if (runs.executed() < settings_.test_runs) {
+        fail(level, kTooFewPlans);
+        return std::nullopt;
+      }
+      const int outside = runs.outside(factor);
+      settings_.say(fmt::format("level {}: factor {:.3f}: {} of {} runs outside", level, factor,
+                                outside, runs.executed()));
+      if (share_at_most(outside, runs.executed(), test_confidence()) <= 1.0 - level) {
+        TubeLevel found{.level = level,
+                        .factor = factor,
+                        .runs = runs.executed(),
+                        .outside = outside,
+                        .confidence = settings_.confidence};
+        audit(found);
+        return found;
       }
     }
-    return found;
-  }
-
-  /// Runs outside; none if most environments have no plan with so wide a tube. Levels share
-  /// screens.
-  std::optional<int> screen_factor(std::size_t number, double factor) {
-    const auto [screen, is_new] = screens_.try_emplace(number);
-    if (is_new) {
-      const TubeRuns runs = run_phase(fmt::format("screen_{:02}", number), settings_.screen_runs,
-                                      &shape_, factor, true);
-      settings_.say(fmt::format("factor {:.3f}: {} of {} runs outside", factor,
-                                runs.outside(factor), runs.executed()));
-      if (runs.executed() == settings_.screen_runs) {
-        screen->second = runs.outside(factor);
-      }
-    }
-    return screen->second;
-  }
-
-  std::optional<TubeLevel> find_level(double level, const Screened& screened) {
-    if (!screened.narrowest) {
-      fail(level,
-           screened.too_narrow
-               ? fmt::format("even factor {:.3g} of the shape is too narrow; wider tubes leave "
-                             "too few environments with a plan",
-                             factors_[*screened.too_narrow])
-               : "no tube of the list leaves enough environments with a plan; a model with "
-                 "smaller errors is needed, or a larger budget");
-      return std::nullopt;
-    }
-    std::optional<TubeLevel> narrowest;
-    int tests = 0;
-    const auto holds = [&](std::size_t k) {
-      const std::optional<TubeLevel> found = test_factor(level, factors_[k], tests++);
-      narrowest = found ? found : narrowest;
-      return found.has_value();
-    };
-    if (!narrowest_factor(*screened.narrowest, factors_.size(), kMaxTests, holds)) {
-      fail(level, fmt::format("no factor held its test on {} runs", settings_.test_runs));
-      return std::nullopt;
-    }
-    audit(*narrowest);
-    return narrowest;
-  }
-
-  /// In environments of its own. The tests of a level share its confidence (narrowest_factor).
-  std::optional<TubeLevel> test_factor(double level, double factor, int test) {
-    const TubeRuns runs = run_phase(fmt::format("test_{:g}_{}", 100.0 * level, test),
-                                    settings_.test_runs, &shape_, factor);
-    const int outside = runs.outside(factor);
-    const double confidence = 1.0 - (1.0 - settings_.confidence) / kMaxTests;
-    settings_.say(fmt::format("level {}: factor {:.3f}: {} of {} runs outside", level, factor,
-                              outside, runs.executed()));
-    if (share_at_most(outside, runs.executed(), confidence) > 1.0 - level) {
-      return std::nullopt;
-    }
-    return TubeLevel{.level = level,
-                     .factor = factor,
-                     .runs = runs.executed(),
-                     .outside = outside,
-                     .confidence = settings_.confidence};
+    fail(level, fmt::format("no factor held its test on {} runs", settings_.test_runs));
+    return std::nullopt;
   }
 
   void audit(TubeLevel& level) {
@@ -308,7 +254,7 @@ class Calibration {
       return;
     }
     const TubeRuns runs = run_phase(fmt::format("audit_{:g}", 100.0 * level.level),
-                                    settings_.audit_runs, &shape_, level.factor);
+                                    settings_.audit_runs, level.factor);
     level.audit_runs = runs.executed();
     level.audit_outside = runs.outside(level.factor);
     settings_.say(fmt::format("level {}: audit: {} of {} runs outside", level.level,
@@ -325,12 +271,11 @@ class Calibration {
   }
 
   const CalibrationSettings& settings_;
-  const std::vector<double> factors_;
   const Json identity_;
   std::optional<OutputFolder> folder_;
   Tube shape_;
+  double first_factor_ = 0.0;      // by the runs of the shape, which had no tube
   double expected_error_m_ = 0.0;  // of the arm whose tube is the shape; 0: of no family
-  std::map<std::size_t, std::optional<int>> screens_;  // runs outside, by number of the screen
   Json evidence_;
   CalibrationResult result_;
 };
@@ -342,14 +287,6 @@ void require_runs(const char* flag, int runs, int min, int max = 1'000'000) {
 }
 
 }  // namespace
-
-std::vector<double> tube_factors() {
-  std::vector<double> factors(std::begin(kWideFactors), std::end(kWideFactors));
-  for (double factor = kFirstNarrow; factors.size() < kFactors; factor *= kStep) {
-    factors.push_back(factor);
-  }
-  return factors;
-}
 
 int min_test_runs(const CalibrationSettings& settings) {
   return min_runs(settings.levels.back(), 1.0 - (1.0 - settings.confidence) / kMaxTests);

@@ -332,6 +332,10 @@ int TubeRuns::outside(double factor) const {
       all, [&](const TubeRun& run) { return run.executed && !(run.score <= factor); }));
 }
 
+std::vector<double> TubeRuns::scores() const {
+  return of_executed(all, &TubeRun::score);
+}
+
 std::vector<GrowingErrors> TubeRuns::errors() const {
   const double usual_m = expected_error_m();
   std::vector<GrowingErrors> result;

@@ -51,5 +51,17 @@ TEST(MinRuns, AreThoseOfTheToleranceTables) {
   EXPECT_EQ(min_runs(0.5, 0.75), 2);
 }
 
+// 10 of 400 may be outside of a level of 0.95, not 11.
+TEST(ShareThatPasses, LeavesTheTestItsProbability) {
+  constexpr double kConfidence = 1.0 - 0.05 / 3.0;
+  EXPECT_LE(share_at_most(10, 400, kConfidence), 0.05);
+  EXPECT_GT(share_at_most(11, 400, kConfidence), 0.05);
+  const double share = share_that_passes(400, 0.95, kConfidence, 0.8);
+  EXPECT_NEAR(binomial_at_most(10, 400, share), 0.8, 1e-9);
+  EXPECT_GT(share_that_passes(4000, 0.95, kConfidence, 0.8), share);
+  EXPECT_NEAR(share_that_passes(min_runs(0.95, kConfidence), 0.95, kConfidence, 0.8),
+              1.0 - std::pow(0.8, 1.0 / min_runs(0.95, kConfidence)), 1e-9);
+}
+
 }  // namespace
 }  // namespace limber

@@ -36,9 +36,6 @@ struct CalibrationResult {
   std::vector<std::string> failures;  ///< a sentence for each level that failed test or audit
 };
 
-/// The factors that are tried, the largest first.
-std::vector<double> tube_factors();
-
 /// Test runs that can show the highest of the levels, if none of them is outside.
 int min_test_runs(const CalibrationSettings& settings);
 
@@ -49,8 +46,8 @@ void require_usable(const CalibrationSettings& settings);
 /// Of both kinds of calibration. @throws InputError
 void require_usable_levels(const std::vector<double>& levels, double confidence);
 
-/// docs/tube.md, Calibration: a shape, then factors from the largest down on plans made with them,
-/// a test and an audit, each in environments of its own. Writes evidence.json and evidence.html
+/// docs/tube.md, Calibration: a shape, a screen that says which factors to test on plans made with
+/// them, tests and an audit, each in environments of its own. Writes evidence.json and evidence.html
 /// into the folder.
 CalibrationResult calibrate_tube(const CalibrationSettings& settings);
 

@@ -40,6 +40,7 @@ struct TubeRuns {
 
   int executed() const;
   int solved() const;
+  std::vector<double> scores() const;  ///< of executed ones
   /// Runs whose score exceeds the factor.
   int outside(double factor) const;
   /// Of a family's runs, as if each arm were expected to be off by expected_error_m().
