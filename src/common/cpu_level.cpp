@@ -1,6 +1,8 @@
 #include "limber/common/cpu_level.hpp"
 
 #include <unistd.h>
+#include <array>
+#include <cstddef>
 #include <cstdlib>
 #include <sstream>
 
@@ -12,15 +14,8 @@
 namespace limber {
 
 const char* to_string(CpuLevel level) {
-  switch (level) {
-    case CpuLevel::avx512:
-      return "avx512";
-    case CpuLevel::avx2:
-      return "avx2";
-    case CpuLevel::baseline:
-      break;
-  }
-  return "baseline";
+  constexpr std::array kNames = {"baseline", "avx2", "avx512"};  // in the order of CpuLevel
+  return kNames[static_cast<std::size_t>(level)];
 }
 
 std::vector<CpuLevel> available_cpu_levels() {

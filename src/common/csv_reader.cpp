@@ -11,6 +11,16 @@
 
 namespace limber {
 
+namespace {
+
+/// Without surrounding spaces and tabs.
+std::string_view trimmed(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+  return text.substr(0, text.find_last_not_of(" \t") + 1);
+}
+
+}  // namespace
+
 CsvReader CsvReader::from_file(const std::filesystem::path& path, char separator) {
   return CsvReader(read_file(path), path.string(), separator);
 }
@@ -130,17 +140,6 @@ double CsvReader::number(const CsvCell& cell, const std::string& expected) const
                        expected, comma ? " with a decimal point" : ""));
   }
   return value;
-}
-
-std::string_view trimmed(std::string_view text) {
-  const auto is_space = [](char c) { return c == ' ' || c == '\t'; };
-  while (!text.empty() && is_space(text.front())) {
-    text.remove_prefix(1);
-  }
-  while (!text.empty() && is_space(text.back())) {
-    text.remove_suffix(1);
-  }
-  return text;
 }
 
 bool is_blank(const std::vector<CsvCell>& row) {

@@ -64,9 +64,6 @@ class CsvReader {
   std::deque<std::string> unquoted_;  // cells of the last row that had doubled quotes
 };
 
-/// Without surrounding spaces and tabs.
-std::string_view trimmed(std::string_view text);
-
 /// Whether a row holds nothing.
 bool is_blank(const std::vector<CsvCell>& row);
 
