@@ -1,7 +1,9 @@
 #include "limber/arm/arm_description.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -186,18 +188,9 @@ std::string ArmDescription::hash() const {
 }
 
 const char* to_string(NoLoadKind kind) {
-  switch (kind) {
-    case NoLoadKind::curvature:
-      return "curvature";
-    case NoLoadKind::straight:
-      return "straight";
-    case NoLoadKind::chambers:
-      return "chambers";
-    case NoLoadKind::fitted:
-      return "fitted";
-    default:
-      return "strain_polynomial";
-  }
+  constexpr std::array kNames = {"strain_polynomial", "curvature", "straight", "chambers",
+                                 "fitted"};  // in the order of NoLoadKind
+  return kNames[static_cast<std::size_t>(kind)];
 }
 
 void require_planar(const ArmDescription& arm, const std::string& what) {

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/pressure_limits.hpp"
@@ -80,29 +79,61 @@ inline StrainPolynomial strain_polynomial_of(const YamlReader& part, double pres
   }
 }
 
-/// Reads segments of one arm: what a segment may say depends on the arm's command.
-class SegmentReader {
+/// Reads what segments have alike in the plane and in space. What they may say depends on the arm's
+/// command.
+class SegmentPartReader {
  public:
-  SegmentReader(const YamlReader& root, const ArmDescription& arm, PolynomialsOf polynomials)
+  SegmentPartReader(const YamlReader& root, const ArmDescription& arm, PolynomialsOf polynomials)
       : kind_(arm.no_load), unit_(arm.command.unit), polynomials_(polynomials) {
     if (root.has("command")) {
       general_limit_ = read_limits(root.at("command").at("limit"), limit_meaning());
     }
   }
 
-  Segment read(const YamlReader& node) const {
-    refuse_unknown_keys(node);
+ protected:
+  static Segment read_sizes(const YamlReader& node) {
     Segment segment;
     segment.length_m = read_length_m(node.at("length_m"));
     segment.width_m = read_length_m(node.at("width_m"));
     segment.gaps = node.at("gaps").integer("the number of gaps between plates", 1, kMaxGaps);
+    return segment;
+  }
+
+  const char* limit_key() const { return general_limit_ ? "limit" : "pressure_limit_kpa"; }
+
+  /// Of a segment or a chamber.
+  PressureLimits read_limit(const YamlReader& node) const {
     if (!general_limit_) {
-      segment.pressure_limit_kpa =
-          read_limits(node.at("pressure_limit_kpa"), "a gauge pressure in kPa");
-    } else {
-      segment.pressure_limit_kpa =
-          node.has("limit") ? read_limits(node.at("limit"), limit_meaning()) : *general_limit_;
+      return read_limits(node.at(limit_key()), "a gauge pressure in kPa");
     }
+    return node.has(limit_key()) ? read_limits(node.at(limit_key()), limit_meaning())
+                                 : *general_limit_;
+  }
+
+  NoLoadKind kind_;
+  std::string unit_;
+  PolynomialsOf polynomials_;
+
+ private:
+  std::string limit_meaning() const { return fmt::format("a limit of the command in {}", unit_); }
+
+  std::optional<PressureLimits> general_limit_;
+};
+
+/// Reads segments of one arm in the plane.
+class SegmentReader : private SegmentPartReader {
+ public:
+  using SegmentPartReader::SegmentPartReader;
+
+  Segment read(const YamlReader& node) const {
+    std::vector<std::string> allowed = {"length_m", "width_m", "gaps", limit_key()};
+    if (kind_ != NoLoadKind::straight) {
+      allowed.push_back(kind_ == NoLoadKind::curvature ? "curvature_per_unit"
+                                                       : "strain_polynomial");
+    }
+    node.refuse_unknown_keys(allowed);
+    Segment segment = read_sizes(node);
+    segment.pressure_limit_kpa = read_limit(node);
     if (kind_ == NoLoadKind::strain_polynomial) {
       read_polynomial(node, segment);
     }
@@ -113,22 +144,6 @@ class SegmentReader {
   }
 
  private:
-  std::string limit_meaning() const { return fmt::format("a limit of the command in {}", unit_); }
-
-  void refuse_unknown_keys(const YamlReader& node) const {
-    std::vector<std::string> allowed = {"length_m", "width_m", "gaps",
-                                        general_limit_ ? "limit" : "pressure_limit_kpa"};
-    if (kind_ != NoLoadKind::straight) {
-      allowed.push_back(kind_ == NoLoadKind::curvature ? "curvature_per_unit"
-                                                       : "strain_polynomial");
-    }
-    for (const std::string& key : node.keys()) {
-      if (std::find(allowed.begin(), allowed.end(), key) == allowed.end()) {
-        node.at(key).refuse(fmt::format("unknown key; allowed here: {}", fmt::join(allowed, ", ")));
-      }
-    }
-  }
-
   void read_polynomial(const YamlReader& node, Segment& segment) const {
     const double limit = segment.pressure_limit_kpa.largest_kpa();
     segment.strain_polynomial = strain_polynomial_of(node, limit, polynomials_);
@@ -167,11 +182,6 @@ class SegmentReader {
   }
 
   static constexpr double kMaxTurn_rad = 2.0 * std::numbers::pi;
-
-  NoLoadKind kind_;
-  std::string unit_;
-  PolynomialsOf polynomials_;
-  std::optional<PressureLimits> general_limit_;
 };
 
 }  // namespace limber

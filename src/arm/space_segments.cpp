@@ -1,7 +1,6 @@
 #include "space_segments.hpp"
 
 #include <cmath>
-#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -34,21 +33,13 @@ Eigen::Vector3d read_gravity(const YamlReader& node) {
 }
 
 /// Reads segments of one arm.
-class SpaceSegmentReader {
+class SpaceSegmentReader : private SegmentPartReader {
  public:
-  SpaceSegmentReader(const YamlReader& root, const ArmDescription& arm, PolynomialsOf polynomials)
-      : kind_(arm.no_load), unit_(arm.command.unit), polynomials_(polynomials) {
-    if (root.has("command")) {
-      general_limit_ = read_limits(root.at("command").at("limit"), meaning());
-    }
-  }
+  using SegmentPartReader::SegmentPartReader;
 
   Segment read(const YamlReader& node) const {
     node.refuse_unknown_keys({"length_m", "width_m", "gaps", "chambers", "shape_of_strains"});
-    Segment segment;
-    segment.length_m = read_length_m(node.at("length_m"));
-    segment.width_m = read_length_m(node.at("width_m"));
-    segment.gaps = node.at("gaps").integer("the number of gaps between plates", 1, kMaxGaps);
+    Segment segment = read_sizes(node);
     const YamlReader chambers = node.at("chambers");
     for (const YamlReader& chamber : chambers.elements()) {
       segment.chambers.push_back(read_chamber(chamber));
@@ -93,11 +84,8 @@ class SpaceSegmentReader {
   }
 
  private:
-  std::string meaning() const { return fmt::format("a limit of the command in {}", unit_); }
-
   Chamber read_chamber(const YamlReader& node) const {
-    const char* const limit = general_limit_ ? "limit" : "pressure_limit_kpa";
-    node.refuse_unknown_keys({"angle_deg", "radius_m", "sense", limit, "strain_polynomial"});
+    node.refuse_unknown_keys({"angle_deg", "radius_m", "sense", limit_key(), "strain_polynomial"});
     Chamber chamber;
     const bool has_place = kind_ == NoLoadKind::chambers;
     if (has_place || node.has("angle_deg")) {
@@ -113,10 +101,12 @@ class SpaceSegmentReader {
     if (has_place || node.has("sense")) {
       chamber.sense = read_sense(node.at("sense"));
     }
-    chamber.limit_kpa = !general_limit_   ? read_limits(node.at(limit), "a gauge pressure in kPa")
-                        : node.has(limit) ? read_limits(node.at(limit), meaning())
-                                          : *general_limit_;
-    read_polynomial(node, chamber);
+    chamber.limit_kpa = read_limit(node);
+    // An ideal chamber's strain has to be known; a fitted matrix can be one over commands.
+    if ((has_place && polynomials_ == PolynomialsOf::model) || node.has("strain_polynomial")) {
+      chamber.strain_polynomial =
+          strain_polynomial_of(node, chamber.limit_kpa.largest_kpa(), polynomials_);
+    }
     return chamber;
   }
 
@@ -126,29 +116,7 @@ class SpaceSegmentReader {
     }
     return node.text() == "extending" ? 1 : -1;
   }
-
-  void read_polynomial(const YamlReader& node, Chamber& chamber) const {
-    const char* const key = "strain_polynomial";
-    if (!node.has(key)) {
-      // An ideal chamber's strain has to be known; a fitted matrix can be one over commands.
-      if (kind_ == NoLoadKind::chambers && polynomials_ == PolynomialsOf::model) {
-        node.at(key);
-      }
-      return;
-    }
-    chamber.strain_polynomial =
-        strain_polynomial_of(node, chamber.limit_kpa.largest_kpa(), polynomials_);
-  }
-
-  NoLoadKind kind_;
-  std::string unit_;
-  PolynomialsOf polynomials_;
-  std::optional<PressureLimits> general_limit_;
 };
-
-bool is_zero(const StrainPolynomial& polynomial) {
-  return polynomial == StrainPolynomial{};
-}
 
 std::string chamber_to_yaml(const Chamber& chamber, const ArmDescription& arm) {
   std::string text =
@@ -156,7 +124,7 @@ std::string chamber_to_yaml(const Chamber& chamber, const ArmDescription& arm) {
                   chamber.radius_m, chamber.sense > 0 ? "extending" : "contracting",
                   arm.command.is_pressure_kpa() ? "pressure_limit_kpa" : "limit",
                   limits_to_yaml(chamber.limit_kpa));
-  if (!is_zero(chamber.strain_polynomial)) {
+  if (chamber.strain_polynomial != StrainPolynomial{}) {
     text += fmt::format(", strain_polynomial: [{}]", fmt::join(chamber.strain_polynomial, ", "));
   }
   return text + "}";
@@ -165,9 +133,7 @@ std::string chamber_to_yaml(const Chamber& chamber, const ArmDescription& arm) {
 }  // namespace
 
 void read_space_segments(const YamlReader& root, PolynomialsOf polynomials, ArmDescription& arm) {
-  if (root.has("gravity")) {
-    arm.gravity = read_gravity(root.at("gravity"));
-  }
+  root.read_if_there("gravity", arm.gravity, read_gravity);
   const SpaceSegmentReader reader(root, arm, polynomials);
   const std::vector<YamlReader> nodes = root.at("segments").elements();
   for (const YamlReader& node : nodes) {

@@ -93,20 +93,10 @@ ValveFindings read_findings(const YamlReader& node) {
       {"source", "held_back_error", "setpoints_as_pressures_error", "reason", "warnings"});
   ValveFindings findings;
   findings.source = node.at("source").text();
-  if (node.has("held_back_error")) {
-    findings.held_back = read_errors(node.at("held_back_error"));
-  }
-  if (node.has("setpoints_as_pressures_error")) {
-    findings.from_setpoints = read_errors(node.at("setpoints_as_pressures_error"));
-  }
-  if (node.has("reason")) {
-    findings.reason = node.at("reason").text();
-  }
-  if (node.has("warnings")) {
-    for (const YamlReader& warning : node.at("warnings").elements()) {
-      findings.warnings.push_back(warning.text());
-    }
-  }
+  node.read_if_there("held_back_error", findings.held_back, read_errors);
+  node.read_if_there("setpoints_as_pressures_error", findings.from_setpoints, read_errors);
+  node.read_if_there("reason", findings.reason, &YamlReader::text);
+  node.read_if_there("warnings", findings.warnings, &YamlReader::texts);
   return findings;
 }
 
@@ -208,9 +198,7 @@ IdentifiedValves read_valves(const YamlReader& root) {
   for (const YamlReader& node : root.at("segments").elements()) {
     valves.parameters.segments.push_back(read_segment(node));
   }
-  if (root.has("identified")) {
-    valves.findings = read_findings(root.at("identified"));
-  }
+  root.read_if_there("identified", valves.findings, read_findings);
   return valves;
 }
 

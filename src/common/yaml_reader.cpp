@@ -208,7 +208,7 @@ std::string YamlReader::mapping_as_text(const std::string& key) const {
   return text;
 }
 
-void YamlReader::refuse_unknown_keys(std::initializer_list<const char*> allowed) const {
+void YamlReader::refuse_unknown_keys(const std::vector<std::string>& allowed) const {
   for (const std::string& key : keys()) {
     if (std::find(allowed.begin(), allowed.end(), key) == allowed.end()) {
       at(key).refuse(fmt::format("unknown key; allowed here: {}", fmt::join(allowed, ", ")));
@@ -265,6 +265,14 @@ std::vector<double> YamlReader::numbers(const std::string& unit) const {
   std::vector<double> result;
   for (const YamlReader& element : elements()) {
     result.push_back(element.number(unit));
+  }
+  return result;
+}
+
+std::vector<std::string> YamlReader::texts() const {
+  std::vector<std::string> result;
+  for (const YamlReader& element : elements()) {
+    result.push_back(element.text());
   }
   return result;
 }

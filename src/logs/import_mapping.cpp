@@ -29,9 +29,7 @@ TimeColumn read_time(const YamlReader& node) {
       node.at("rate_hz").refuse("belongs to a column of frames (unit: frame), or to no column");
     }
   }
-  if (node.has("unit")) {
-    time.unit = node.at("unit").text();
-  }
+  node.read_if_there("unit", time.unit, &YamlReader::text);
   if (time.unit == "frame") {
     time.seconds_per_unit = 1.0 / node.at("rate_hz").positive("frames per second");
   } else {
@@ -254,11 +252,7 @@ void read_layout(const YamlReader& root, ImportMapping& mapping) {
   if (root.has("skip_lines")) {
     mapping.skip_lines = root.at("skip_lines").integer("lines before the header", 0, 10000);
   }
-  if (root.has("columns")) {
-    for (const YamlReader& element : root.at("columns").elements()) {
-      mapping.columns.push_back(element.text());
-    }
-  }
+  root.read_if_there("columns", mapping.columns, &YamlReader::texts);
 }
 
 void read_backbone(const YamlReader& node, const ArmDescription& arm, ImportMapping& mapping) {
@@ -270,9 +264,7 @@ void read_backbone(const YamlReader& node, const ArmDescription& arm, ImportMapp
   if (node.has("angle_unit")) {
     mapping.angle_factor = factor_to(node.at("angle_unit"), "rad");
   }
-  if (node.has("headings")) {
-    mapping.headings_measured = read_headings_measured(node.at("headings"));
-  }
+  node.read_if_there("headings", mapping.headings_measured, read_headings_measured);
   if (node.has("up")) {
     mapping.up = node.at("up").text();
     const std::string axis = mapping.up.starts_with('-') ? mapping.up.substr(1) : mapping.up;
@@ -295,15 +287,9 @@ ImportMapping read_import_mapping(const std::filesystem::path& path, const ArmDe
                             "longest_gap_s"});
   ImportMapping mapping = default_import_mapping(arm);
   read_layout(root, mapping);
-  if (root.has("time")) {
-    mapping.time = read_time(root.at("time"));
-  }
-  if (root.has("recording")) {
-    mapping.recording = root.at("recording").text();
-  }
-  if (root.has("motion")) {
-    mapping.motion = root.at("motion").text();
-  }
+  root.read_if_there("time", mapping.time, read_time);
+  root.read_if_there("recording", mapping.recording, &YamlReader::text);
+  root.read_if_there("motion", mapping.motion, &YamlReader::text);
   if (root.has("pressures") && root.has("commands")) {
     root.at("commands").refuse("stands beside pressures; a mapping has one of the two");
   }
@@ -323,9 +309,7 @@ ImportMapping read_import_mapping(const std::filesystem::path& path, const ArmDe
   if (root.has("backbone")) {
     read_backbone(root.at("backbone"), arm, mapping);
   }
-  if (root.has("alignment")) {
-    mapping.alignment = read_alignment(root.at("alignment"));
-  }
+  root.read_if_there("alignment", mapping.alignment, read_alignment);
   const bool needs_base = mapping.alignment.kind == BaseAlignment::Kind::base ||
                           mapping.alignment.kind == BaseAlignment::Kind::straight;
   if (needs_base && !mapping.points.empty() && mapping.points.front().plate != 0) {

@@ -1,6 +1,7 @@
 #include "space_mapping.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -32,14 +33,11 @@ std::vector<std::string> read_rotation(const YamlReader& node, const EulerAngles
   }
   std::vector<std::string> columns;
   if (quaternion) {
-    for (const char* key : {"qx", "qy", "qz", "qw"}) {
-      columns.push_back(node.at(key).text());
-    }
+    columns = {node.at("qx").text(), node.at("qy").text(), node.at("qz").text(),
+               node.at("qw").text()};
   }
   if (node.has("euler")) {
-    for (const YamlReader& column : node.at("euler").elements()) {
-      columns.push_back(column.text());
-    }
+    columns = node.at("euler").texts();
     if (columns.size() != 3) {
       node.at("euler").refuse(
           fmt::format("{} columns found; expected 3, one for each turn of 'backbone.euler.order'",
@@ -141,12 +139,8 @@ void read_space_backbone(const YamlReader& node, const ArmDescription& arm,
     mapping.length_unit = node.at("unit").text();
     mapping.length_factor = factor_to(node.at("unit"), "m");
   }
-  if (node.has("euler")) {
-    mapping.euler = read_euler(node.at("euler"));
-  }
-  if (node.has("headings")) {
-    mapping.headings_measured = read_headings_measured(node.at("headings"));
-  }
+  node.read_if_there("euler", mapping.euler, read_euler);
+  node.read_if_there("headings", mapping.headings_measured, read_headings_measured);
   if (node.has("points")) {
     mapping.points = read_space_points(node.at("points"), arm, mapping);
   }
@@ -195,15 +189,9 @@ SpaceAlignment read_space_alignment(const YamlReader& node) {
   if (node.has("position_m")) {
     alignment.position_m = read_three(node.at("position_m"), "a place in metres");
   }
-  if (node.has("x_axis")) {
-    alignment.x_axis = read_axis(node.at("x_axis"));
-  }
-  if (node.has("y_axis")) {
-    alignment.y_axis = read_axis(node.at("y_axis"));
-  }
-  if (node.has("rest_s")) {
-    alignment.rest_s = read_rest(node.at("rest_s"));
-  }
+  node.read_if_there("x_axis", alignment.x_axis, read_axis);
+  node.read_if_there("y_axis", alignment.y_axis, read_axis);
+  node.read_if_there("rest_s", alignment.rest_s, read_rest);
   if (!alignment.x_axis && !alignment.rest_s) {
     node.refuse(fmt::format("neither x_axis nor rest_s found; {}", kAllowed));
   }
@@ -314,9 +302,7 @@ void read_space_mapping(const YamlReader& root, const ArmDescription& arm, Impor
   if (root.has("backbone")) {
     read_space_backbone(root.at("backbone"), arm, mapping);
   }
-  if (root.has("alignment")) {
-    mapping.space_alignment = read_space_alignment(root.at("alignment"));
-  }
+  root.read_if_there("alignment", mapping.space_alignment, read_space_alignment);
   require_base(root, mapping);
 }
 

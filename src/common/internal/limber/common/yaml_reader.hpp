@@ -1,7 +1,7 @@
 #pragma once
 
 #include <filesystem>
-#include <initializer_list>
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -29,7 +29,14 @@ class YamlReader {
   /// Keys of a mapping in the file's order. @throws InputError if this is no mapping.
   std::vector<std::string> keys() const;
   /// Refuses keys that are not in `allowed` (a misspelt key would otherwise be a silent default).
-  void refuse_unknown_keys(std::initializer_list<const char*> allowed) const;
+  void refuse_unknown_keys(const std::vector<std::string>& allowed) const;
+  /// Makes `value` what `read` makes of the value at `key`; without one it stays.
+  template <class Value, class Read>
+  void read_if_there(const std::string& key, Value& value, const Read& read) const {
+    if (has(key)) {
+      value = std::invoke(read, at(key));
+    }
+  }
 
   std::string text() const;
   bool boolean() const;
@@ -40,6 +47,7 @@ class YamlReader {
   double positive(const std::string& unit) const;
   int integer(const std::string& what, int low, int high) const;
   std::vector<double> numbers(const std::string& unit) const;
+  std::vector<std::string> texts() const;
 
   /// The schema line of the file: @throws InputError if it is another than `expected`.
   void require_schema(const std::string& expected) const;
@@ -48,7 +56,6 @@ class YamlReader {
   [[noreturn]] void refuse(const std::string& message) const;
   /// The value as written in the file, for messages.
   std::string found() const;
-  const std::string& field() const { return field_; }
   const std::string& file() const { return file_; }
   /// The mapping at `key` as a YAML text of its own, for a reader that comes later: each entry is
   /// on the line that it has in the file, so that messages about it name the same line.
