@@ -10,6 +10,7 @@
 #include <set>
 #include <utility>
 
+#include "limber/common/descriptor.hpp"
 #include "limber/common/file_error.hpp"
 #include "limber/common/large_file.hpp"
 #include "temporary_file.hpp"
@@ -19,33 +20,6 @@ namespace limber {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr mode_t kNewFile = 0666;  // less what the umask takes away
-
-/// A file descriptor, closed at the end of the scope.
-class Descriptor {
- public:
-  Descriptor(const fs::path& path, int flags) {
-    do {
-      descriptor_ = ::open(path.c_str(), flags | O_CLOEXEC, kNewFile);
-    } while (descriptor_ < 0 && errno == EINTR);
-  }
-  ~Descriptor() { close(); }
-  Descriptor(Descriptor&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
-  Descriptor& operator=(Descriptor&&) = delete;
-
-  bool is_open() const { return descriptor_ >= 0; }
-  int get() const { return descriptor_; }
-
-  /// Network file systems may tell only here that something was not written.
-  bool close() {
-    const int descriptor = std::exchange(descriptor_, -1);
-    return descriptor < 0 || ::close(descriptor) == 0 || errno == EINTR;
-  }
-
- private:
-  int descriptor_ = -1;
-};
 
 bool sync(int descriptor) {
   while (::fsync(descriptor) != 0) {

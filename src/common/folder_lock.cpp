@@ -3,10 +3,8 @@
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <cerrno>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -33,34 +31,20 @@ FolderLock::FolderLock(const fs::path& folder, const std::string& who) {
   for (int k = 0; k < kTries; ++k) {
     std::error_code error;
     fs::create_directories(folder, error);
-    descriptor_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor_ < 0) {
+    descriptor_ = Descriptor(folder, O_RDONLY | O_DIRECTORY);
+    if (!descriptor_.is_open()) {
       return;  // whoever writes there says why that can't be done
     }
-    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-      release();
+    if (::flock(descriptor_.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
       throw InputError(
           fmt::format("{}: another {} is writing there; wait for its end, or choose "
                       "another --out",
                       folder.string(), who));
     }
-    if (has_name(descriptor_, folder)) {
+    if (has_name(descriptor_.get(), folder)) {
       return;  // also where a file system has no locks
     }
-    release();
-  }
-}
-
-FolderLock::~FolderLock() {
-  release();
-}
-
-FolderLock::FolderLock(FolderLock&& other) noexcept
-    : descriptor_(std::exchange(other.descriptor_, -1)) {}
-
-void FolderLock::release() {
-  if (descriptor_ >= 0) {
-    ::close(std::exchange(descriptor_, -1));
+    descriptor_.close();
   }
 }
 

@@ -14,6 +14,8 @@
 #include <cstddef>
 #include <ctime>
 
+#include "limber/common/descriptor.hpp"
+
 namespace limber {
 
 namespace {
@@ -42,24 +44,17 @@ class StandardError {
       can_block_ = S_ISFIFO(status.st_mode) || S_ISCHR(status.st_mode);
     }
     if (can_block_) {
-      own_ = ::open("/proc/self/fd/2", O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+      own_ = Descriptor(::open("/proc/self/fd/2", O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
     }
   }
-  ~StandardError() {
-    if (own_ >= 0) {
-      ::close(own_);
-    }
-  }
-  StandardError(const StandardError&) = delete;
-  StandardError& operator=(const StandardError&) = delete;
 
   /// As write(), but never waits: EAGAIN.
   ssize_t write(std::string_view text) const {
     if (is_socket_) {
       return ::send(STDERR_FILENO, text.data(), text.size(), MSG_DONTWAIT);
     }
-    if (own_ >= 0 || !can_block_) {
-      return ::write(own_ >= 0 ? own_ : STDERR_FILENO, text.data(), text.size());
+    if (own_.is_open() || !can_block_) {
+      return ::write(own_.is_open() ? own_.get() : STDERR_FILENO, text.data(), text.size());
     }
     if (!is_writable(0)) {
       errno = EAGAIN;
@@ -69,7 +64,7 @@ class StandardError {
   }
 
  private:
-  int own_ = -1;
+  Descriptor own_;
   bool is_socket_ = false;
   bool can_block_ = false;
 };

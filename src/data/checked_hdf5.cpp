@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
-#include <unistd.h>
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -13,6 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "limber/common/atomic_file.hpp"
+#include "limber/common/descriptor.hpp"
 #include "limber/common/file_error.hpp"
 
 namespace limber {
@@ -86,22 +86,18 @@ H5::FileAccPropList borrowing(const MappedFile& file) {
 
 MappedFile::MappedFile(const std::filesystem::path& path) : name_(path.string()) {
   require_plain_file(path);
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
+  const Descriptor file(path, O_RDONLY | O_NOCTTY | O_NONBLOCK);
   struct stat status {};
-  if (file < 0 || ::fstat(file, &status) != 0) {
-    const int error = errno;
-    (void)::close(file);
-    throw_file_error(path, "can't be read", error);
+  if (!file.is_open() || ::fstat(file.get(), &status) != 0) {
+    throw_file_error(path, "can't be read", errno);
   }
   size_ = static_cast<std::size_t>(status.st_size);
   void* found = nullptr;
   if (size_ > 0) {
-    found = ::mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, file, 0);
+    found = ::mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, file.get(), 0);
   }
-  const int error = errno;
-  (void)::close(file);
   if (found == MAP_FAILED) {
-    throw_fault(path, "can't be read", error);
+    throw_fault(path, "can't be read", errno);
   }
   data_ = static_cast<char*>(found);
 }

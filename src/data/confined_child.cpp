@@ -21,6 +21,7 @@
 
 #include <fmt/format.h>
 
+#include "limber/common/descriptor.hpp"
 #include "limber/common/error.hpp"
 
 namespace limber {
@@ -116,10 +117,12 @@ class Child {
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
       refuse(name, errno);
     }
+    read_end_ = Descriptor(ends[0]);
+    const Descriptor write_end(ends[1]);
     const pid_t parent = ::getpid();
     pid_ = ::fork();
     if (pid_ == 0) {
-      confine(ends[1], parent, limits);
+      confine(write_end.get(), parent, limits);
       try {
         work(STDIN_FILENO);
       } catch (const std::bad_alloc&) {
@@ -129,12 +132,8 @@ class Child {
       }
       ::_exit(0);
     }
-    const int error = errno;
-    (void)::close(ends[1]);
-    read_end_ = ends[0];
     if (pid_ < 0) {
-      (void)::close(read_end_);
-      refuse(name, error);
+      refuse(name, errno);
     }
   }
   ~Child() {
@@ -142,12 +141,11 @@ class Child {
       (void)::kill(pid_, SIGKILL);
       (void)status();
     }
-    (void)::close(read_end_);
   }
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  int read_end() const { return read_end_; }
+  int read_end() const { return read_end_.get(); }
 
   /// How it ended, once it has. 0 also where somebody else waited for it.
   int status() {
@@ -164,7 +162,7 @@ class Child {
   }
 
   pid_t pid_ = 0;
-  int read_end_ = -1;
+  Descriptor read_end_;
 };
 
 [[noreturn]] void explain(const std::string& name, const ChildLimits& limits, int status) {

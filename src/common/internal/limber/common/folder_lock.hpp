@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <string>
 
+#include "limber/common/descriptor.hpp"
+
 namespace limber {
 
 /// Makes a folder and keeps other processes, and others in this one, from locking it, as long as it
@@ -12,14 +14,9 @@ class FolderLock {
   /// @param who  "limber experiment", for the message
   /// @throws InputError if another has it.
   FolderLock(const std::filesystem::path& folder, const std::string& who);
-  ~FolderLock();
-  FolderLock(FolderLock&& other) noexcept;
-  FolderLock& operator=(FolderLock&&) = delete;
 
  private:
-  void release();
-
-  int descriptor_ = -1;
+  Descriptor descriptor_;
 };
 
 }  // namespace limber
