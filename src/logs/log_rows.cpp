@@ -36,81 +36,52 @@ void require_one_side(const LogTable& table, std::size_t row, const ArmDescripti
   }
 }
 
-/// Rows as they stand from `next` of each: the order to keep, or why there is none.
-class RowOrder {
- public:
-  RowOrder(std::string log, const std::vector<double>& time_s, RunReport& report)
-      : log_(std::move(log)), time_s_(time_s), report_(report) {}
-
-  std::vector<std::size_t> find() {
-    std::vector<std::size_t> order;
-    for (std::size_t i = 0; i < time_s_.size(); ++i) {
-      if (std::isfinite(time_s_[i])) {
-        order.push_back(i);
-      } else {
-        report_.note("rows left out that have no time", fmt::format("{}: row {}", log_, i));
-      }
+/// Puts rows that stand out of order where they belong. @throws InputError where they are many
+void sort_rows(const std::string& log, const std::vector<double>& time_s, RunReport& report,
+               std::vector<std::size_t>& order) {
+  constexpr double kMaxOutOfOrder = 0.01;
+  constexpr double kFarthestBack_s = 0.5;
+  std::size_t back = 0;
+  std::size_t first = 0;
+  double farthest_s = 0.0;
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    const double step = time_s[order[i]] - time_s[order[i - 1]];
+    if (step < 0.0) {
+      first = back++ == 0 ? i : first;
+      farthest_s = std::max(farthest_s, -step);
     }
-    sort(order);
-    drop_repeated(order);
-    if (order.size() < 2) {
-      throw InputError(fmt::format(
-          "{}: {} rows with a time of their own; expected a recording of at least a second", log_,
-          order.size()));
-    }
-    return order;
   }
-
- private:
-  static constexpr double kMaxOutOfOrder = 0.01;
-  static constexpr double kFarthestBack_s = 0.5;
-
-  void sort(std::vector<std::size_t>& order) {
-    std::size_t back = 0;
-    std::size_t first = 0;
-    double farthest_s = 0.0;
-    for (std::size_t i = 1; i < order.size(); ++i) {
-      const double step = time_s_[order[i]] - time_s_[order[i - 1]];
-      if (step < 0.0) {
-        first = back++ == 0 ? i : first;
-        farthest_s = std::max(farthest_s, -step);
-      }
-    }
-    if (back == 0) {
-      return;
-    }
-    const std::string where = fmt::format("row {} at {:.6g} s follows {:.6g} s", first,
-                                          time_s_[order[first]], time_s_[order[first - 1]]);
-    if (double(back) > kMaxOutOfOrder * double(order.size()) || farthest_s > kFarthestBack_s) {
-      throw InputError(fmt::format(
-          "{}: time goes back {} times, by up to {:.3g} s; first, {}. Is the column named in "
-          "'time' the time? Rows that were shuffled have to be sorted; a file that holds several "
-          "recordings needs a column that tells them apart, named in the mapping as 'recording'",
-          log_, back, farthest_s, where));
-    }
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return time_s_[a] < time_s_[b]; });
-    report_.note("rows out of order, sorted by time", fmt::format("{}: {}", log_, where),
-                 static_cast<std::int64_t>(back));
+  if (back == 0) {
+    return;
   }
-
-  void drop_repeated(std::vector<std::size_t>& order) {
-    std::vector<std::size_t> kept;
-    for (const std::size_t row : order) {
-      if (!kept.empty() && time_s_[row] <= time_s_[kept.back()]) {
-        report_.note("rows left out that repeat a time",
-                     fmt::format("{}: row {} at {:.6g} s", log_, row, time_s_[row]));
-      } else {
-        kept.push_back(row);
-      }
-    }
-    order = std::move(kept);
+  const std::string where = fmt::format("row {} at {:.6g} s follows {:.6g} s", first,
+                                        time_s[order[first]], time_s[order[first - 1]]);
+  if (double(back) > kMaxOutOfOrder * double(order.size()) || farthest_s > kFarthestBack_s) {
+    throw InputError(fmt::format(
+        "{}: time goes back {} times, by up to {:.3g} s; first, {}. Is the column named in "
+        "'time' the time? Rows that were shuffled have to be sorted; a file that holds several "
+        "recordings needs a column that tells them apart, named in the mapping as 'recording'",
+        log, back, farthest_s, where));
   }
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return time_s[a] < time_s[b]; });
+  report.note("rows out of order, sorted by time", fmt::format("{}: {}", log, where),
+              static_cast<std::int64_t>(back));
+}
 
-  std::string log_;
-  const std::vector<double>& time_s_;
-  RunReport& report_;
-};
+void drop_repeated_rows(const std::string& log, const std::vector<double>& time_s,
+                        RunReport& report, std::vector<std::size_t>& order) {
+  std::vector<std::size_t> kept;
+  for (const std::size_t row : order) {
+    if (!kept.empty() && time_s[row] <= time_s[kept.back()]) {
+      report.note("rows left out that repeat a time",
+                  fmt::format("{}: row {} at {:.6g} s", log, row, time_s[row]));
+    } else {
+      kept.push_back(row);
+    }
+  }
+  order = std::move(kept);
+}
 
 }  // namespace
 
@@ -278,7 +249,22 @@ void take_repeated(const std::vector<std::size_t>& order, CommandTrack& track) {
 
 std::vector<std::size_t> rows_in_order(const std::string& log, const std::vector<double>& time_s,
                                        RunReport& report) {
-  return RowOrder(log, time_s, report).find();
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < time_s.size(); ++i) {
+    if (std::isfinite(time_s[i])) {
+      order.push_back(i);
+    } else {
+      report.note("rows left out that have no time", fmt::format("{}: row {}", log, i));
+    }
+  }
+  sort_rows(log, time_s, report, order);
+  drop_repeated_rows(log, time_s, report, order);
+  if (order.size() < 2) {
+    throw InputError(fmt::format(
+        "{}: {} rows with a time of their own; expected a recording of at least a second", log,
+        order.size()));
+  }
+  return order;
 }
 
 }  // namespace limber
