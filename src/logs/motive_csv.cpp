@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include "limber/arm/names.hpp"
+#include "limber/arm/pose_size.hpp"
 #include "limber/common/csv_reader.hpp"
 #include "limber/common/error.hpp"
 #include "log_table.hpp"
@@ -318,26 +319,21 @@ class MotiveFile {
 
   void fill(MotiveObject& object, std::size_t index) const {
     const auto rows = static_cast<Eigen::Index>(take_.time_s.size());
-    object.position_m = Eigen::MatrixXd::Constant(rows, 3, kNoNumber);
-    Eigen::MatrixXd rotation = Eigen::MatrixXd::Constant(rows, 4, kNoNumber);
-    std::array<bool, 7> present{};
+    Eigen::MatrixXd numbers = Eigen::MatrixXd::Constant(rows, kSpacePoseSize, kNoNumber);
+    std::array<bool, kSpacePoseSize> present{};
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       const ColumnMeaning& meaning = columns_[i].second;
       if (meaning.object == index) {
         present[std::size_t(meaning.component)] = true;
-        const Eigen::Map<const Eigen::VectorXd> values(values_[i].data(), rows);
-        if (meaning.component < 3) {
-          object.position_m.col(meaning.component) = to_metres_ * values;
-        } else {
-          rotation.col(meaning.component - 3) = values;
-        }
+        numbers.col(meaning.component) = Eigen::Map<const Eigen::VectorXd>(values_[i].data(), rows);
       }
     }
+    object.position_m = to_metres_ * numbers.leftCols<3>();
     if (!present[0] || !present[1] || !present[2]) {
       refuse(fmt::format("'{}' ({}) has no X, Y and Z of its position", object.name, object.type));
     }
     if (present[6]) {
-      object.rotation = unit_quaternions(csv_, object.name, take_.time_s, std::move(rotation));
+      object.rotation = unit_quaternions(csv_, object.name, take_.time_s, numbers.rightCols<4>());
     } else if (present[3] && present[4] && present[5]) {
       if (!is_euler_order(take_.rotation_type)) {
         refuse(
@@ -345,7 +341,7 @@ class MotiveFile {
                         "or an order of Euler angles, XYZ … ZYX. {}",
                         take_.rotation_type, kHowToExport));
       }
-      object.rotation = quaternions_of_euler(rotation.leftCols(3), take_.rotation_type);
+      object.rotation = quaternions_of_euler(numbers.middleCols<3>(3), take_.rotation_type);
     }
   }
 

@@ -127,15 +127,14 @@ struct PointSeries {
 };
 
 PointSeries series_of(const PointSource& point, const PlateFinder& finder, const Plane& plane) {
+  const auto angle = [](double y, double x) { return std::atan2(y, x); };
   if (!point.body.empty()) {
     const MotiveObject& body = finder.body(point.body);
     PointSeries series{body.name, body.position_m, {}};
     if (body.rotation.size() > 0) {
       // The turn about the plane's normal, whatever the body's own tilt.
-      series.heading_rad =
-          2.0 * (plane.up_sign * body.rotation.col(plane.up).array())
-                    .binaryExpr(body.rotation.col(3).array(),
-                                [](double y, double x) { return std::atan2(y, x); });
+      series.heading_rad = 2.0 * (plane.up_sign * body.rotation.col(plane.up).array())
+                                     .binaryExpr(body.rotation.col(3).array(), angle);
     }
     return series;
   }
@@ -149,8 +148,7 @@ PointSeries series_of(const PointSource& point, const PlateFinder& finder, const
   PointSeries series{
       right.name + " and " + left.name, 0.5 * (left.position_m + right.position_m), {}};
   series.heading_rad = (plane.left_sign * across.col(plane.left).array())
-                           .binaryExpr(across.col(plane.forward).array(),
-                                       [](double y, double x) { return std::atan2(y, x); }) -
+                           .binaryExpr(across.col(plane.forward).array(), angle) -
                        0.5 * M_PI;
   return series;
 }
