@@ -18,18 +18,6 @@ constexpr double kForGiven = 1.0;  // [nats] what stands still, or nearly, keeps
 constexpr double kWeak = 0.4;      // of correlations; good logs of real arms reach 0.8 and more
 constexpr double kOften = 10.0;    // independent rows
 
-/// +1 where a larger command bends to the left, −1 to the right, 0 where nothing is known of it.
-double bends_left(const ArmDescription& arm, Eigen::Index segment) {
-  switch (arm.no_load) {
-    case NoLoadKind::strain_polynomial:
-      return -1.0;
-    case NoLoadKind::curvature:
-      return arm.segments[static_cast<std::size_t>(segment)].curvature_per_unit > 0.0 ? 1.0 : -1.0;
-    default:
-      return 0.0;
-  }
-}
-
 /// Correlation as the arm file expects it: positive where it agrees. Without a sign of its own a
 /// segment agrees with either.
 double agreement(const LevelCorrelations& levels, const ArmDescription& arm, Eigen::Index segment,
@@ -143,6 +131,17 @@ std::string all_of(const std::vector<std::string>& logs) {
 }
 
 }  // namespace
+
+double bends_left(const ArmDescription& arm, Eigen::Index segment) {
+  switch (arm.no_load) {
+    case NoLoadKind::strain_polynomial:
+      return -1.0;
+    case NoLoadKind::curvature:
+      return arm.segments[static_cast<std::size_t>(segment)].curvature_per_unit > 0.0 ? 1.0 : -1.0;
+    default:
+      return 0.0;
+  }
+}
 
 ColumnFit fit_columns(const LevelCorrelations& levels, const ArmDescription& arm, double decisive) {
   const Eigen::Index n = arm.segment_count();

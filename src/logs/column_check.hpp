@@ -38,6 +38,9 @@ struct ColumnFit {
   bool belongs = true;  ///< those are not decisively better: columns are taken as given
 };
 
+/// +1 where a larger command bends to the left, −1 to the right, 0 where nothing is known of it.
+double bends_left(const ArmDescription& arm, Eigen::Index segment);
+
 /// Odds of 20 to 1, and of 20 000 to 1 against a log whose companions have proven the mapping.
 inline constexpr double kDecisive = 3.0;        // [nats]
 inline constexpr double kDecisiveAlone = 10.0;  // [nats]

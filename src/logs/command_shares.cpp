@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "backbone_building.hpp"
+#include "column_check.hpp"
 #include "command_check.hpp"
 #include "level_correlation.hpp"
 #include "limber/arm/arm_commands.hpp"
@@ -182,18 +183,11 @@ double half_interval(const LaggedRegression& fit, Eigen::Index k, Eigen::Index i
   return kTwoSided95 * jackknife_error(slopes);
 }
 
-/// Of a positive command of segment i, as the arm file has it: positive to the left.
-double sign_of_turn(const ArmDescription& arm, Eigen::Index i) {
-  const double curvature = arm.segments[static_cast<std::size_t>(i)].curvature_per_unit;
-  const bool right = arm.no_load == NoLoadKind::strain_polynomial ||
-                     (arm.no_load == NoLoadKind::curvature && curvature < 0.0);
-  return right ? -1.0 : 1.0;
-}
-
 /// Of segment i, M numbers.
 Eigen::VectorXd shares_of_segment(const LaggedRegression& fit, const ArmDescription& arm,
                                   Eigen::Index i) {
-  Eigen::VectorXd shares = sign_of_turn(arm, i) * fit.all.slopes.col(i);
+  const double sign = bends_left(arm, i) < 0.0 ? -1.0 : 1.0;
+  Eigen::VectorXd shares = sign * fit.all.slopes.col(i);
   const double largest = shares.lpNorm<Eigen::Infinity>();
   for (Eigen::Index k = 0; k < shares.size(); ++k) {
     if (std::abs(shares[k]) < std::max(kMinShare * largest, half_interval(fit, k, i))) {
