@@ -124,62 +124,45 @@ struct SpaceFrame {
   std::vector<Eigen::Quaterniond> body_to_plate;  ///< k; a plate's axes in its body's
 };
 
-class FrameFinder {
- public:
-  FrameFinder(const std::string& log, const SpaceAlignment& alignment, const SpaceTracks& tracks)
-      : log_(log), alignment_(alignment), tracks_(tracks) {}
-
-  SpaceFrame find() const {
-    SpaceFrame frame;
-    frame.body_to_plate.assign(std::size_t(tracks_.point_count()), Eigen::Quaterniond::Identity());
-    if (alignment_.kind == SpaceAlignment::Kind::none) {
-      return frame;
-    }
-    frame.X_LB.position_m = base_m();
-    if (alignment_.kind == SpaceAlignment::Kind::base) {
-      if (!tracks_.tracks_base() || !tracks_.has_rotation.front()) {
-        throw InputError(fmt::format(
-            "{}: plate 0, the base, has no rotation; expected where the arm points, as in "
-            "'alignment: {{x_axis: [x, y, z]}}' or '{{rest_s: [from, to]}}'",
-            log_));
-      }
-      frame.X_LB.rotation = mean_rotation(tracks_, 0, required_rows(log_, tracks_, 0));
-      return frame;
-    }
-    frame.X_LB.rotation = rotation_of_axes(
-        log_, alignment_.x_axis ? *alignment_.x_axis : along_at_rest(frame.X_LB.position_m),
-        alignment_.y_axis);
-    for (Eigen::Index i = 0; i < tracks_.point_count(); ++i) {
-      if (tracks_.has_rotation[std::size_t(i)]) {
-        frame.body_to_plate[std::size_t(i)] = zero(i).conjugate() * frame.X_LB.rotation;
-      }
-    }
+SpaceFrame find_frame(const std::string& log, const SpaceAlignment& alignment,
+                      const SpaceTracks& tracks) {
+  SpaceFrame frame;
+  frame.body_to_plate.assign(std::size_t(tracks.point_count()), Eigen::Quaterniond::Identity());
+  if (alignment.kind == SpaceAlignment::Kind::none) {
     return frame;
   }
-
- private:
-  Eigen::Vector3d base_m() const {
-    return alignment_.position_m ? *alignment_.position_m
-                                 : median_position_m(tracks_, 0, required_rows(log_, tracks_, 0));
+  frame.X_LB.position_m = alignment.position_m
+                              ? *alignment.position_m
+                              : median_position_m(tracks, 0, required_rows(log, tracks, 0));
+  if (alignment.kind == SpaceAlignment::Kind::base) {
+    if (!tracks.tracks_base() || !tracks.has_rotation.front()) {
+      throw InputError(fmt::format(
+          "{}: plate 0, the base, has no rotation; expected where the arm points, as in "
+          "'alignment: {{x_axis: [x, y, z]}}' or '{{rest_s: [from, to]}}'",
+          log));
+    }
+    frame.X_LB.rotation = mean_rotation(tracks, 0, required_rows(log, tracks, 0));
+    return frame;
   }
-
-  Eigen::Vector3d along_at_rest(const Eigen::Vector3d& base_m) const {
-    const Eigen::Index tip = tracks_.point_count() - 1;
-    return median_position_m(tracks_, tip, required_rows(log_, tracks_, tip, alignment_.rest_s)) -
-           base_m;
+  const auto rest_rows = [&](Eigen::Index i) {
+    return required_rows(log, tracks, i, alignment.rest_s);
+  };
+  const Eigen::Index tip = tracks.point_count() - 1;
+  const Eigen::Vector3d along =
+      alignment.x_axis
+          ? *alignment.x_axis
+          : Eigen::Vector3d(median_position_m(tracks, tip, rest_rows(tip)) - frame.X_LB.position_m);
+  frame.X_LB.rotation = rotation_of_axes(log, along, alignment.y_axis);
+  for (Eigen::Index i = 0; i < tracks.point_count(); ++i) {
+    if (tracks.has_rotation[std::size_t(i)]) {
+      // What a body's rotation is when its plate lies along the base.
+      const Eigen::Quaterniond zero = alignment.rest_s ? mean_rotation(tracks, i, rest_rows(i))
+                                                       : Eigen::Quaterniond::Identity();
+      frame.body_to_plate[std::size_t(i)] = zero.conjugate() * frame.X_LB.rotation;
+    }
   }
-
-  /// What a body's rotation is when its plate lies along the base.
-  Eigen::Quaterniond zero(Eigen::Index i) const {
-    return alignment_.rest_s
-               ? mean_rotation(tracks_, i, required_rows(log_, tracks_, i, alignment_.rest_s))
-               : Eigen::Quaterniond::Identity();
-  }
-
-  const std::string& log_;
-  const SpaceAlignment& alignment_;
-  const SpaceTracks& tracks_;
-};
+  return frame;
+}
 
 /// @return 95 % of the distances of a tracked base from its median place
 /// @throws InputError where it was never tracked
@@ -234,7 +217,7 @@ void settle_base(const std::string& log, const SpaceAlignment& alignment, SpaceT
 
 void align_in_space(const std::string& log, const SpaceAlignment& alignment, SpaceTracks& tracks,
                     RunReport& report) {
-  const SpaceFrame frame = FrameFinder(log, alignment, tracks).find();
+  const SpaceFrame frame = find_frame(log, alignment, tracks);
   const Eigen::Matrix3d axes = frame.X_LB.rotation.toRotationMatrix();
   report.space->base_m = frame.X_LB.position_m;
   report.space->x_axis = axes.col(0);
