@@ -100,62 +100,53 @@ bool is_without_setpoints(const Episode& episode) {
          (episode.pressure_kpa.rowwise() - episode.pressure_kpa.row(0)).any();
 }
 
-/// Errors of one recording's valves, or of part of its segments.
-class ErrorCollector {
- public:
-  ErrorCollector(const Recording& recording, const std::vector<double>& limits)
-      : recording_(recording), limits_(limits) {}
-
-  /// @param early  frames that set points are moved up: what if they were logged late?
-  ValveErrors errors(const ValveParameters& valves, const std::vector<FrameRange>& ranges,
-                     int early = 0) const {
-    std::vector<double> sizes;
-    for (const FrameRange& range : ranges) {
-      add(valves, range, early, sizes);
+void add_errors(const Recording& recording, const std::vector<double>& limits,
+                const ValveParameters& valves, const FrameRange& range, int early,
+                std::vector<double>& sizes) {
+  const Episode* episode = &recording.episodes[std::size_t(range.episode)];
+  Episode moved;
+  if (early > 0) {
+    moved = *episode;
+    for (int t = 0; t < moved.frame_count(); ++t) {
+      moved.setpoint_kpa.row(t) =
+          episode->setpoint_kpa.row(std::min(t + early, moved.frame_count() - 1));
     }
-    ValveErrors errors;
-    errors.frames = std::int64_t(sizes.size());
-    if (!sizes.empty()) {
-      errors.mean_kpa = mean(sizes);
-      errors.max_kpa = *std::max_element(sizes.begin(), sizes.end());
-      errors.p95_kpa = quantile(std::move(sizes), 0.95);
-    }
-    return errors;
+    episode = &moved;
   }
-
- private:
-  void add(const ValveParameters& valves, const FrameRange& range, int early,
-           std::vector<double>& sizes) const {
-    const Episode* episode = &recording_.episodes[std::size_t(range.episode)];
-    Episode moved;
-    if (early > 0) {
-      moved = *episode;
-      for (int t = 0; t < moved.frame_count(); ++t) {
-        moved.setpoint_kpa.row(t) =
-            episode->setpoint_kpa.row(std::min(t + early, moved.frame_count() - 1));
+  const FrameMatrix simulated =
+      simulate_valves(valves, recording.rate_hz, *episode, range.first, range.count);
+  const int within = int(std::lround(kChangedWithinS * recording.rate_hz));
+  for (int i = 0; i < recording.channel_count(); ++i) {
+    int changed = -within - 1;
+    for (int t = std::max(range.first - within, 0); t < range.first + range.count; ++t) {
+      if (changes_at(*episode, i, t, limits[std::size_t(i)])) {
+        changed = t;
       }
-      episode = &moved;
-    }
-    const FrameMatrix simulated =
-        simulate_valves(valves, recording_.rate_hz, *episode, range.first, range.count);
-    const int within = int(std::lround(kChangedWithinS * recording_.rate_hz));
-    for (int i = 0; i < recording_.channel_count(); ++i) {
-      int changed = -within - 1;
-      for (int t = std::max(range.first - within, 0); t < range.first + range.count; ++t) {
-        if (changes_at(*episode, i, t, limits_[std::size_t(i)])) {
-          changed = t;
-        }
-        if (t > range.first && t - changed <= within) {
-          sizes.push_back(
-              std::abs(double(simulated(t - range.first, i)) - episode->pressure_kpa(t, i)));
-        }
+      if (t > range.first && t - changed <= within) {
+        sizes.push_back(
+            std::abs(double(simulated(t - range.first, i)) - episode->pressure_kpa(t, i)));
       }
     }
   }
+}
 
-  const Recording& recording_;
-  const std::vector<double>& limits_;
-};
+/// @param early  frames that set points are moved up: what if they were logged late?
+ValveErrors errors_of(const Recording& recording, const std::vector<double>& limits,
+                      const ValveParameters& valves, const std::vector<FrameRange>& ranges,
+                      int early = 0) {
+  std::vector<double> sizes;
+  for (const FrameRange& range : ranges) {
+    add_errors(recording, limits, valves, range, early, sizes);
+  }
+  ValveErrors errors;
+  errors.frames = std::int64_t(sizes.size());
+  if (!sizes.empty()) {
+    errors.mean_kpa = mean(sizes);
+    errors.max_kpa = *std::max_element(sizes.begin(), sizes.end());
+    errors.p95_kpa = quantile(std::move(sizes), 0.95);
+  }
+  return errors;
+}
 
 /// Fits and chooses.
 class Identification {
@@ -163,8 +154,7 @@ class Identification {
   Identification(const Recording& recording, std::vector<double> limits)
       : recording_(recording),
         limits_(std::move(limits)),
-        split_(split_for_valves(recording.episodes)),
-        collector_(recording_, limits_) {}
+        split_(split_for_valves(recording.episodes)) {}
 
   IdentifiedValves run() {
     IdentifiedValves result;
@@ -175,9 +165,8 @@ class Identification {
       return result;
     }
     result.parameters.segments = choose();
-    result.findings.held_back = collector_.errors(result.parameters, split_.held_back);
-    result.findings.from_setpoints =
-        collector_.errors({result.parameters.has_sides, {}}, split_.held_back);
+    result.findings.held_back = held_back_errors(result.parameters);
+    result.findings.from_setpoints = held_back_errors({result.parameters.has_sides, {}});
     look_for_causes(result);
     if (result.findings.held_back.mean_kpa >
         result.findings.from_setpoints.mean_kpa + kChange * scale()) {
@@ -193,6 +182,9 @@ class Identification {
 
  private:
   bool has_sides() const { return recording_.command.is_pressure_kpa(); }
+  ValveErrors held_back_errors(const ValveParameters& valves, int early = 0) const {
+    return errors_of(recording_, limits_, valves, split_.held_back, early);
+  }
   double scale() const { return *std::ranges::max_element(limits_); }
 
   std::string why_impossible() {
@@ -255,7 +247,7 @@ class Identification {
     if (told_.size() < 2) {
       return pooled;
     }
-    const double pooled_mean = collector_.errors({has_sides(), pooled}, split_.held_back).mean_kpa;
+    const double pooled_mean = held_back_errors({has_sides(), pooled}).mean_kpa;
     if (pooled_mean <= kNothing * scale()) {
       return pooled;  // whatever others have
     }
@@ -263,7 +255,7 @@ class Identification {
     for (const int i : told_) {
       own[std::size_t(i)] = fit({i});
     }
-    const double own_mean = collector_.errors({has_sides(), own}, split_.held_back).mean_kpa;
+    const double own_mean = held_back_errors({has_sides(), own}).mean_kpa;
     return pooled_mean <= kAsGood * own_mean + kNothing * scale() ? pooled : own;
   }
 
@@ -300,7 +292,7 @@ class Identification {
     double best = result.findings.held_back.mean_kpa;
     int best_frames = 0;
     for (int early = 1; early <= kMaxFrames; ++early) {
-      const double mean = collector_.errors(result.parameters, split_.held_back, early).mean_kpa;
+      const double mean = held_back_errors(result.parameters, early).mean_kpa;
       if (mean < kMuchBetter * result.findings.held_back.mean_kpa && mean < best) {
         best = mean;
         best_frames = early;
@@ -318,7 +310,6 @@ class Identification {
   const Recording& recording_;
   std::vector<double> limits_;
   ValveSplit split_;
-  ErrorCollector collector_;
   std::vector<int> told_;  // segments whose set points change enough
 };
 
@@ -362,7 +353,7 @@ ValveSplit split_for_valves(const std::vector<Episode>& episodes) {
 ValveErrors valve_errors(const ValveParameters& valves, const Recording& recording,
                          const std::vector<FrameRange>& ranges) {
   const std::vector<double> limits = max_setpoints(recording);
-  return ErrorCollector(recording, limits).errors(valves, ranges);
+  return errors_of(recording, limits, valves, ranges);
 }
 
 IdentifiedValves identify_valves(const Recording& recording, std::vector<double> limits_kpa) {
