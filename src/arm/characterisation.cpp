@@ -29,15 +29,10 @@ constexpr double kBareActuatorStrain = 0.24;  // between a mounted side (0.20) a
 constexpr int kHoldingTurns = 20;
 constexpr double kMinHeldSlope = 1e-7;  // of the mean slope
 
-/// 7 significant digits: sums in another order, on another machine, give the same file.
-double rounded(double value) {
-  return *number_in(fmt::format("{:.6e}", value));
-}
-
 StrainPolynomial per_kpa(const Eigen::Vector4d& fit, double limit_kpa) {
   StrainPolynomial c;
   for (int k = 0; k < 4; ++k) {
-    c[std::size_t(k)] = rounded(fit[k] / std::pow(limit_kpa, k + 1));
+    c[std::size_t(k)] = seven_digits(fit[k] / std::pow(limit_kpa, k + 1));
   }
   return c;
 }

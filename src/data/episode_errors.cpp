@@ -13,6 +13,7 @@
 #include "limber/common/json_number.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/common/units.hpp"
+#include "limber/data/episode_slice.hpp"
 #include "limber/data/recording.hpp"
 #include "limber/data/recording_inspection.hpp"
 #include "limber/data/simple_model.hpp"
@@ -32,10 +33,7 @@ double turn_error(const SimpleModel& model, const ArmDescription& arm, const Epi
   const Eigen::MatrixXd told = lagged_turns(arm, episode, model.lag_s);
   double squares = 0.0;
   int count = 0;
-  for (int t = 0; t < episode.frame_count(); ++t) {
-    if (!episode.was_tracked(t)) {
-      continue;
-    }
+  for (const int t : tracked_frames(episode)) {
     Eigen::Index column = 2;
     for (int i = 0; i < arm.segment_count(); ++i) {
       const auto at = static_cast<std::size_t>(i);
@@ -145,15 +143,12 @@ constexpr double kMovedShare = 0.01;     // of the arm's length, by the tip
 double mean_tip_error_cm(const FrameMatrix& expected, const Episode& episode) {
   const Eigen::Index tip = expected.cols() - pose_size(episode.dimension);
   const Eigen::Index numbers = position_size(episode.dimension);
+  const std::vector<int> frames = tracked_frames(episode);
   double sum = 0.0;
-  int count = 0;
-  for (int t = 0; t < episode.frame_count(); ++t) {
-    if (episode.was_tracked(t)) {
-      sum += double((expected.row(t) - episode.backbone.row(t)).segment(tip, numbers).norm());
-      ++count;
-    }
+  for (const int t : frames) {
+    sum += double((expected.row(t) - episode.backbone.row(t)).segment(tip, numbers).norm());
   }
-  return count > 0 ? kCmPerM * sum / count : std::nan("");
+  return frames.empty() ? std::nan("") : kCmPerM * sum / double(frames.size());
 }
 
 bool tip_moves(const ArmDescription& arm, const FrameMatrix& backbones) {

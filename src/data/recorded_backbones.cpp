@@ -13,6 +13,7 @@
 #include "limber/arm/space_pose.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/statistics.hpp"
+#include "limber/data/episode_slice.hpp"
 #include "limber/data/log_units.hpp"
 #include "limber/data/recording_inspection.hpp"
 
@@ -70,10 +71,9 @@ double heading_from_base_rad(const Episode& episode, int t, int plate) {
 void require_plates_near(const Episode& episode, const ArmDescription& arm,
                          const std::string& where) {
   const double farthest_m = kNeverThere * arm.length_m();
-  const int end = episode.frame_count();
-  const int first = episode.next_tracked(0, end);
-  for (int t = first; t < end; t = episode.next_tracked(t + 1, end)) {
-    const Eigen::Vector3d begin = episode.position_m(first, 0);
+  const std::vector<int> tracked = tracked_frames(episode);
+  for (const int t : tracked) {
+    const Eigen::Vector3d begin = episode.position_m(tracked.front(), 0);
     const Eigen::Vector3d base = episode.position_m(t, 0);
     for (int plate = 0; plate < arm.point_count(); ++plate) {
       const double away_m = (episode.position_m(t, plate) - (plate == 0 ? begin : base)).norm();
@@ -98,15 +98,13 @@ double spread_of_end_m(const Episode& episode) {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   double squares = 0.0;
   double count = 0.0;
-  for (int t = 0; t < episode.frame_count(); ++t) {
-    if (episode.was_tracked(t)) {
-      // Welford's update: differences of large sums would lose the spread of an arm far away.
-      const Eigen::Vector3d tip_m = episode.position_m(t, tip);
-      const Eigen::Vector3d before = tip_m - mean;
-      count += 1.0;
-      mean += before / count;
-      squares += before.dot(tip_m - mean);
-    }
+  for (const int t : tracked_frames(episode)) {
+    // Welford's update: differences of large sums would lose the spread of an arm far away.
+    const Eigen::Vector3d tip_m = episode.position_m(t, tip);
+    const Eigen::Vector3d before = tip_m - mean;
+    count += 1.0;
+    mean += before / count;
+    squares += before.dot(tip_m - mean);
   }
   return count > 0.0 ? std::sqrt(squares / count) : std::numeric_limits<double>::quiet_NaN();
 }
@@ -115,18 +113,15 @@ double spread_of_end_m(const Episode& episode) {
 std::string base_offset_in_space(const Episode& episode) {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   Eigen::Vector3d rotation_rad = Eigen::Vector3d::Zero();
-  int count = 0;
-  for (int t = 0; t < episode.frame_count(); ++t) {
-    if (episode.was_tracked(t)) {
-      const SpacePose base =
-          space_pose_of(episode.backbone.row(t).head<kSpacePoseSize>().cast<double>());
-      point += base.position_m;
-      rotation_rad += rotation_vector(base.rotation);
-      ++count;
-    }
+  const std::vector<int> frames = tracked_frames(episode);
+  for (const int t : frames) {
+    const SpacePose base =
+        space_pose_of(episode.backbone.row(t).head<kSpacePoseSize>().cast<double>());
+    point += base.position_m;
+    rotation_rad += rotation_vector(base.rotation);
   }
-  point /= std::max(count, 1);
-  rotation_rad /= std::max(count, 1);
+  point /= std::max(double(frames.size()), 1.0);
+  rotation_rad /= std::max(double(frames.size()), 1.0);
   if (point.norm() <= kBasePosition_m && rotation_rad.norm() <= kBaseHeading_rad) {
     return {};
   }
@@ -140,17 +135,14 @@ Pose mean_base(const Episode& episode) {
   Eigen::Vector2d point = Eigen::Vector2d::Zero();
   double cosine = 0.0;
   double sine = 0.0;
-  int count = 0;
-  for (int t = 0; t < episode.frame_count(); ++t) {
-    if (episode.was_tracked(t)) {
-      const auto base = episode.backbone.row(t).head<kPoseSize>().cast<double>();
-      point += base.head<2>().transpose();
-      cosine += std::cos(base[2]);
-      sine += std::sin(base[2]);
-      ++count;
-    }
+  const std::vector<int> frames = tracked_frames(episode);
+  for (const int t : frames) {
+    const auto base = episode.backbone.row(t).head<kPoseSize>().cast<double>();
+    point += base.head<2>().transpose();
+    cosine += std::cos(base[2]);
+    sine += std::sin(base[2]);
   }
-  point /= std::max(count, 1);
+  point /= std::max(double(frames.size()), 1.0);
   return {point.x(), point.y(), std::atan2(sine, cosine)};
 }
 
@@ -170,10 +162,8 @@ std::string base_offset(const Episode& episode) {
 
 double median_gap_m(const Episode& episode, int plate) {
   std::vector<double> distances;
-  for (int t = 0; t < episode.frame_count(); ++t) {
-    if (episode.was_tracked(t)) {
-      distances.push_back((episode.position_m(t, plate + 1) - episode.position_m(t, plate)).norm());
-    }
+  for (const int t : tracked_frames(episode)) {
+    distances.push_back((episode.position_m(t, plate + 1) - episode.position_m(t, plate)).norm());
   }
   return distances.empty() ? std::numeric_limits<double>::quiet_NaN()
                            : median(std::move(distances));

@@ -10,7 +10,6 @@
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/number_text.hpp"
-#include "limber/data/space_fit.hpp"
 
 namespace limber {
 

@@ -9,6 +9,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/statistics.hpp"
+#include "limber/data/episode_slice.hpp"
 #include "limber/data/simple_model.hpp"
 
 namespace limber {
@@ -47,11 +48,9 @@ std::vector<FrameOf> frames_of(const std::vector<Episode>& episodes) {
   std::vector<FrameOf> tracked;
   for (std::size_t e = 0; e < episodes.size(); ++e) {
     const int frames = episodes[e].frame_count();
-    for (int t = 0; t < frames; ++t) {
-      if (episodes[e].was_tracked(t)) {
-        const int block = count > 1 ? int(e) * blocks / count : t * blocks / frames;
-        tracked.push_back({int(e), t, block});
-      }
+    for (const int t : tracked_frames(episodes[e])) {
+      const int block = count > 1 ? int(e) * blocks / count : t * blocks / frames;
+      tracked.push_back({int(e), t, block});
     }
   }
   const std::size_t step = tracked.size() / kMaxRows + 1;

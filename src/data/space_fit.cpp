@@ -15,6 +15,7 @@
 #include "limber/arm/space_pose.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/number_text.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/common/units.hpp"
 #include "limber/data/episode_slice.hpp"
@@ -78,10 +79,8 @@ class SpaceFitter {
   SpaceFitter(const ArmDescription& arm, const std::vector<Episode>& episodes)
       : arm_(arm), no_load_(arm), episodes_(episodes), levers_m_(levers_m(arm)) {
     for (std::size_t e = 0; e < episodes.size(); ++e) {
-      for (int t = 0; t < episodes[e].frame_count(); ++t) {
-        if (episodes[e].was_tracked(t)) {
-          frames_.emplace_back(e, t);
-        }
+      for (const int t : tracked_frames(episodes[e])) {
+        frames_.emplace_back(e, t);
       }
     }
     if (!is_enough_for_space_fit(episodes)) {
@@ -276,10 +275,7 @@ void measure(const ArmDescription& arm, const std::vector<Episode>& episodes, Sp
   for (const Episode& episode : episodes) {
     Episode expected = episode;
     expected.backbone = predict(fit, arm, episode);
-    for (int t = 0; t < episode.frame_count(); ++t) {
-      if (!episode.was_tracked(t)) {
-        continue;
-      }
+    for (const int t : tracked_frames(episode)) {
       double sum = 0.0;
       for (int plate = 1; plate < episode.point_count(); ++plate) {
         const double off = (expected.position_m(t, plate) - episode.position_m(t, plate)).norm();

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string_view>
 
+#include <fmt/format.h>
+
 namespace limber {
 
 /// The number that the whole of `text` is, with a decimal point whatever the locale; "inf" and
@@ -28,6 +30,11 @@ inline bool parse_number(std::string_view text, double& value) {
   }
   value = *number;
   return true;
+}
+
+/// The same on every machine: fits differ in their last digits.
+inline double seven_digits(double value) {
+  return number_in(fmt::format("{:.7g}", value)).value_or(value);
 }
 
 }  // namespace limber

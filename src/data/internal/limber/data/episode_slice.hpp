@@ -27,6 +27,17 @@ inline Episode slice(const Episode& episode, int first, int count) {
   return part;
 }
 
+/// Numbers of the frames in which the arm was tracked.
+inline std::vector<int> tracked_frames(const Episode& episode) {
+  std::vector<int> frames;
+  for (int t = 0; t < episode.frame_count(); ++t) {
+    if (episode.was_tracked(t)) {
+      frames.push_back(t);
+    }
+  }
+  return frames;
+}
+
 /// Of all of them together.
 inline std::int64_t frame_count(const std::vector<Episode>& episodes) {
   std::int64_t frames = 0;

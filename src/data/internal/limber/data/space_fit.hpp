@@ -3,20 +3,13 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
 #include <Eigen/Core>
 #include <nlohmann/json_fwd.hpp>
 
 #include "limber/arm/arm_description.hpp"
-#include "limber/common/number_text.hpp"
 #include "limber/data/recording.hpp"
 
 namespace limber {
-
-/// The same on every machine: fits differ in their last digits.
-inline double seven_digits(double value) {
-  return number_in(fmt::format("{:.7g}", value)).value_or(value);
-}
 
 struct EpisodeErrors;
 
