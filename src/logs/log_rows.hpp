@@ -59,7 +59,7 @@ struct BackboneTrack {
                                ///< T×7m, quaternions without jumps of sign
   std::vector<bool> tracked;   ///< T; false if a point was missing for too long: poses are NaN
   std::vector<bool> bridged;   ///< T; a point of this row was put between its neighbours in time
-  double usual_step_s = 0.0;   ///< between rows, as usual_step_s; 0: the median step
+  double usual_step_s = 0.0;   ///< between rows, by kUsualSteps; 0: the median step
 
   Eigen::Index row_count() const { return static_cast<Eigen::Index>(time_s.size()); }
 };

@@ -8,7 +8,6 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
-#include "limber/common/statistics.hpp"
 #include "log_rows.hpp"
 #include "log_table.hpp"
 
@@ -84,15 +83,6 @@ bool has_column(const std::filesystem::path& path, const ImportMapping& mapping,
 }
 
 }  // namespace
-
-double usual_step_s(const std::vector<double>& time_s) {
-  constexpr double kUsualSteps = 0.9;
-  std::vector<double> steps;
-  for (std::size_t t = 1; t < time_s.size(); ++t) {
-    steps.push_back(time_s[t] - time_s[t - 1]);
-  }
-  return quantile(std::move(steps), kUsualSteps);
-}
 
 std::vector<LogRun> read_csv_runs(const std::filesystem::path& path, const ImportMapping& mapping,
                                   const ArmDescription& arm, bool with_commands) {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "limber/data/median_rate.hpp"
 #include "limber/logs/import_mapping.hpp"
 #include "limber/logs/import_report.hpp"
 #include "log_rows.hpp"
@@ -106,8 +107,8 @@ void note_hidden_rows(const std::string& log, double longest_gap_s,
                       const std::vector<bool>& tracked, const std::vector<bool>& bridged,
                       RunReport& report);
 
-/// Between rows of a clock that may be uneven: nine tenths of the steps are no longer.
-double usual_step_s(const std::vector<double>& time_s);
+/// Of the steps of a clock that may be uneven: so many are no longer than the usual one.
+inline constexpr double kUsualSteps = 0.9;
 
 /// Has rows of point `i` that are hidden for at most `longest_gap_s` bridged, and marks these and
 /// the lost ones.
@@ -154,7 +155,7 @@ void fill_gaps(const std::string& log, double longest_gap_s, Tracks& tracks, Bac
                report);
   }
   note_hidden_rows(log, longest_gap_s, track.tracked, track.bridged, report);
-  track.usual_step_s = usual_step_s(tracks.time_s);
+  track.usual_step_s = quantile_step_s(tracks.time_s, kUsualSteps);
 }
 
 }  // namespace limber
