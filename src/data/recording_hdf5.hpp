@@ -10,7 +10,6 @@
 
 #include <H5Cpp.h>
 
-#include "limber/arm/names.hpp"
 #include "limber/data/recording.hpp"
 
 namespace limber {
@@ -75,11 +74,8 @@ class Hdf5Section {
 
 using Shape = std::vector<hsize_t>;
 
-/// Data sets of what was measured and of what was asked for: their names carry the unit, if it is
-/// that of pressures; of another command, the attribute `unit` alone does.
-inline std::string measured_name(const Command& command) {
-  return followed_key(command);
-}
+/// Data set of what was asked for; that of what was measured is followed_key. Their names carry the
+/// unit, if it is that of pressures; of another command, the attribute `unit` alone does.
 inline std::string setpoint_name(const Command& command) {
   return command.is_pressure_kpa() ? "setpoint_kpa" : "command_setpoint";
 }

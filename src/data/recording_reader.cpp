@@ -6,6 +6,7 @@
 #include "checked_hdf5.hpp"
 #include "confined_child.hpp"
 #include "episode_path.hpp"
+#include "limber/arm/names.hpp"
 #include "limber/arm/space_pose.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/data/recording_part.hpp"
@@ -166,7 +167,7 @@ class Reader : private CheckedHdf5 {
       return matrix(group + "/" + name, {frames, n}, pressures, command.unit.c_str());
     };
     episode.setpoint_kpa = commands(setpoint_name(command));
-    const std::string measured = group + "/" + measured_name(command);
+    const std::string measured = group + "/" + followed_key(command);
     const bool is_there = exists(measured);
     if (setpoints_only && is_there) {
       refuse(measured, fmt::format("found, though the attribute '{}' says '{}': nothing was "
@@ -178,7 +179,7 @@ class Reader : private CheckedHdf5 {
                                    "attribute '{}' of the file says '{}'",
                                    pressures, kCommandsAre, commands_are(true)));
     }
-    episode.pressure_kpa = setpoints_only ? episode.setpoint_kpa : commands(measured_name(command));
+    episode.pressure_kpa = setpoints_only ? episode.setpoint_kpa : commands(followed_key(command));
     const bool in_space = recording.dimension == Dimension::space;
     const int size = pose_size(recording.dimension);
     episode.backbone =

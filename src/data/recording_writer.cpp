@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "episode_path.hpp"
+#include "limber/arm/names.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/large_file.hpp"
@@ -107,7 +108,7 @@ void write_episode(const H5::Group& group, const Episode& episode, const Recordi
                  {frames});
   const Command& command = recording.command;
   if (!episode.setpoints_only) {
-    write_data_set(group, measured_name(command), command.unit.c_str(), real,
+    write_data_set(group, followed_key(command), command.unit.c_str(), real,
                    episode.pressure_kpa.data(), {frames, channels});
   }
   write_data_set(group, setpoint_name(command), command.unit.c_str(), real,
