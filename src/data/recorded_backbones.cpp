@@ -206,7 +206,7 @@ std::string base_warning(const Recording& recording) {
           "the base plate does not lie at the origin of the arm's frame but at {} ({}, on average; "
           "2 mm and 0.01 rad are allowed). A network of plate-relative poses can't know that, and "
           "its error is as large. Import the logs again with 'alignment: base' in the mapping",
-          offset, episode_path(e));
+          offset, episode_path(recording.number(e)));
     }
   }
   return {};
