@@ -54,7 +54,7 @@ void sort_rows(const std::string& log, const std::vector<double>& time_s, RunRep
   if (back == 0) {
     return;
   }
-  const std::string where = fmt::format("row {} at {:.6g} s follows {:.6g} s", first,
+  const std::string where = fmt::format("row {} at {:.6g} s follows {:.6g} s", order[first],
                                         time_s[order[first]], time_s[order[first - 1]]);
   if (double(back) > kMaxOutOfOrder * double(order.size()) || farthest_s > kFarthestBack_s) {
     throw InputError(fmt::format(
