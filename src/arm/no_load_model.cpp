@@ -1,6 +1,5 @@
 #include "limber/arm/no_load_model.hpp"
 
-#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -47,13 +46,8 @@ NoLoadModel::NoLoadModel(const ArmDescription& arm)
 
 double NoLoadModel::strain(int index, double pressure_kpa) const {
   const Segment& s = segment(index);
-  const double p = std::abs(pressure_kpa);
-  const double limit = s.pressure_limit_kpa.largest_kpa();
-  if (p <= limit) {
-    return strain_at(s.strain_polynomial, p);
-  }
-  const double slope = std::max(0.0, strain_slope_at(s.strain_polynomial, limit));
-  return strain_at(s.strain_polynomial, limit) + slope * (p - limit);
+  return strain_beyond(s.strain_polynomial, s.pressure_limit_kpa.largest_kpa(),
+                       std::abs(pressure_kpa));
 }
 
 SegmentShape NoLoadModel::segment_shape(int index, double pressure_kpa) const {

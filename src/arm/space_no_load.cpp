@@ -1,6 +1,5 @@
 #include "limber/arm/space_no_load.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -72,12 +71,9 @@ Eigen::VectorXd SpaceNoLoad::strains(const Eigen::Ref<const Eigen::VectorXd>& co
     const Chamber& chamber = arm_.chamber(static_cast<int>(i));
     double strain = commands[i];
     if (chamber.strain_polynomial != StrainPolynomial{}) {
-      const double size = std::abs(commands[i]);
-      const double limit = chamber.limit_kpa.largest_kpa();
-      const double slope = std::max(0.0, strain_slope_at(chamber.strain_polynomial, limit));
-      strain = strain_at(chamber.strain_polynomial, std::min(size, limit)) +
-               slope * std::max(0.0, size - limit);
-      strain = std::copysign(strain, commands[i]);
+      const double size = strain_beyond(chamber.strain_polynomial, chamber.limit_kpa.largest_kpa(),
+                                        std::abs(commands[i]));
+      strain = std::copysign(size, commands[i]);
     }
     result[i] = chamber.sense * strain;
   }

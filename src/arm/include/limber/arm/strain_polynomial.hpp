@@ -1,6 +1,7 @@
 #pragma once
 // For those who ask a model where the arm goes.
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -20,6 +21,16 @@ inline double strain_at(const StrainPolynomial& c, double pressure_kpa) {
 inline double strain_slope_at(const StrainPolynomial& c, double pressure_kpa) {
   const double p = pressure_kpa;
   return c[0] + p * (2.0 * c[1] + p * (3.0 * c[2] + p * 4.0 * c[3]));
+}
+
+/// P(p), p ≥ 0; above the limit it goes on along its end slope, and never falls there.
+inline double strain_beyond(const StrainPolynomial& c, double pressure_limit_kpa,
+                            double pressure_kpa) {
+  if (pressure_kpa <= pressure_limit_kpa) {
+    return strain_at(c, pressure_kpa);
+  }
+  const double slope = std::max(0.0, strain_slope_at(c, pressure_limit_kpa));
+  return strain_at(c, pressure_limit_kpa) + slope * (pressure_kpa - pressure_limit_kpa);
 }
 
 /// Where on [0, p_max] the strain rises least, and how fast: negative where it falls.
