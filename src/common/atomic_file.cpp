@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <mutex>
 #include <set>
-#include <utility>
 
 #include "limber/common/descriptor.hpp"
 #include "limber/common/file_error.hpp"

@@ -8,8 +8,10 @@
 #include <cerrno>
 #include <climits>
 #include <cstdint>
+#include <iterator>
 #include <mutex>
 #include <optional>
+#include <regex>
 #include <set>
 #include <string_view>
 
@@ -26,10 +28,6 @@ namespace {
 
 constexpr std::string_view kEnd = ".tmp";
 constexpr std::size_t kLongestName = NAME_MAX;
-
-bool is_number(std::string_view text) {
-  return !text.empty() && text.find_first_not_of("0123456789") == text.npos;
-}
 
 /// Host and namespace of process numbers: containers may share the host's name, never the latter.
 std::string host() {
@@ -83,28 +81,12 @@ bool runs(const std::string& process, const std::string& start) {
 
 /// Whether `name` is one that a process of this host gave, and that process has ended.
 bool is_abandoned(const std::string& name, const std::string& own_host) {
-  if (!name.starts_with('.') || !name.ends_with(kEnd)) {
-    return false;
-  }
-  const std::string whole = name.substr(0, name.size() - kEnd.size());
-  const std::size_t process_at = whole.rfind('.');
-  const std::size_t host_at = process_at == 0 ? whole.npos : whole.rfind('.', process_at - 1);
-  if (host_at == whole.npos || host_at == 0 ||
-      whole.substr(host_at + 1, process_at - host_at - 1) != own_host) {
-    return false;
-  }
-  const std::string process = whole.substr(process_at + 1);  // PID-START-N
-  const std::size_t start_at = process.find('-');
-  const std::size_t count_at =
-      start_at == process.npos ? start_at : process.find('-', start_at + 1);
-  if (count_at == process.npos) {
-    return false;
-  }
-  constexpr std::size_t kMaxDigits = 9;  // of a process number; Linux has at most seven
-  const std::string number = process.substr(0, start_at);
-  const std::string start = process.substr(start_at + 1, count_at - start_at - 1);
-  return is_number(number) && number.size() <= kMaxDigits && is_number(start) &&
-         is_number(process.substr(count_at + 1)) && !runs(number, start);
+  // .NAME.HOST.PID-START-N before the end; Linux' process numbers have at most seven digits.
+  static const std::regex form(R"(\.[\s\S]*\.([^.]*)\.(\d{1,9})-(\d+)-\d+)");
+  std::smatch parts;
+  return name.ends_with(kEnd) &&
+         std::regex_match(name.begin(), name.end() - std::ssize(kEnd), parts, form) &&
+         parts[1] == own_host && !runs(parts[2], parts[3]);
 }
 
 }  // namespace
