@@ -1,5 +1,6 @@
 #include "limber/planning/planner.hpp"
 
+#include <array>
 #include <utility>
 
 #include "limber/arm/pressure_limits.hpp"
@@ -50,35 +51,15 @@ CollisionChecker checker_of(const PlanningProblem& problem) {
 }
 
 const char* to_string(PlanStatus status) {
-  switch (status) {
-    case PlanStatus::solved:
-      return "solved";
-    case PlanStatus::limit:
-      return "limit";
-    case PlanStatus::invalid_start:
-      return "invalid_start";
-    case PlanStatus::goal_unreachable:
-      return "goal_unreachable";
-    case PlanStatus::goal_in_collision:
-      return "goal_in_collision";
-    case PlanStatus::not_certified:
-      return "not_certified";
-  }
-  return "";
+  constexpr std::array kNames{
+      "solved", "limit", "invalid_start", "goal_unreachable", "goal_in_collision", "not_certified"};
+  static_assert(kNames.size() == kPlanStatuses.size());
+  return kNames[static_cast<std::size_t>(status)];
 }
 
 const char* to_string(PlanLimit limit) {
-  switch (limit) {
-    case PlanLimit::time:
-      return "time";
-    case PlanLimit::iterations:
-      return "iterations";
-    case PlanLimit::queries:
-      return "queries";
-    case PlanLimit::memory:
-      return "memory";
-  }
-  return "";
+  constexpr std::array kNames{"time", "iterations", "queries", "memory"};
+  return kNames[static_cast<std::size_t>(limit)];
 }
 
 }  // namespace limber
