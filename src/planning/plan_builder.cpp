@@ -1,7 +1,12 @@
 #include "limber/planning/plan_builder.hpp"
 
+#include <fmt/format.h>
+
+#include "limber/arm/names.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/units.hpp"
 #include "limber/common/version.hpp"
+#include "limber/planning/problem_check.hpp"
 #include "limber/world/pose_goal.hpp"
 #include "limber/world/straight_motion.hpp"
 
@@ -76,14 +81,24 @@ Plan build_plan(const PlanningProblem& problem, MotionSimulator& simulator,
   return plan;
 }
 
-bool is_solution(const PlanningProblem& problem, const CollisionChecker& checker,
-                 const Plan& plan) {
+std::string why_no_solution(const PlanningProblem& problem, const CollisionChecker& checker,
+                            const Plan& plan) {
   for (std::size_t k = 1; k < plan.frames.size(); ++k) {
-    if (!checker.is_motion_free(plan.frames[k - 1].backbone, plan.frames[k].backbone)) {
-      return false;
+    const Backbone& before = plan.frames[k - 1].backbone;
+    const Backbone& after = plan.frames[k].backbone;
+    if (!checker.is_motion_free(before, after)) {
+      const Clearance clearance = checker.motion_clearance(before, after, kMaxMarginM);
+      return fmt::format("the motion to {} is {:.2f} cm short of the clearance from {}, {}",
+                         frame_name(k), -clearance.value_m * kCmPerM,
+                         obstacle_name(problem.environment, clearance.obstacle),
+                         gap_name(problem.arm, clearance.gap));
     }
   }
-  return is_within(problem.environment.goal, final_error(problem, plan));
+  if (is_within(problem.environment.goal, final_error(problem, plan))) {
+    return "";
+  }
+  return fmt::format("it ends {:.2f} cm and {:.3f} rad from the goal's centre, outside of the goal",
+                     plan.goal_distance_m * kCmPerM, plan.goal_orientation_rad);
 }
 
 }  // namespace limber

@@ -1,5 +1,6 @@
 #include "limber/planning/plan_builder.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "limber/common/version.hpp"
@@ -8,6 +9,8 @@
 
 namespace limber {
 namespace {
+
+using ::testing::HasSubstr;
 
 class PlanBuilder : public ::testing::Test {
  protected:
@@ -81,16 +84,18 @@ TEST_F(PlanBuilder, GivenUpItsClearanceIsThatOfTheFramesSoFar) {
 
 TEST_F(PlanBuilder, ASolutionIsFreeAllTheWayAndEndsInTheGoal) {
   Plan plan = build(bent_kpa_);
-  EXPECT_FALSE(is_solution(problem_, checker_, plan));
+  EXPECT_THAT(why_no_solution(problem_, checker_, plan), HasSubstr("outside of the goal"));
   const Pose tip = tip_pose(plan.frames.back().backbone);
   setting_.environment.goal = {tip.x_m, tip.y_m, std::nullopt, 0.01, 0.3};
   plan = build(bent_kpa_);
-  EXPECT_TRUE(is_solution(problem_, checker_, plan));
+  EXPECT_EQ(why_no_solution(problem_, checker_, plan), "");
   // An obstacle on the way alone, which neither the start nor the end touches.
   const Backbone& between = plan.frames[plan.frames.size() / 4].backbone;
-  const CollisionChecker blocked(
-      setting_.arm, {Circle{double(between(15, 0)), double(between(15, 1)) + 0.012, 0.001}});
-  EXPECT_FALSE(is_solution(problem_, blocked, plan));
+  setting_.environment.obstacles = {
+      Circle{double(between(15, 0)), double(between(15, 1)) + 0.012, 0.001}};
+  const CollisionChecker blocked(setting_.arm, setting_.environment.obstacles);
+  EXPECT_THAT(why_no_solution(problem_, blocked, plan),
+              HasSubstr("short of the clearance from obstacle 0"));
 }
 
 }  // namespace

@@ -22,24 +22,6 @@ namespace limber {
 
 namespace {
 
-/// Why a built plan is no solution: its first frame that is not free, or where it ends.
-std::string fault_of(const PlanningProblem& problem, const CollisionChecker& checker,
-                     const Plan& plan) {
-  for (std::size_t k = 1; k < plan.frames.size(); ++k) {
-    const Backbone& before = plan.frames[k - 1].backbone;
-    const Backbone& after = plan.frames[k].backbone;
-    if (!checker.is_motion_free(before, after)) {
-      const Clearance clearance = checker.motion_clearance(before, after, kMaxMarginM);
-      return fmt::format("the motion to {} is {:.2f} cm short of the clearance from {}, {}",
-                         frame_name(k), -clearance.value_m * kCmPerM,
-                         obstacle_name(problem.environment, clearance.obstacle),
-                         gap_name(problem.arm, clearance.gap));
-    }
-  }
-  return fmt::format("it ends {:.2f} cm and {:.3f} rad from the goal's centre, outside of the goal",
-                     plan.goal_distance_m * kCmPerM, plan.goal_orientation_rad);
-}
-
 /// A "search" that knows the answer already.
 class WaypointPlanner final : public Planner {
  public:
@@ -58,7 +40,8 @@ class WaypointPlanner final : public Planner {
     Plan plan = build_plan(problem, simulator, whole, name_, seed);
     PlanResult result;
     result.statistics.queries = simulator.queries();
-    if (is_solution(problem, checker, plan)) {
+    result.reason = why_no_solution(problem, checker, plan);
+    if (result.reason.empty()) {
       result.status = PlanStatus::solved;
       result.reason = "the motion was given";
       const double found_s = seconds_since(start);
@@ -68,7 +51,6 @@ class WaypointPlanner final : public Planner {
                                             .candidate_s = found_s};
       result.plan = std::move(plan);
     } else {
-      result.reason = fault_of(problem, checker, plan);
       result.best_partial = std::move(plan);
     }
     return result;

@@ -23,7 +23,9 @@ Plan build_plan(const PlanningProblem& problem, MotionSimulator& simulator,
                 const std::vector<Pressures>& waypoints_kpa, const std::string& planner,
                 std::uint64_t seed, const std::function<bool()>& give_up = {});
 
-/// Whether a built plan keeps every constraint and ends in the goal.
-bool is_solution(const PlanningProblem& problem, const CollisionChecker& checker, const Plan& plan);
+/// Why a built plan is no solution: its first frame that is not free, or where it ends. Empty: it
+/// keeps every constraint and ends in the goal.
+std::string why_no_solution(const PlanningProblem& problem, const CollisionChecker& checker,
+                            const Plan& plan);
 
 }  // namespace limber
