@@ -97,7 +97,8 @@ std::vector<std::string> planner_names() {
 }
 
 std::unique_ptr<Planner> make_planner(const std::string& name, int jobs, const Forest* forest) {
-  if (PlannerName parsed = PlannerName::parse(name); parsed.name == "default") {
+  PlannerName parsed = PlannerName::parse(name);
+  if (parsed.name == "default") {
     DefaultPlannerSettings settings = default_settings_of(std::move(parsed));
     settings.jobs = jobs;
     settings.forest = forest;
@@ -107,8 +108,7 @@ std::unique_ptr<Planner> make_planner(const std::string& name, int jobs, const F
     throw InputError(fmt::format("planner '{}' uses no forest; only 'default' does", name));
   }
   // The second name is of a search that tries all parents; the tree is the same, node by node.
-  if (PlannerName parsed = PlannerName::parse(name);
-      parsed.name == "paper" || parsed.name == "paper-steer-all") {
+  if (parsed.name == "paper" || parsed.name == "paper-steer-all") {
     return make_paper_planner(std::move(parsed), name, jobs);
   }
   if (name.rfind("ompl:", 0) == 0) {

@@ -10,6 +10,7 @@
 #include "limber/common/interrupt.hpp"
 #include "limber/common/units.hpp"
 #include "limber/planning/problem_check.hpp"
+#include "plan_ladder.hpp"
 #include "search/default_planner.hpp"
 
 namespace limber {
@@ -105,11 +106,7 @@ class CertifiedPlanner final : public Planner {
     if (!is_refusal(result.status)) {
       return;
     }
-    const ProblemCheck check = find_refusal(problem, checker);
-    if (check.refusal) {
-      result.status = *check.refusal;
-      result.reason = check.reason;
-    } else if (result.status != PlanStatus::invalid_start) {
+    if (!is_refused(problem, checker, result) && result.status != PlanStatus::invalid_start) {
       result.reason += kept_of_tolerance(problem);
     }
   }

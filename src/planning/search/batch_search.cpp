@@ -61,7 +61,7 @@ Pressures BatchSearch::scattered(const Pressures& about_kpa, double spread,
   return tree_.box().limited(kpa);
 }
 
-BatchSearch::Proposal BatchSearch::shot_at_goal(RandomStream& random) {
+BatchSearch::Edge BatchSearch::shot_at_goal(RandomStream& random) {
   int node = elite_[random.index(static_cast<std::uint32_t>(elite_.size()))].node;
   if (random.uniform() < 0.5) {
     const int choices = random.uniform() < 0.5 ? 1 : random_power_of_two(random, kMaxShotChoices);
@@ -82,13 +82,13 @@ BatchSearch::Proposal BatchSearch::shot_at_goal(RandomStream& random) {
   return {node, scattered(to, settings_.shot_spread, random)};
 }
 
-BatchSearch::Proposal BatchSearch::exploration(RandomStream& random) {
+BatchSearch::Edge BatchSearch::exploration(RandomStream& random) {
   const Pressures to = tree_.box().sample(random);
   const int parent = tree_.parent_near(to, settings_.random_parent, random);
   return {parent, tree_.stepped(parent, to, settings_.step_size)};
 }
 
-BatchSearch::Proposal BatchSearch::propose(RandomStream& random) {
+BatchSearch::Edge BatchSearch::propose(RandomStream& random) {
   const double kind = random.uniform();
   if (kind < settings_.goal_steering_share) {
     return shot_at_goal(random);
@@ -108,14 +108,14 @@ std::vector<BatchSearch::Edge> BatchSearch::propose_batch(
   std::vector<Edge> edges;
   for (std::size_t k = 0; k < wanted; ++k) {
     RandomStream random(seed_, kSearchStream + proposals_++);
-    Proposal proposal = propose(random);
-    const auto from = tree().setpoint_kpa(proposal.parent);
-    const double cost = tree().cost_kpa(proposal.parent) + motion_cost_kpa(from, proposal.to_kpa);
-    if (tree_.scaled(proposal.to_kpa - from).norm() <= kSamePoint ||
-        (best_cost_kpa && cost >= settings_.max_cost_ratio * *best_cost_kpa)) {
+    Edge edge = propose(random);
+    const auto from = tree().setpoint_kpa(edge.parent);
+    edge.cost_kpa = tree().cost_kpa(edge.parent) + motion_cost_kpa(from, edge.to_kpa);
+    if (tree_.scaled(edge.to_kpa - from).norm() <= kSamePoint ||
+        (best_cost_kpa && edge.cost_kpa >= settings_.max_cost_ratio * *best_cost_kpa)) {
       continue;
     }
-    edges.push_back({proposal.parent, std::move(proposal.to_kpa), cost});
+    edges.push_back(std::move(edge));
   }
   return edges;
 }

@@ -53,15 +53,10 @@ class BatchSearch {
   std::uint64_t proposals() const { return proposals_; }
 
  private:
-  struct Proposal {
-    int parent;
-    Pressures to_kpa;
-  };
-  /// A proposal worth simulating.
   struct Edge {
     int parent;
     Pressures to_kpa;
-    double cost_kpa;  // from the root
+    double cost_kpa = 0.0;  // from the root; of those worth simulating
   };
   struct Elite {
     double error;
@@ -69,9 +64,9 @@ class BatchSearch {
   };
 
   std::vector<Edge> propose_batch(const std::optional<double>& best_cost_kpa);
-  Proposal propose(RandomStream& random);
-  Proposal shot_at_goal(RandomStream& random);
-  Proposal exploration(RandomStream& random);
+  Edge propose(RandomStream& random);
+  Edge shot_at_goal(RandomStream& random);
+  Edge exploration(RandomStream& random);
   Pressures scattered(const Pressures& about_kpa, double spread, RandomStream& random) const;
   double error_of(int node) const;
   /// @return where the edge ends, if that is new and in the goal

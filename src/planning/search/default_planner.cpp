@@ -1,6 +1,7 @@
 #include "default_planner.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "batch_search.hpp"
@@ -132,12 +133,8 @@ class DefaultRun {
   }
 
   bool improve() {
-    return team_.round(
-        *search_, paths_, ladder_,
-        [this](const Waypoints& waypoints_kpa, double merit_kpa) {
-          return note_plan(waypoints_kpa, merit_kpa);
-        },
-        give_up());
+    return team_.round(*search_, paths_, ladder_, std::bind_front(&DefaultRun::note_plan, this),
+                       give_up());
   }
 
   /// What a turn has found that began at `before` queries of the model.
