@@ -36,6 +36,21 @@ Pose pose_of(const TipGrid::Tip& tip) {
   return {double(tip.x_m), double(tip.y_m), double(tip.theta_rad)};
 }
 
+int parent_of(const Forest& forest, int node) {
+  return forest.parents[static_cast<std::size_t>(node)];
+}
+
+/// Nodes on the path to `node`, itself included, after the last one that is in `known`.
+template <class Known>
+std::vector<int> path_beyond(const Known& known, const Forest& forest, int node) {
+  std::vector<int> path;
+  for (; known.count(node) == 0; node = parent_of(forest, node)) {
+    path.push_back(node);
+  }
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
 }  // namespace
 
 ForestFilter::ForestFilter(const Forest& forest, const PlanningProblem& problem,
@@ -56,19 +71,14 @@ bool ForestFilter::leaves_free(int node) {
 }
 
 bool ForestFilter::leaves_path_free(int node) {
-  std::vector<int> path;
-  for (int i = node; known_.count(i) == 0; i = forest_.parents[static_cast<std::size_t>(i)]) {
-    path.push_back(i);
-  }
-  for (auto step = path.rbegin(); step != path.rend(); ++step) {
-    const int parent = forest_.parents[static_cast<std::size_t>(*step)];
-    known_[*step] = known_.at(parent) && leaves_edge_free(*step);
+  for (const int passed : path_beyond(known_, forest_, node)) {
+    known_[passed] = known_.at(parent_of(forest_, passed)) && leaves_edge_free(passed);
   }
   return known_.at(node);
 }
 
 bool ForestFilter::leaves_edge_free(int node) const {
-  const int parent = forest_.parents[static_cast<std::size_t>(node)];
+  const int parent = parent_of(forest_, node);
   const Backbone end = shape_at(node);
   if (!checker_.is_free(end)) {
     return false;
@@ -149,11 +159,8 @@ std::optional<ForestSearch::Candidate> ForestSearch::candidate(int node, bool st
   if (node == 0 || !tried_.insert(node).second || !filter_.leaves_free(node)) {
     return std::nullopt;
   }
-  Candidate found{node, {node}, std::nullopt};  // even if it is known: its hold is not
-  int i = forest_.parents[static_cast<std::size_t>(node)];
-  for (; known_.count(i) == 0; i = forest_.parents[static_cast<std::size_t>(i)]) {
-    found.path.push_back(i);
-  }
+  Candidate found{node, path_beyond(known_, forest_, parent_of(forest_, node)), std::nullopt};
+  found.path.push_back(node);  // even if it is known: its hold is not
   const bool is_within_limits = std::ranges::all_of(found.path, [this](int passed) {
     const Pressures kpa = forest_.setpoints_kpa.col(passed);
     return setpoints_.limited(kpa) == kpa;
@@ -162,22 +169,20 @@ std::optional<ForestSearch::Candidate> ForestSearch::candidate(int node, bool st
     return std::nullopt;
   }
   const auto last = known_.find(node);
-  if (is_ruled_out(known_.at(i)) || (last != known_.end() && is_ruled_out(last->second))) {
+  if (is_ruled_out(known_.at(parent_of(forest_, found.path.front()))) ||
+      (last != known_.end() && is_ruled_out(last->second))) {
     return std::nullopt;
   }
-  std::reverse(found.path.begin(), found.path.end());
   if (step) {
-    const auto held = forest_.held_tips.col(node);
     found.step_kpa = search_.limited(step_toward_goal(
         problem_.model.no_load(), problem_.environment.goal, problem_.arm.length_m(),
-        forest_.setpoints_kpa.col(node), {double(held[0]), double(held[1]), double(held[2])}));
+        forest_.setpoints_kpa.col(node), pose_of(forest_.held_tips.col(node).cast<double>())));
   }
   return found;
 }
 
 Path ForestSearch::path_of(const Candidate& candidate) const {
-  const int from = forest_.parents[static_cast<std::size_t>(candidate.path.front())];
-  Path path{known_.at(from), {}};
+  Path path{known_.at(parent_of(forest_, candidate.path.front())), {}};
   path.hold = true;  // the forest knows where that leads, however far it goes
   for (const int passed : candidate.path) {
     path.to_kpa.emplace_back(forest_.setpoints_kpa.col(passed));
@@ -263,17 +268,10 @@ std::optional<BatchSearch::Solution> ForestSearch::settle(const Candidate& tried
 }
 
 int ForestSearch::graft(int node) {
-  std::vector<int> path;
-  int i = node;
-  for (; grafted_.count(i) == 0; i = forest_.parents[static_cast<std::size_t>(i)]) {
-    path.push_back(i);
+  for (const int passed : path_beyond(grafted_, forest_, node)) {
+    grafted_[passed] = search_.graft(grafted_.at(parent_of(forest_, passed)), known_.at(passed));
   }
-  int grafted = grafted_.at(i);
-  for (auto step = path.rbegin(); step != path.rend(); ++step) {
-    grafted = search_.graft(grafted, known_.at(*step));
-    grafted_[*step] = grafted;
-  }
-  return grafted;
+  return grafted_.at(node);
 }
 
 }  // namespace limber
