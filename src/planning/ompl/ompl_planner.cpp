@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -30,27 +31,22 @@ namespace limber {
 
 namespace {
 
-struct SstCounts {
-  std::size_t active = 0;     ///< nodes that may still be extended
-  std::size_t inactive = 0;   ///< dominated, kept because they have children
-  std::size_t witnesses = 0;  ///< in a sparse tree at least as many as active nodes
-};
-
 /// OMPL's SST with its nodes counted, and with its best motion for whoever looks while it searches.
 class CountedSst final : public ompl::control::SST {
  public:
   using SST::SST;
-  SstCounts counts() const {
-    SstCounts counts;
+  /// Nodes may still be extended or are inactive: dominated, kept because they have children. In a
+  /// sparse tree there are at least as many witnesses as active nodes.
+  void note_counts(PlanResult& result) const {
     std::vector<Motion*> motions;
     if (nn_) {
       nn_->list(motions);
     }
-    for (const Motion* motion : motions) {
-      ++(motion->inactive_ ? counts.inactive : counts.active);
-    }
-    counts.witnesses = witnesses_ ? witnesses_->size() : 0;
-    return counts;
+    const auto inactive = std::ranges::count_if(motions, &Motion::inactive_);
+    result.statistics.nodes = motions.size();
+    result.warnings.push_back(fmt::format("SST: {} active nodes, {} inactive, {} witnesses",
+                                          std::ssize(motions) - inactive, inactive,
+                                          witnesses_ ? witnesses_->size() : 0));
   }
 
   /// Cost of the best motion to the goal so far, if there is one.
@@ -139,8 +135,12 @@ class OmplRun {
     sst_ = dynamic_cast<const CountedSst*>(planner.get());
     planner->solve(ob::PlannerTerminationCondition([this] { return spent(); }));
     offer_improvement();
-    note_statistics();
-    sst_ = nullptr;
+    // About: a few are no nodes. OMPL's own data of a large tree take longer than may be spent.
+    result_.statistics.nodes = world_.states;
+    if (sst_ != nullptr) {
+      sst_->note_counts(result_);
+      sst_ = nullptr;
+    }
     planner.reset();  // takes its time, which is the plan's
     finish(*definition);
     return std::move(result_);
@@ -212,18 +212,6 @@ class OmplRun {
     const double begin_s = budget_.elapsed_s();
     (void)ladder_->offer(kpa, path_cost_kpa(kpa), simulator_.queries());
     judging_s_ = std::max(judging_s_, budget_.elapsed_s() - begin_s);
-  }
-
-  void note_statistics() {
-    if (sst_ != nullptr) {
-      const SstCounts counts = sst_->counts();
-      result_.statistics.nodes = counts.active + counts.inactive;
-      result_.warnings.push_back(fmt::format("SST: {} active nodes, {} inactive, {} witnesses",
-                                             counts.active, counts.inactive, counts.witnesses));
-      return;
-    }
-    // About: a few are no nodes. OMPL's own data of a large tree take longer than may be spent.
-    result_.statistics.nodes = world_.states;
   }
 
   /// Set points of every frame of OMPL's path, by the rule that it was propagated by.
