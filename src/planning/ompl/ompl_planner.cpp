@@ -118,7 +118,8 @@ class OmplRun {
         simulator_(problem.arm, problem.model, checker_),
         world_{problem, checker_, simulator_, settings, RandomStream(seed, kStream)} {}
 
-  PlanResult run(const std::string& name, const Parameters& parameters) {
+  /// @param text  the planner's name in plans, settings included
+  PlanResult run(const std::string& name, const Parameters& parameters, const std::string& text) {
     if (is_refused(problem_, checker_, result_)) {
       return std::move(result_);
     }
@@ -131,7 +132,7 @@ class OmplRun {
     const auto definition = define_problem(si);
     planner->setProblemDefinition(definition);
     planner->setup();
-    ladder_.emplace(problem_, simulator_, budget_, name, seed_);
+    ladder_.emplace(problem_, simulator_, budget_, text, seed_);
     sst_ = dynamic_cast<const CountedSst*>(planner.get());
     planner->solve(ob::PlannerTerminationCondition([this] { return spent(); }));
     offer_improvement();
@@ -292,13 +293,7 @@ class OmplPlanner final : public Planner {
       ompl::msg::noOutputHandler();
       ompl::RNG::setSeed(seed == 0 ? 1 : seed);
     });
-    PlanResult result = OmplRun(problem, limits, seed, callback, settings_).run(name_, parameters_);
-    for (std::optional<Plan>* plan : {&result.plan, &result.best_partial}) {
-      if (*plan) {
-        (*plan)->planner = text_;
-      }
-    }
-    return result;
+    return OmplRun(problem, limits, seed, callback, settings_).run(name_, parameters_, text_);
   }
 
  private:
