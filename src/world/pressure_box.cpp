@@ -1,8 +1,26 @@
 #include "limber/world/pressure_box.hpp"
 
+#include <algorithm>
+#include <functional>
+#include <iterator>
+
 #include "limber/arm/pressure_limits.hpp"
 
 namespace limber {
+
+namespace {
+
+/// @param number  a member of the limits, or a function of them
+template <class Number>
+Pressures of_each(const std::vector<PressureLimits>& limits, Number number) {
+  Pressures result(std::ssize(limits));
+  std::ranges::transform(limits, result.begin(), [&](const PressureLimits& one) {
+    return static_cast<float>(std::invoke(number, one));
+  });
+  return result;
+}
+
+}  // namespace
 
 Pressures PressureBox::sample(RandomStream& random) const {
   Pressures kpa(low_kpa.size());
@@ -21,32 +39,15 @@ PressureBox pressure_box(const ArmDescription& arm) {
 }
 
 PressureBox pressure_box(const std::vector<PressureLimits>& limits) {
-  const auto n = static_cast<Eigen::Index>(limits.size());
-  PressureBox box{Pressures(n), Pressures(n)};
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const PressureLimits& limit = limits[static_cast<std::size_t>(i)];
-    box.low_kpa[i] = static_cast<float>(limit.lower_kpa);
-    box.high_kpa[i] = static_cast<float>(limit.upper_kpa);
-  }
-  return box;
+  return {of_each(limits, &PressureLimits::lower_kpa), of_each(limits, &PressureLimits::upper_kpa)};
 }
 
 Pressures pressure_limits_kpa(const ArmDescription& arm) {
-  Pressures limits(arm.channel_count());
-  for (int i = 0; i < limits.size(); ++i) {
-    limits[i] = static_cast<float>(
-        arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa.largest_kpa());
-  }
-  return limits;
+  return of_each(limits_of(arm), &PressureLimits::largest_kpa);
 }
 
 Pressures pressure_scales_kpa(const ArmDescription& arm) {
-  Pressures scales(arm.channel_count());
-  for (int i = 0; i < scales.size(); ++i) {
-    scales[i] = static_cast<float>(
-        arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa.half_width_kpa());
-  }
-  return scales;
+  return of_each(limits_of(arm), &PressureLimits::half_width_kpa);
 }
 
 }  // namespace limber
