@@ -113,9 +113,7 @@ class Certifier::Certification {
       for (std::size_t i = 0; i < pressures_kpa_[k].size(); ++i) {
         const double stored = double(plan_.frames[k].pressure_kpa[static_cast<Eigen::Index>(i)]);
         const double apart = std::abs(pressures_kpa_[k][i] - stored);
-        if (!(apart <= result_.max_pressure_deviation_kpa)) {
-          result_.max_pressure_deviation_kpa = apart;
-        }
+        raise_to(result_.max_pressure_deviation_kpa, apart);
         if (!(apart <= rounding_kpa(i)) && !has_failed("valves")) {
           fail("valves", static_cast<int>(k),
                fmt::format("{} is said to be at {:.6g} {unit}; "
@@ -165,10 +163,7 @@ class Certifier::Certification {
       stored_before = std::move(stored);
       stored = shape_of(plan_.frames[k].backbone);
       simulated_.push_back(std::move(next[0]));
-      const Deviation of_step = deviation(next[1], stored);
-      if (!(of_step.apart_m <= result_.max_step_deviation_m)) {
-        result_.max_step_deviation_m = of_step.apart_m;
-      }
+      raise_to(result_.max_step_deviation_m, deviation(next[1], stored).apart_m);
       compare(k, stored);
     }
     return true;
@@ -178,12 +173,8 @@ class Certifier::Certification {
     const Deviation of_path = deviation(simulated_[k], stored);
     const bool agreed = result_.max_deviation_m <= Certificate::kDeviationM &&
                         result_.max_heading_deviation_rad <= Certificate::kHeadingDeviationRad;
-    if (!(of_path.apart_m <= result_.max_deviation_m)) {
-      result_.max_deviation_m = of_path.apart_m;
-    }
-    if (!(of_path.turned_rad <= result_.max_heading_deviation_rad)) {
-      result_.max_heading_deviation_rad = of_path.turned_rad;
-    }
+    raise_to(result_.max_deviation_m, of_path.apart_m);
+    raise_to(result_.max_heading_deviation_rad, of_path.turned_rad);
     if (agreed && !(of_path.apart_m <= Certificate::kDeviationM &&
                     of_path.turned_rad <= Certificate::kHeadingDeviationRad)) {
       fail_model(static_cast<int>(k), of_path);

@@ -37,9 +37,8 @@ struct Reading {
 class PolygonOutline {
  public:
   explicit PolygonOutline(const Polygon& polygon);
+  /// Exact.
   Reading read(std::complex<double> p) const;
-  /// Distance of a point, negative inside. Exact.
-  double distance_m(std::complex<double> p) const { return read(p).distance_m; }
   bool is_convex() const { return is_convex_; }
   const CoveringBox& box() const { return nodes_.front().box; }
 

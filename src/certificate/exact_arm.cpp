@@ -87,12 +87,16 @@ Pose relative(const Pose& from, const Pose& to) {
   return {offset.real(), offset.imag(), to.theta_rad - from.theta_rad};
 }
 
+/// The end of an arc that starts along x and turns by `theta`.
+Pose arc_of(double length, double theta) {
+  const Complex chord = length * sinc(theta / 2.0) * direction(theta / 2.0);
+  return {chord.real(), chord.imag(), theta};
+}
+
 /// (17) and (18): the segment turns by its command, or not at all, and keeps its length.
 Pose unstretched_gap(const Segment& segment, double curvature_per_m) {
   const double length = segment.length_m / segment.gaps;
-  const double theta = curvature_per_m * length;
-  const Complex chord = length * sinc(theta / 2.0) * direction(theta / 2.0);
-  return {chord.real(), chord.imag(), theta};
+  return arc_of(length, curvature_per_m * length);
 }
 
 /// One gap of an unloaded segment: the contracted side is e·l0 shorter than the other, a width t
@@ -104,10 +108,8 @@ Pose unloaded_gap(const Segment& segment, double pressure_kpa) {
              std::abs(pressure_kpa);
   }
   const double turn = strain * segment.length_m / segment.width_m / segment.gaps;
-  const double theta = pressure_kpa > 0.0 ? -turn : turn;
-  const double length = (1.0 - strain / 2.0) * segment.length_m / segment.gaps;
-  const Complex chord = length * sinc(theta / 2.0) * direction(theta / 2.0);
-  return {chord.real(), chord.imag(), theta};
+  return arc_of((1.0 - strain / 2.0) * segment.length_m / segment.gaps,
+                pressure_kpa > 0.0 ? -turn : turn);
 }
 
 /// The same of segment i, whatever its arm's command is.

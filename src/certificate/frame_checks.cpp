@@ -159,16 +159,12 @@ class FrameChecks {
         const auto segment = static_cast<std::size_t>(i);
         const double pressure = double(plan_.frames[k].setpoint_kpa[i]);
         const PressureLimits& own = arm_.segments[segment].pressure_limit_kpa;
-        if (!is_within(pressure, own)) {
+        const bool is_in_own = is_within(pressure, own);
+        if (!is_in_own || (!plan_.limits.empty() && !is_within(pressure, plan_.limits[segment]))) {
           fail("limits", k,
-               fmt::format("{} at {} {unit}; its limits are {} {unit}", segment_name(i), pressure,
-                           to_string(own), fmt::arg("unit", arm_.command.unit)));
-          return;
-        }
-        if (!plan_.limits.empty() && !is_within(pressure, plan_.limits[segment])) {
-          fail("limits", k,
-               fmt::format("{} at {} {unit}; the plan's own limits are {} {unit}", segment_name(i),
-                           pressure, to_string(plan_.limits[segment]),
+               fmt::format("{} at {} {unit}; {} limits are {} {unit}", segment_name(i), pressure,
+                           is_in_own ? "the plan's own" : "its",
+                           to_string(is_in_own ? plan_.limits[segment] : own),
                            fmt::arg("unit", arm_.command.unit)));
           return;
         }
@@ -307,20 +303,22 @@ bool is_drawable(const ExactArm::Shape& shape) {
   return true;
 }
 
+bool raise_to(double& largest, double found) {
+  const bool is_larger = !(found <= largest);
+  largest = is_larger ? found : largest;
+  return is_larger;
+}
+
 Deviation deviation(const ExactArm::Shape& own, const ExactArm::Shape& stored) {
   Deviation largest;
   for (std::size_t i = 0; i < stored.size(); ++i) {
     const double x = own[i].x_m - stored[i].x_m;
     const double y = own[i].y_m - stored[i].y_m;
     const double apart = std::sqrt(x * x + y * y);
-    const double turned = std::abs(own[i].theta_rad - stored[i].theta_rad);
-    if (!(apart <= largest.apart_m)) {
-      largest.apart_m = apart;
+    if (raise_to(largest.apart_m, apart)) {
       largest.plate = static_cast<int>(i);
     }
-    if (!(turned <= largest.turned_rad)) {
-      largest.turned_rad = turned;
-    }
+    raise_to(largest.turned_rad, std::abs(own[i].theta_rad - stored[i].theta_rad));
   }
   return largest;
 }
@@ -351,16 +349,12 @@ ExactStart exact_start(const Environment& environment, const ArmDescription& arm
   }
   const ArmStart& start = *environment.start;
   result.pressure_kpa = numbers(start.pressures_kpa);
-  result.setpoint_kpa = result.pressure_kpa;
+  result.setpoint_kpa =
+      start.setpoints_kpa.empty() ? result.pressure_kpa : numbers(start.setpoints_kpa.front());
   result.shape = shape_of(start.backbone);
   result.before = start.before.rows() > 0 ? shape_of(start.before) : result.shape;
-  for (std::size_t back = 0; back < start.setpoints_kpa.size(); ++back) {
-    std::vector<double> setpoint_kpa = numbers(start.setpoints_kpa[back]);
-    if (back == 0) {
-      result.setpoint_kpa = std::move(setpoint_kpa);
-    } else {
-      result.before_kpa.push_back(std::move(setpoint_kpa));
-    }
+  for (std::size_t back = 1; back < start.setpoints_kpa.size(); ++back) {
+    result.before_kpa.push_back(numbers(start.setpoints_kpa[back]));
   }
   return result;
 }

@@ -22,6 +22,10 @@ struct Deviation {
   int plate = 0;
 };
 
+/// Puts `found` in the place of `largest` if it is larger, or either is not a number. @return
+/// whether it did
+bool raise_to(double& largest, double found);
+
 /// A coordinate that is not a number counts as any distance: comparisons with it are false.
 Deviation deviation(const ExactArm::Shape& own, const ExactArm::Shape& stored);
 

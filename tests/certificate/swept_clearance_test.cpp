@@ -141,7 +141,7 @@ TEST(SweptClearance, DistanceToAnOutlineIsThatOverAllItsEdges) {
     for (int trial = 0; trial < 300; ++trial) {
       const Eigen::Vector2d p(random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2));
       const double expected = signed_distance(slow, p);
-      EXPECT_NEAR(outline.distance_m({p.x(), p.y()}), expected, kRoundingM) << corners;
+      EXPECT_NEAR(outline.read({p.x(), p.y()}).distance_m, expected, kRoundingM) << corners;
       inside += expected < 0.0 ? 1 : 0;
     }
     EXPECT_GT(inside, 10);
@@ -192,7 +192,8 @@ TEST(PolygonOutline, AThousandRandomCornersAreReadAsByBruteForce) {
     for (int i = 0; i < 200; ++i) {
       const Eigen::Vector2d p(random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2));
       const double expected = brute_force_distance(polygon.points_m, p);
-      EXPECT_NEAR(outline.distance_m({p.x(), p.y()}), expected, kRoundingM) << trial << ' ' << i;
+      EXPECT_NEAR(outline.read({p.x(), p.y()}).distance_m, expected, kRoundingM)
+          << trial << ' ' << i;
       inside += expected < 0.0 ? 1 : 0;
     }
   }
