@@ -185,6 +185,7 @@ export type Events = {
   measured: Measured;
   fault: { request: number; message: string };
 };
+export type Handlers = { [Kind in keyof Events]: (event: Events[Kind]) => void };
 
 /** What the server refused, in its words; of status 0 where it did not answer. */
 export class Refusal extends Error {
@@ -273,10 +274,7 @@ const kAskAgain_ms = 2000;
  * The page's own stream. A browser connects again by itself after a loss, as another tab; but not
  * after a refusal.
  */
-export function listen(
-  handlers: { [Kind in keyof Events]: (event: Events[Kind]) => void },
-  lost: (isRefused: boolean) => void,
-): void {
+export function listen(handlers: Handlers, lost: (isRefused: boolean) => void): void {
   const source = new EventSource('/api/events');
   for (const kind of Object.keys(handlers) as (keyof Events)[]) {
     source.addEventListener(kind, (message) => {

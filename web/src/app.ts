@@ -4,6 +4,7 @@ import { toWorld } from './camera';
 import { byId, changeText, h, refilled } from './dom';
 import { DriveMode } from './drive_mode';
 import { added, newObstacle, type Point, removed, type Selection, stillSelected } from './environment';
+import { handlersOf } from './events';
 import { FollowMode } from './follow_mode';
 import { History } from './history';
 import { onKey, tabAfter } from './keys';
@@ -47,13 +48,9 @@ export class App {
   readonly planner = new LivePlanner(() => this.tab, (seen = true) => this.refreshSoon(seen));
   readonly armLink = new ArmLink(() => this.tab, () => this.armChanged());
   stage!: Stage;
-  private readonly plan = new PlanMode(this);
-  private readonly play = new PlayMode(this);
-  private readonly follow = new FollowMode(this);
-  private readonly drive = new DriveMode(this);
-  private readonly results = new ResultsMode(this);
-  private readonly modes: Record<ModeName, Mode> = {
-    plan: this.plan, play: this.play, follow: this.follow, drive: this.drive, results: this.results,
+  readonly modes = {
+    plan: new PlanMode(this), play: new PlayMode(this), follow: new FollowMode(this),
+    drive: new DriveMode(this), results: new ResultsMode(this),
   };
   private mode: ModeName = 'plan';
   private readonly latency = new Latency(this.planner);
@@ -66,6 +63,10 @@ export class App {
   }
   get unit(): string {
     return this.arm.command.unit;
+  }
+  /** The mode that is shown. */
+  get entered(): Mode {
+    return this.modes[this.mode];
   }
 
   /** Whether the environment is another than the file, or the link, that it came from. */
@@ -86,8 +87,8 @@ export class App {
     offerVent(this); // before all that may fail or take long
     this.stage = new Stage(byId<HTMLCanvasElement>('canvas'), () => this.scene(), {
       down: (at, reach, event) => this.down(at, reach, event),
-      drag: (at, event) => this.modes[this.mode].drag?.(at, event.timeStamp),
-      up: () => this.modes[this.mode].up?.(),
+      drag: (at, event) => this.entered.drag?.(at, event.timeStamp),
+      up: () => this.entered.up?.(),
     });
     this.stage.painted = () => this.painted();
     byId('folder').textContent = `${this.project.folder} · limber ${this.project.version}`;
@@ -111,55 +112,25 @@ export class App {
       if (this.isChanged) event.preventDefault();
     });
     this.enter('plan');
-    this.listen();
+    listen(handlersOf(this), (isRefused) => this.lost(isRefused));
   }
 
-  private listen(): void {
-    listen(
-      {
-        tab: ({ id }) => {
-          this.tab = id;
-          this.armLink.renews(true);
-          if ([kLost, kForeign].includes(byId('notice').textContent!)) this.say('');
-          if (this.mode === 'plan' && !this.isFamily) return this.ask();
-          this.planner.forget(); // it was another tab's: the studio has it no more
-          this.enter(this.mode);
-        },
-        plan: (plan) => this.planner.onPlan(plan),
-        progress: (progress) => this.planner.onProgress(progress),
-        tree: (tree) => this.planner.onTree(tree),
-        fitting: (fitting) => this.plan.onFitting(fitting),
-        fitted: (fitted) => void this.attempt(() => this.plan.onFitted(fitted)),
-        result: (result) => this.planner.onResult(result),
-        run: (run) => this.play.onRun(run),
-        followed: (run) => this.follow.onFollowed(run),
-        drive: (drive) => this.drive.onDrive(drive),
-        arm: (status) => this.armLink.onStatus(status),
-        arm_frame: (frame) => this.armLink.onFrame(frame),
-        arm_run: (motion) => this.play.onArmRun(motion),
-        opened: (opened) => void this.attempt(() => this.onOpened(opened)),
-        measuring: ({ request, share }) => this.results.onMeasuring(request, share),
-        measured: (measured) => this.results.onMeasured(measured),
-        fault: ({ request, message }) => {
-          if (this.mode === 'plan' && this.isFamily) {
-            this.plan.onFitting({ request, step: '' });
-            this.say(message);
-          } else if (this.mode === 'plan') this.planner.onFault(request, message);
-          else if (this.mode === 'play') this.play.onFault(request, message);
-          else if (this.mode === 'follow') this.follow.onFault(request, message);
-          else if (this.mode === 'results') this.results.onFault(request, message);
-          else this.say(message);
-        },
-      },
-      (isRefused) => {
-        this.tab = '';
-        if (!isRefused) return this.say(kLost);
-        this.armLink.renews(false); // a page that can't see the arm has no business with it
-        this.readProject().then(
-          () => this.say(kLost),
-          (error: Refusal) => this.say(error.status === 403 ? kForeign : kLost));
-      },
-    );
+  /** The server has this page for that tab from now on. */
+  onTab(id: string): void {
+    this.tab = id;
+    this.armLink.renews(true);
+    if ([kLost, kForeign].includes(byId('notice').textContent!)) this.say('');
+    if (this.mode === 'plan' && !this.isFamily) return this.ask();
+    this.planner.forget(); // it was another tab's: the studio has it no more
+    this.enter(this.mode);
+  }
+  private lost(isRefused: boolean): void {
+    this.tab = '';
+    if (!isRefused) return this.say(kLost);
+    this.armLink.renews(false); // a page that can't see the arm has no business with it
+    this.readProject().then(
+      () => this.say(kLost),
+      (error: Refusal) => this.say(error.status === 403 ? kForeign : kLost));
   }
 
   say(text: string): void {
@@ -243,7 +214,7 @@ export class App {
   }
 
   /** A plan of an experiment, with all that it was made for: it is played. */
-  private async onOpened({ request, arm, model, environment, plan }: Opened): Promise<void> {
+  async onOpened({ request, arm, model, environment, plan }: Opened): Promise<void> {
     if (!this.planner.isAwaited(request)) return;
     if (!(await this.open(arm, environment))) return;
     this.choose(model);
@@ -264,7 +235,7 @@ export class App {
   }
 
   enter(mode: ModeName): void {
-    this.modes[this.mode].leave();
+    this.entered.leave();
     const isAnother = mode !== this.mode;
     this.mode = mode;
     for (const name of Object.keys(this.modes)) {
@@ -278,7 +249,7 @@ export class App {
   }
   /** The mode's panel and legend, from the start. */
   show(): void {
-    const mode = this.modes[this.mode];
+    const mode = this.entered;
     const panel = byId('panel');
     refilled(panel, () => {
       panel.replaceChildren();
@@ -356,14 +327,13 @@ export class App {
     byId('canvas').focus();
   }
   undo(): void {
-    if (this.stage.isHeld) return; // a drag under way would be half in the past
     this.turnBack(() => this.history.undo());
   }
   redo(): void {
-    if (this.stage.isHeld) return;
     this.turnBack(() => this.history.redo());
   }
   private turnBack(turn: () => void): void {
+    if (this.stage.isHeld) return; // a drag under way would be half in the past
     const before = this.environment;
     turn();
     this.selected = stillSelected(this.selected, before, this.environment);
@@ -372,7 +342,7 @@ export class App {
 
   refresh(): void {
     if (!this.arm) return;
-    this.modes[this.mode].refresh();
+    this.entered.refresh();
     this.stage.draw();
   }
 
@@ -383,7 +353,7 @@ export class App {
     this.due = true;
     requestAnimationFrame(() => {
       this.due = false;
-      this.modes[this.mode].refresh();
+      this.entered.refresh();
     });
   }
   private painted(): void {
@@ -403,12 +373,12 @@ export class App {
       showTube: false,
       showReach: this.view.reach,
       figures: [],
-      ...(this.arm ? this.modes[this.mode].scene() : {}),
+      ...(this.arm ? this.entered.scene() : {}),
     };
   }
 
   private down(at: Point, reach_m: number, event: PointerEvent): boolean {
     byId('canvas').focus({ preventScroll: true });
-    return event.button <= 0 && (this.modes[this.mode].down?.(at, reach_m) ?? false);
+    return event.button <= 0 && (this.entered.down?.(at, reach_m) ?? false);
   }
 }

@@ -125,6 +125,10 @@ export class DriveMode implements Mode {
     this.app.refresh();
   }
 
+  onFault(_request: number, message: string): void {
+    this.app.say(message);
+  }
+
   refresh(): void {
     const { now } = this;
     if (!now) return;

@@ -7,6 +7,8 @@ export interface Mode {
   leave(): void;
   /** Something has changed: the panel follows. */
   refresh(): void;
+  /** What was asked for under that number was refused. */
+  onFault(request: number, message: string): void;
   scene(): Partial<Scene>;
   /** What a pointer does, in metres. Whether it grabs something: else it moves the stage. */
   down?(at: Point, reach_m: number): boolean;

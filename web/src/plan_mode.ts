@@ -203,6 +203,12 @@ export class PlanMode implements Mode {
     this.fitting = step;
     this.app.refresh();
   }
+  onFault(request: number, message: string): void {
+    const { app } = this;
+    if (!app.isFamily) return app.planner.onFault(request, message);
+    this.onFitting({ request, step: '' });
+    app.say(message);
+  }
   async onFitted({ request, model, error_cm }: Fitted): Promise<void> {
     if (request !== this.request) return;
     const { app } = this;
