@@ -35,9 +35,7 @@ function plot(): void {
 
 byId('panel').replaceChildren(
   h('section', {}, player.element),
-  h('section', {}, tracksPanel(motion, shown, (key, on) => {
-    if (on) shown.add(key);
-    else shown.delete(key);
+  h('section', {}, tracksPanel(motion, shown, () => {
     plot();
     draw();
   })),

@@ -6,7 +6,7 @@ import type { Mode } from './mode';
 import { trackNames } from './names';
 import { cm, driveSliders, familySliders } from './panels';
 import type { Figure, Scene } from './picture';
-import { distance, kTrail, tipOf } from './shape';
+import { distance, lengthen, tipOf } from './shape';
 
 const kKeys: Exclude<TrackKey, 'arm'>[] = ['virtual_arm', 'network', 'simple'];
 
@@ -118,8 +118,7 @@ export class DriveMode implements Mode {
       const shape = drive[key];
       if (!shape) continue;
       const trail = this.trails.get(key) ?? [];
-      trail.push(tipOf(shape));
-      if (trail.length > kTrail) trail.shift();
+      lengthen(trail, shape);
       this.trails.set(key, trail);
     }
     this.app.refresh();

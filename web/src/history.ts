@@ -40,19 +40,17 @@ export class History<T> {
 
   undo(): void {
     this.end();
-    const value = this.past.pop();
-    if (value !== undefined) {
-      this.future.push(this.value);
-      this.value = value;
-    }
+    this.step(this.past, this.future);
   }
   redo(): void {
     this.end();
-    const value = this.future.pop();
-    if (value !== undefined) {
-      this.past.push(this.value);
-      this.value = value;
-    }
+    this.step(this.future, this.past);
+  }
+  private step(from: T[], to: T[]): void {
+    const value = from.pop();
+    if (value === undefined) return;
+    to.push(this.value);
+    this.value = value;
   }
 
   /** Another document: nothing before it can come back. */

@@ -130,11 +130,16 @@ export function neededScale(arm: Arm, setpoints_kpa: number[][]): number {
   return Math.max(0, ...setpoints_kpa.flatMap((row) => row.map((kpa, i) => share(kpa, arm.segments[i]))));
 }
 
-/** One track's line: whether it is shown, and how it ended. */
-export function tracksPanel(run: Motion, shown: Set<TrackKey>, toggle: (key: TrackKey, on: boolean) => void): HTMLElement {
+/** One track's line: whether it is among those shown, and how it ended. */
+export function tracksPanel(run: Motion, shown: Set<TrackKey>, changed: () => void): HTMLElement {
+  const toggle = (key: TrackKey) => (on: boolean) => {
+    if (on) shown.add(key);
+    else shown.delete(key);
+    changed();
+  };
   return h('ul', { class: 'tracks' },
     ...run.tracks.map(({ key, outcome }) =>
-      h('li', {}, h('i', { class: `swatch ${key}` }), checkbox(trackNames[key], shown.has(key), (on) => toggle(key, on)),
+      h('li', {}, h('i', { class: `swatch ${key}` }), checkbox(trackNames[key], shown.has(key), toggle(key)),
         h('small', {}, outcome))));
 }
 

@@ -2,7 +2,7 @@ import type { Arm, Environment, Plan, TrackKey } from './api';
 import { type Brush, type Colour, cssColour, faded, mixed } from './brush';
 import { type Camera, gridStep_m, toWorld } from './camera';
 import { handlesOf, outlineOf, type Point, type Selection } from './environment';
-import { centreline, plate, plateCount, sampled, segmentOfGap, tipOf, tubeRadii } from './shape';
+import { centreline, plate, plateCount, type Pose, sampled, segmentOfGap, tipOf, tubeRadii } from './shape';
 
 /** One arm as it stands, and its pressures where its sides are to be coloured. */
 export type Figure = {
@@ -43,6 +43,9 @@ export function readPalette(): Palette {
 }
 
 const kGhosts = 9; // shapes of a plan, from its start to its end
+
+/** So far to the left of a pose, or to its right. */
+const beside = ({ x, y, theta }: Pose, out_m: number): Point => [x - out_m * Math.sin(theta), y + out_m * Math.cos(theta)];
 
 /** Paints scenes. Widths given in pixels stay what they are at any zoom. */
 export class Picture {
@@ -152,10 +155,9 @@ export class Picture {
         const radii = tubeRadii(plan.tube, plan.shapes[0], shape);
         const points = Array.from({ length: plateCount(shape) }, (_, i) => plate(shape, i));
         const side = (sign: number): Point[] =>
-          points.map(({ x, y, theta }, i) => {
+          points.map((pose, i) => {
             const half = arm.segments[gaps[Math.max(0, i - 1)]].width_m / 2;
-            const out = sign * (half + arm.actuator_radius_m + radii[i]);
-            return [x - out * Math.sin(theta), y + out * Math.cos(theta)];
+            return beside(pose, sign * (half + arm.actuator_radius_m + radii[i]));
           });
         const [left, right] = [side(1), side(-1)];
         for (let i = 0; i + 1 < points.length; ++i) {
@@ -179,11 +181,8 @@ export class Picture {
     if (figure.trail) painter.path(figure.trail, this.px(1.75), faded(colour, 0.8));
     const gaps = segmentOfGap(arm);
     const stations = centreline(figure.shape);
-    const edge = (i: number, sign: number, extra = 0): Point => {
-      const { x, y, theta, gap } = stations[i];
-      const out = sign * (arm.segments[gaps[gap]].width_m / 2 + extra);
-      return [x - out * Math.sin(theta), y + out * Math.cos(theta)];
-    };
+    const edge = (i: number, sign: number): Point =>
+      beside(stations[i], (sign * arm.segments[gaps[stations[i].gap]].width_m) / 2);
     const middle = (i: number): Point => [stations[i].x, stations[i].y];
     if (!figure.outlined) {
       for (let i = 0; i + 1 < stations.length; ++i) {
@@ -202,12 +201,10 @@ export class Picture {
       painter.path(stations.map((_, i) => edge(i, sign)), this.px(1.5), colour);
     }
     for (let i = 0; i < plateCount(figure.shape); ++i) {
-      const { x, y, theta } = plate(figure.shape, i);
+      const pose = plate(figure.shape, i);
       const half = arm.segments[gaps[Math.max(0, i - 1)]].width_m / 2;
-      const dx = half * Math.sin(theta);
-      const dy = half * Math.cos(theta);
       const boundary = i === 0 || gaps[i - 1] !== gaps[i];
-      painter.line([x - dx, y + dy], [x + dx, y - dy], this.px(boundary ? 3 : 1.25),
+      painter.line(beside(pose, half), beside(pose, -half), this.px(boundary ? 3 : 1.25),
         figure.outlined ? colour : palette.plate);
     }
     painter.disc(tipOf(figure.shape), this.px(3.5), colour);

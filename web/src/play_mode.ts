@@ -10,7 +10,7 @@ import { tracksPanel } from './panels';
 import type { Figure, Scene } from './picture';
 import { Player } from './player';
 import { chartsOf, Plots } from './plots';
-import { kTrail, tipOf } from './shape';
+import { lengthen } from './shape';
 
 /** The plan by every model and by the arm, over one another, with a slider for the time. */
 export class PlayMode implements Mode {
@@ -101,9 +101,7 @@ export class PlayMode implements Mode {
 
   private show(run: Motion): void {
     this.run = run;
-    this.tracks.replaceChildren(tracksPanel(run, this.shown, (key, on) => {
-      if (on) this.shown.add(key);
-      else this.shown.delete(key);
+    this.tracks.replaceChildren(tracksPanel(run, this.shown, () => {
       this.plot();
       this.app.refresh();
     }));
@@ -138,8 +136,7 @@ export class PlayMode implements Mode {
     this.stop.disabled = !armLink.runs || !armLink.isMine;
     if (live) {
       player.halt(live.time_s);
-      if (live.shape && live !== this.seen) this.trail.push(tipOf(live.shape));
-      if (this.trail.length > kTrail) this.trail.shift();
+      if (live.shape && live !== this.seen) lengthen(this.trail, live.shape);
       this.seen = live;
     }
     player.slider.disabled = isLive;

@@ -6,7 +6,7 @@ import type { Point } from './environment';
 export type Pose = { x: number; y: number; theta: number };
 export type Station = Pose & { gap: number };
 
-export const kTrail = 1200; // frames that a tip's trail holds: a minute
+const kTrail = 1200; // frames that a tip's trail holds: a minute
 
 export const plateCount = (shape: number[]): number => shape.length / 3;
 export const plate = (shape: number[], i: number): Pose => ({
@@ -18,6 +18,11 @@ export const tipOf = (shape: number[]): Point => {
   const { x, y } = plate(shape, plateCount(shape) - 1);
   return [x, y];
 };
+/** The trail of a tip, by one frame. */
+export function lengthen(trail: Point[], shape: number[]): void {
+  trail.push(tipOf(shape));
+  if (trail.length > kTrail) trail.shift();
+}
 export const distance = (a: Point, b: Point): number => Math.hypot(a[0] - b[0], a[1] - b[1]);
 
 /** Segment that each gap belongs to, base first. */
