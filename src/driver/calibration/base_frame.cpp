@@ -48,13 +48,13 @@ class BaseFrameFit {
     along_gap_m_ = std::hypot(kGapErrorM, std::sqrt(2.0) * noise_m);
   }
 
-  BaseFrame run() {
+  void run(TrackerCalibration& tracker) {
     Eigen::VectorXd unknowns = first_guess();
     weigh(unknowns);
     Eigen::MatrixXd normal;
     Eigen::VectorXd residual = residuals(unknowns);
     for (int k = 0; k < kMaxIterations; ++k) {
-      const Eigen::MatrixXd jacobian = derivatives(unknowns);
+      const Eigen::MatrixXd jacobian = derivatives(unknowns, residual.size());
       normal = jacobian.transpose() * jacobian;
       const Eigen::VectorXd step = normal.ldlt().solve(-jacobian.transpose() * residual);
       unknowns += step;
@@ -63,7 +63,7 @@ class BaseFrameFit {
         break;
       }
     }
-    return finish(unknowns, normal, residual);
+    finish(unknowns, normal, residual, tracker);
   }
 
  private:
@@ -186,42 +186,34 @@ class BaseFrameFit {
     return result;
   }
 
-  Eigen::MatrixXd derivatives(const Eigen::VectorXd& unknowns) const {
+  /// Of so many residuals.
+  Eigen::MatrixXd derivatives(const Eigen::VectorXd& unknowns, Eigen::Index count) const {
     constexpr double kStep = 1e-6;
-    Eigen::MatrixXd jacobian;
+    Eigen::MatrixXd jacobian(count, unknowns.size());
     for (Eigen::Index k = 0; k < unknowns.size(); ++k) {
-      Eigen::VectorXd up = unknowns;
-      Eigen::VectorXd down = unknowns;
-      up[k] += kStep;
-      down[k] -= kStep;
-      const Eigen::VectorXd column = (residuals(up) - residuals(down)) / (2.0 * kStep);
-      if (k == 0) {
-        jacobian.resize(column.size(), unknowns.size());
-      }
-      jacobian.col(k) = column;
+      const Eigen::VectorXd step = kStep * Eigen::VectorXd::Unit(unknowns.size(), k);
+      jacobian.col(k) = (residuals(unknowns + step) - residuals(unknowns - step)) / (2.0 * kStep);
     }
     return jacobian;
   }
 
-  BaseFrame finish(const Eigen::VectorXd& unknowns, const Eigen::MatrixXd& normal,
-                   const Eigen::VectorXd& residual) const {
+  void finish(const Eigen::VectorXd& unknowns, const Eigen::MatrixXd& normal,
+              const Eigen::VectorXd& residual, TrackerCalibration& tracker) const {
     const double scatter = std::max(
         1.0, residual.squaredNorm() / static_cast<double>(residual.size() - unknowns.size()));
     const Eigen::MatrixXd covariance =
         scatter * normal.ldlt().solve(Eigen::MatrixXd::Identity(normal.rows(), normal.cols()));
     const Eigen::Matrix2d of_position = covariance.topLeftCorner<2, 2>();
-    BaseFrame frame;
-    frame.base = {unknowns[0], unknowns[1], std::remainder(unknowns[2], 2.0 * std::numbers::pi)};
-    frame.position_interval_m =
+    tracker.base = {unknowns[0], unknowns[1], std::remainder(unknowns[2], 2.0 * std::numbers::pi)};
+    tracker.position_interval_m =
         kTwoDeviations *
         std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(of_position).eigenvalues()[1]);
-    frame.heading_interval_rad = kTwoDeviations * std::sqrt(covariance(2, 2));
+    tracker.heading_interval_rad = kTwoDeviations * std::sqrt(covariance(2, 2));
     for (Eigen::Index i = 0; i < bodies(); ++i) {
       const Eigen::Vector2d at = offset(unknowns, i);
-      frame.marker_offsets.push_back(
+      tracker.marker_offsets.push_back(
           {at.x(), at.y(), std::remainder(rest_(i, 2) - unknowns[2], 2.0 * std::numbers::pi)});
     }
-    return frame;
   }
 
   const ArmDescription& arm_;
@@ -236,9 +228,10 @@ class BaseFrameFit {
 
 }  // namespace
 
-BaseFrame base_frame(const ArmDescription& arm, const CalibrationLog& log, const SeenPoses& poses,
-                     const std::vector<WireChannel>& valves,
-                     const std::optional<Eigen::Vector2d>& base_marker) {
+void fit_base_frame(const ArmDescription& arm, const CalibrationLog& log, const SeenPoses& poses,
+                    const std::vector<WireChannel>& valves,
+                    const std::optional<Eigen::Vector2d>& base_marker,
+                    TrackerCalibration& tracker) {
   const MeanPose rest = mean_pose(poses, 0, log.rest_end, "at rest");
   const std::vector<PulsePoses> pulses = pulse_poses(poses, log, arm.frame_period_s());
   std::vector<HeldShape> shapes;
@@ -254,8 +247,8 @@ BaseFrame base_frame(const ArmDescription& arm, const CalibrationLog& log, const
     shapes.push_back({&pulses[k].held, segment, false});
     shapes.push_back({&pulses[k].after, segment, true});
   }
-  return BaseFrameFit(arm, rest, pose_noise(poses, 0, log.rest_end), std::move(shapes), base_marker)
-      .run();
+  BaseFrameFit(arm, rest, pose_noise(poses, 0, log.rest_end), std::move(shapes), base_marker)
+      .run(tracker);
 }
 
 }  // namespace limber

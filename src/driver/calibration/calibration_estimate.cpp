@@ -160,15 +160,20 @@ DelayFit fit_delay(const Signal& pressure, const Signal& shape, double valve_sha
   return {delays[best], half_s};
 }
 
+/// What each body turned by, from the first of so many frames of the timing step to its peak.
+Eigen::VectorXd turned_rad(const CalibrationLog& log, const SeenPoses& poses, std::size_t frames) {
+  const auto mean = [&](std::size_t first) {
+    return mean_pose(poses, first, first + frames, "of the timing step");
+  };
+  return (mean(log.timing.peak).pose - mean(log.timing.first).pose).col(2);
+}
+
 /// θ of all bodies in one number: along what they turned by from the first frames to the peak.
 Signal turn_signal(const CalibrationLog& log, const SeenPoses& poses, double frame_period_s,
                    const std::vector<double>& time_s) {
   const CalibrationTiming& timing = log.timing;
   const auto frames = static_cast<std::size_t>(std::lround(0.5 / frame_period_s));
-  const Eigen::VectorXd turned =
-      (mean_pose(poses, timing.peak, timing.peak + frames, "of the timing step").pose -
-       mean_pose(poses, timing.first, timing.first + frames, "of the timing step").pose)
-          .col(2);
+  const Eigen::VectorXd turned = turned_rad(log, poses, frames);
   Signal signal;
   for (std::size_t k = timing.first; k < timing.end; ++k) {
     if (poses.seen(k)) {
@@ -281,11 +286,7 @@ bool is_mirrored(const CalibrationLog& log, const SeenPoses& poses, const Operat
     return *answer.mirrored;
   }
   const auto frames = static_cast<std::size_t>(std::max(1.0, 0.5 / frame_period_s));
-  const std::size_t peak = log.timing.peak;
-  const Eigen::VectorXd turned =
-      (mean_pose(poses, peak, peak + frames, "of the timing step").pose -
-       mean_pose(poses, log.timing.first, log.timing.first + frames, "of the timing step").pose)
-          .col(2);
+  const Eigen::VectorXd turned = turned_rad(log, poses, frames);
   Eigen::Index most = 0;
   turned.cwiseAbs().maxCoeff(&most);
   return (turned[most] > 0.0) == *answer.bends_right;
@@ -294,35 +295,23 @@ bool is_mirrored(const CalibrationLog& log, const SeenPoses& poses, const Operat
 WireCalibration estimate(const ArmDescription& arm, const CalibrationLog& log,
                          const OperatorAnswer& answer, const CalibrationTolerance& tolerance) {
   WireCalibration result = identity_calibration(arm);
-  const RestPressures rest = rest_pressures(log);
-  result.zero_kpa = rest.zero_kpa;
-  result.noise_kpa = rest.noise_kpa;
+  take_rest_pressures(log, result);
   const SeenPoses raw = seen_poses(log);
-  const TrackerUnits units = tracker_units(arm, raw, log);
-  TrackerCalibration tracker;
-  tracker.metres_per_unit = units.metres_per_unit;
-  tracker.radians_per_unit = units.radians_per_unit;
-  tracker.mirrored =
-      is_mirrored(log, in_metres(raw, units.metres_per_unit, units.radians_per_unit, false), answer,
-                  arm.frame_period_s());
-  const SeenPoses poses =
-      in_metres(raw, units.metres_per_unit, units.radians_per_unit, tracker.mirrored);
+  TrackerCalibration tracker = tracker_units(arm, raw, log);
+  tracker.mirrored = is_mirrored(log, in_metres(raw, tracker), answer, arm.frame_period_s());
+  const SeenPoses poses = in_metres(raw, tracker);
   result.valves = valve_channels(arm, log, poses);
-  result.sensors = sensor_channels(arm, log, result.valves, rest);
-  const BaseFrame frame = base_frame(arm, log, poses, result.valves, answer.base_marker_m);
-  if (frame.position_interval_m > tolerance.position_m ||
-      frame.heading_interval_rad > tolerance.heading_rad) {
+  result.sensors = sensor_channels(arm, log, result.valves, result.zero_kpa);
+  fit_base_frame(arm, log, poses, result.valves, answer.base_marker_m, tracker);
+  if (tracker.position_interval_m > tolerance.position_m ||
+      tracker.heading_interval_rad > tolerance.heading_rad) {
     throw CalibrationRefused(
         fmt::format("the base's frame is known to ± {:.2f} mm and ± {:.5f} rad only; asked for "
                     "are {:.2f} mm and {:.5f} rad. Say where the base's marker body sits as "
                     "built (--base-marker), or ask for less (--tolerance-m, --tolerance-rad)",
-                    1e3 * frame.position_interval_m, frame.heading_interval_rad,
+                    1e3 * tracker.position_interval_m, tracker.heading_interval_rad,
                     1e3 * tolerance.position_m, tolerance.heading_rad));
   }
-  tracker.base = frame.base;
-  tracker.marker_offsets = frame.marker_offsets;
-  tracker.position_interval_m = frame.position_interval_m;
-  tracker.heading_interval_rad = frame.heading_interval_rad;
   result.tracker = tracker;
   fit_driver_clock(log, arm.frame_period_s(), result.clocks);
   const auto segment = static_cast<std::size_t>(segment_on(result.valves, log.timing.channel));

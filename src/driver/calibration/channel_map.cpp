@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -41,10 +42,13 @@ std::vector<double> turns_of(const ArmDescription& arm, const PulsePoses& pulse)
   return turns;
 }
 
+double magnitude(double value) {
+  return std::abs(value);
+}
+
 /// Index of the largest |value|; −1 where another is about as large.
 int clear_largest(const std::vector<double>& values) {
-  const auto size = [](double a, double b) { return std::abs(a) < std::abs(b); };
-  const auto largest = std::max_element(values.begin(), values.end(), size);
+  const auto largest = std::ranges::max_element(values, {}, magnitude);
   for (auto it = values.begin(); it != values.end(); ++it) {
     if (it != largest && kClearFactor * std::abs(*it) > std::abs(*largest)) {
       return -1;
@@ -58,8 +62,7 @@ void require_motion(const CalibrationPulse& pulse, const PulsePoses& poses,
                     const std::vector<double>& turns, double noise_rad) {
   const double min_rad =
       std::max(kMinTurnRad, kNoiseFactor * noise_rad / std::sqrt(poses.held.count));
-  const double largest = std::abs(*std::max_element(
-      turns.begin(), turns.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
+  const double largest = std::ranges::max(turns | std::views::transform(magnitude));
   if (largest < min_rad) {
     throw CalibrationRefused(fmt::format(
         "channel {} at {:.3g} kPa moved nothing: no segment turned by more than {:.4f} rad. Check "
@@ -161,14 +164,15 @@ Eigen::VectorXd mean_readings(const CalibrationLog& log, std::size_t first, std:
 
 }  // namespace
 
-RestPressures rest_pressures(const CalibrationLog& log) {
+void take_rest_pressures(const CalibrationLog& log, WireCalibration& calibration) {
   const Eigen::VectorXd zero = mean_readings(log, 0, log.rest_end);
   Eigen::VectorXd squares = Eigen::VectorXd::Zero(zero.size());
   for (std::size_t k = 0; k < log.rest_end; ++k) {
     squares += (log.frames[k].state.pressure_kpa.cast<double>() - zero).cwiseAbs2();
   }
   const Eigen::VectorXd noise = (squares / static_cast<double>(log.rest_end)).cwiseSqrt();
-  return {{zero.begin(), zero.end()}, {noise.begin(), noise.end()}};
+  calibration.zero_kpa.assign(zero.begin(), zero.end());
+  calibration.noise_kpa.assign(noise.begin(), noise.end());
 }
 
 std::vector<WireChannel> valve_channels(const ArmDescription& arm, const CalibrationLog& log,
@@ -188,10 +192,9 @@ std::vector<WireChannel> valve_channels(const ArmDescription& arm, const Calibra
 
 std::vector<WireChannel> sensor_channels(const ArmDescription& arm, const CalibrationLog& log,
                                          const std::vector<WireChannel>& valves,
-                                         const RestPressures& rest) {
+                                         const std::vector<double>& zero_kpa) {
   const auto frames = static_cast<std::size_t>(std::lround(kReadingMeanS * arm.frame_rate_hz));
-  const Eigen::Map<const Eigen::VectorXd> zero(rest.zero_kpa.data(),
-                                               static_cast<Eigen::Index>(rest.zero_kpa.size()));
+  const Eigen::Map<const Eigen::VectorXd> zero(zero_kpa.data(), std::ssize(zero_kpa));
   std::vector<int> segments(valves.size(), -1);
   std::vector<double> signs(valves.size(), 0.0);
   for (const CalibrationPulse& pulse : log.pulses) {

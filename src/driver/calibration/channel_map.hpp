@@ -8,12 +8,8 @@
 
 namespace limber {
 
-/// Mean and standard deviation of each reading at rest.
-struct RestPressures {
-  std::vector<double> zero_kpa;
-  std::vector<double> noise_kpa;
-};
-RestPressures rest_pressures(const CalibrationLog& log);
+/// Fills `zero_kpa` and `noise_kpa`: mean and standard deviation of each reading at rest.
+void take_rest_pressures(const CalibrationLog& log, WireCalibration& calibration);
 
 /// Which channel is which side of which segment. `poses`: in metres, θ counter-clockwise seen from
 /// above. @throws CalibrationRefused where a channel moves nothing, two move the same segment, or
@@ -21,10 +17,11 @@ RestPressures rest_pressures(const CalibrationLog& log);
 std::vector<WireChannel> valve_channels(const ArmDescription& arm, const CalibrationLog& log,
                                         const SeenPoses& poses);
 
-/// Which reading is which segment's pressure, once the valves are known. @throws
-/// CalibrationRefused also where a reading's scale is another unit's.
+/// Which reading is which segment's pressure, once the valves are known.
+/// @param zero_kpa  of each reading, at rest
+/// @throws CalibrationRefused also where a reading's scale is another unit's.
 std::vector<WireChannel> sensor_channels(const ArmDescription& arm, const CalibrationLog& log,
                                          const std::vector<WireChannel>& valves,
-                                         const RestPressures& rest);
+                                         const std::vector<double>& zero_kpa);
 
 }  // namespace limber

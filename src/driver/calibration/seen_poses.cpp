@@ -71,13 +71,12 @@ SeenPoses seen_poses(const CalibrationLog& log) {
   return poses;
 }
 
-SeenPoses in_metres(const SeenPoses& raw, double metres_per_unit, double radians_per_unit,
-                    bool mirrored) {
+SeenPoses in_metres(const SeenPoses& raw, const TrackerCalibration& tracker) {
   SeenPoses poses;
-  const double side = mirrored ? -1.0 : 1.0;
-  poses.x = metres_per_unit * raw.x;
-  poses.y = side * metres_per_unit * raw.y;
-  poses.theta = side * radians_per_unit * raw.theta;
+  const double side = tracker.mirrored ? -1.0 : 1.0;
+  poses.x = tracker.metres_per_unit * raw.x;
+  poses.y = side * tracker.metres_per_unit * raw.y;
+  poses.theta = side * tracker.radians_per_unit * raw.theta;
   for (Eigen::Index body = 0; body < poses.bodies(); ++body) {
     unwrap_over_time(poses.theta.col(body));
   }

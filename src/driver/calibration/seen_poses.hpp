@@ -7,6 +7,7 @@
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/driver/calibration_log.hpp"
+#include "limber/driver/wire_calibration.hpp"
 
 namespace limber {
 
@@ -41,8 +42,7 @@ void require_rate_to_be_seen(const ArmDescription& arm);
 SeenPoses seen_poses(const CalibrationLog& log);
 
 /// θ in rad, unwrapped over time; lengths in metres; y and θ turned over where mirrored.
-SeenPoses in_metres(const SeenPoses& raw, double metres_per_unit, double radians_per_unit,
-                    bool mirrored);
+SeenPoses in_metres(const SeenPoses& raw, const TrackerCalibration& tracker);
 
 /// @throws CalibrationRefused where a mean would be of fewer than three frames.
 void require_seen(int seen, std::size_t frames, const char* when);

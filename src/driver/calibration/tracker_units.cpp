@@ -143,18 +143,19 @@ double turn_ratio(const SeenPoses& poses, const CalibrationLog& log,
 
 }  // namespace
 
-TrackerUnits tracker_units(const ArmDescription& arm, const SeenPoses& raw,
-                           const CalibrationLog& log) {
+TrackerCalibration tracker_units(const ArmDescription& arm, const SeenPoses& raw,
+                                 const CalibrationLog& log) {
   const MeanPose rest = mean_pose(raw, 0, log.rest_end, "at rest");
-  TrackerUnits units;
-  units.metres_per_unit = metres_per_unit(arm, rest, pulse_poses(raw, log, arm.frame_period_s()));
+  TrackerCalibration tracker;
+  tracker.metres_per_unit = metres_per_unit(arm, rest, pulse_poses(raw, log, arm.frame_period_s()));
   double found = 0.0;
   for (const NamedUnit& unit : kAngleUnits) {
-    const SeenPoses poses = in_metres(raw, units.metres_per_unit, unit.si, false);
-    const double ratio = turn_ratio(poses, log, rest_positions_m(arm), arm.frame_period_s());
+    tracker.radians_per_unit = unit.si;
+    const double ratio =
+        turn_ratio(in_metres(raw, tracker), log, rest_positions_m(arm), arm.frame_period_s());
     if (std::abs(std::abs(ratio) - 1.0) < 2.0 * kUnitTolerance) {
-      units.radians_per_unit = std::copysign(unit.si, ratio);
-      return units;
+      tracker.radians_per_unit = std::copysign(unit.si, ratio);
+      return tracker;
     }
     found = unit.si == 1.0 ? ratio : found;
   }
