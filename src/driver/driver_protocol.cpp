@@ -44,40 +44,33 @@ Pressures pressures(const JsonReader& reader, int count) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), count).cast<float>();
 }
 
-Backbone backbone(const JsonReader& reader, int points) {
-  const std::vector<JsonReader> rows = reader.elements("a list of [x, y, theta], or null");
-  if (rows.size() != static_cast<std::size_t>(points)) {
-    reader.refuse(fmt::format("{} poses found; the arm has {} plates", rows.size(), points));
-  }
-  Backbone result(points, kPoseSize);
-  for (int i = 0; i < points; ++i) {
-    const std::vector<double> pose = rows[static_cast<std::size_t>(i)].numbers(
-        kPoseSize, "numbers: x, y and theta", -kMaxNumber, kMaxNumber);
-    result.row(i) << static_cast<float>(pose[0]), static_cast<float>(pose[1]),
-        static_cast<float>(pose[2]);
-  }
-  return result;
-}
-
+/// @tparam Poses  BackboneD, or BodyPoses in space
 /// @param what  they are poses of
-BodyPoses poses_in_space(const JsonReader& reader, int points, const char* what) {
+template <class Poses>
+Poses read_poses(const JsonReader& reader, int points, const char* what) {
+  constexpr int kSize = Poses::ColsAtCompileTime;
+  constexpr bool kInSpace = kSize == kSpacePoseSize;
   const std::vector<JsonReader> rows =
-      reader.elements("a list of [x, y, z, qx, qy, qz, qw], or null");
+      reader.elements(kInSpace ? "a list of [x, y, z, qx, qy, qz, qw], or null"
+                               : "a list of [x, y, theta], or null");
   if (rows.size() != static_cast<std::size_t>(points)) {
     reader.refuse(fmt::format("{} {} found; the arm has {} plates", rows.size(), what, points));
   }
-  BodyPoses result(points, kSpacePoseSize);
+  Poses result(points, kSize);
   for (int i = 0; i < points; ++i) {
     const JsonReader& row = rows[static_cast<std::size_t>(i)];
-    const std::vector<double> pose =
-        row.numbers(kSpacePoseSize, "numbers: x, y, z, qx, qy, qz and qw", -kMaxNumber, kMaxNumber);
-    result.row(i) = Eigen::Map<const Eigen::RowVectorXd>(pose.data(), kSpacePoseSize);
-    const double length = result.row(i).tail<4>().norm();
-    if (!(std::abs(length - 1.0) <= kMaxQuaternionOff)) {
-      row.refuse(fmt::format("a quaternion of length {:.4g}; expected [qx, qy, qz, qw] of length 1",
-                             length));
+    const std::vector<double> pose = row.numbers(
+        kSize, kInSpace ? "numbers: x, y, z, qx, qy, qz and qw" : "numbers: x, y and theta",
+        -kMaxNumber, kMaxNumber);
+    result.row(i) = Eigen::Map<const Eigen::RowVectorXd>(pose.data(), kSize);
+    if constexpr (kInSpace) {
+      const double length = result.row(i).template tail<4>().norm();
+      if (!(std::abs(length - 1.0) <= kMaxQuaternionOff)) {
+        row.refuse(fmt::format(
+            "a quaternion of length {:.4g}; expected [qx, qy, qz, qw] of length 1", length));
+      }
+      result.row(i).template tail<4>() /= length;
     }
-    result.row(i).tail<4>() /= length;
   }
   return result;
 }
@@ -93,14 +86,14 @@ void read_shape(const JsonReader& root, const HostHello& arm, DriverReply& reply
       reader.refuse("stands beside backbone; a state has one of the two");
     }
     if (!reader.is_null()) {
-      reply.bodies = poses_in_space(reader, arm.points, "bodies");
+      reply.bodies = read_poses<BodyPoses>(reader, arm.points, "bodies");
     }
   } else if (root.has("backbone") && !root.at("backbone").is_null()) {
+    const JsonReader reader = root.at("backbone");
     if (arm.is_spatial()) {
-      reply.state.space_backbone =
-          poses_in_space(root.at("backbone"), arm.points, "poses").cast<float>();
+      reply.state.space_backbone = read_poses<BodyPoses>(reader, arm.points, "poses").cast<float>();
     } else {
-      reply.state.backbone = backbone(root.at("backbone"), arm.points);
+      reply.state.backbone = read_poses<BackboneD>(reader, arm.points, "poses").cast<float>();
     }
   }
 }
@@ -266,18 +259,17 @@ DriverHello parse_driver_hello(std::string_view line, const HostHello& expected)
     root.at("rate_hz").refuse_found(
         fmt::format("arm '{}' runs at {} Hz", expected.arm, expected.rate_hz));
   }
-  hello.segments = root.at("segments").integer(0, 1 << 20);
-  if (hello.segments != expected.segments) {
-    root.at("segments")
-        .refuse_found(fmt::format("arm '{}' has {} segments", expected.arm, expected.segments));
-  }
-  if (expected.is_spatial()) {
-    hello.chambers = root.at("chambers").integer(0, 1 << 20);
-    if (hello.chambers != expected.chambers) {
-      root.at("chambers")
-          .refuse_found(fmt::format("arm '{}' has {} chambers", expected.arm, expected.chambers));
+  const auto require_count = [&](const char* parts, int count) {
+    if (root.at(parts).integer(0, 1 << 20) != count) {
+      root.at(parts).refuse_found(fmt::format("arm '{}' has {} {}", expected.arm, count, parts));
     }
+  };
+  require_count("segments", expected.segments);
+  if (expected.is_spatial()) {
+    require_count("chambers", expected.chambers);
   }
+  hello.segments = expected.segments;
+  hello.chambers = expected.chambers;
   hello.tracked = optional_flag(root, "tracked", true);
   hello.real_time = optional_flag(root, "real_time", true);
   hello.limit_kpa = limits(root, expected.pressures());
