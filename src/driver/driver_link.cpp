@@ -31,19 +31,15 @@ constexpr std::size_t kQuoted = 80;      // bytes of a wrong line in a message
 }  // namespace
 
 DriverLink::DriverLink(const ArmDescription& arm, const ProcessDriverSettings& settings)
-    : calibration_(settings.calibration),
-      pass_bodies_(settings.pass_bodies),
-      simulated_(settings.simulated),
+    : settings_(settings),
       host_(host_hello(arm)),
       period_s_(arm.frame_period_s()),
       child_(command_words(settings.command), kMaxDriverLine),
-      log_(settings.log, settings.command, settings.append_to_log),
-      say_(settings.say),
-      vent_asked_(settings.vent_asked) {
+      log_(settings.log, settings.command, settings.append_to_log) {
   last_words_.emplace(child_.input());
-  if (calibration_) {
-    host_.limit_kpa = calibration_->to_wire(host_.limit_kpa);
-    log_.note("calibration: " + to_yaml(*calibration_));
+  if (settings_.calibration) {
+    host_.limit_kpa = settings_.calibration->to_wire(host_.limit_kpa);
+    log_.note("calibration: " + to_yaml(*settings_.calibration));
   }
 }
 
@@ -67,22 +63,23 @@ const DriverHello& DriverLink::exchange_hellos() {
   } catch (const SystemFault& fault) {
     throw BrokenDriver(fault.what());
   }
-  if (!hello_.real_time && !simulated_) {
+  if (!hello_.real_time && !settings_.simulated) {
     end();
     throw InputError(
         "the driver says that it is a simulation (real_time: false in its hello), which is asked "
         "as fast as it answers. If it is one, say --simulated (simulated=True in Python); the "
         "driver of an arm leaves real_time out");
   }
-  if (calibration_ && !hello_.limit_kpa.empty()) {
-    hello_.limit_kpa = calibration_->from_wire(hello_.limit_kpa);
+  if (settings_.calibration && !hello_.limit_kpa.empty()) {
+    hello_.limit_kpa = settings_.calibration->from_wire(hello_.limit_kpa);
   }
   return hello_;
 }
 
 ArmState DriverLink::set(const Pressures& setpoint_kpa, Clock::duration reply_time) {
   ++seq_;
-  const Pressures on_wire = calibration_ ? calibration_->to_wire(setpoint_kpa) : setpoint_kpa;
+  const Pressures on_wire =
+      settings_.calibration ? settings_.calibration->to_wire(setpoint_kpa) : setpoint_kpa;
   const Time deadline = Clock::now() + reply_time;
   send(set_line(seq_, since_start_s(), on_wire), deadline);
   if (is_vent_asked_until_input(deadline)) {
@@ -99,7 +96,7 @@ ArmState DriverLink::set(const Pressures& setpoint_kpa, Clock::duration reply_ti
 /// Until the driver says something, or `until`.
 bool DriverLink::is_vent_asked_until_input(Time until) {
   while (Clock::now() < until) {
-    if (interrupt_requested() || (vent_asked_ && vent_asked_())) {
+    if (interrupt_requested() || (settings_.vent_asked && settings_.vent_asked())) {
       return true;
     }
     if (child_.output().has_input(std::min(until, Clock::now() + kLook))) {
@@ -170,7 +167,7 @@ ArmState DriverLink::receive(Time deadline) {
     sample_s_ = reply.state.time_s;
     sample_since_ = Clock::now();
   }
-  if (pass_bodies_) {
+  if (settings_.pass_bodies) {
     bodies_ = std::move(reply.bodies);
   }
   return state;
@@ -178,14 +175,15 @@ ArmState DriverLink::receive(Time deadline) {
 
 ArmState DriverLink::calibrated(DriverReply reply) {
   require_known_plane(reply);
-  if (!calibration_) {
+  if (!settings_.calibration) {
     return std::move(reply.state);
   }
-  ArmState state = calibration_->from_wire(std::move(reply.state), reply.bodies);
+  ArmState state = settings_.calibration->from_wire(std::move(reply.state), reply.bodies);
   if (reply.bodies && !state.backbone && !seen_tilted_) {
     seen_tilted_ = true;
     Eigen::Index body = 0;
-    const double tilt_rad = tilts_rad(*calibration_->tracker->plane, *reply.bodies).maxCoeff(&body);
+    const double tilt_rad =
+        tilts_rad(*settings_.calibration->tracker->plane, *reply.bodies).maxCoeff(&body);
     log_.note(fmt::format(
         "marker body {} is turned {:.2f} rad out of the calibration's plane: while that is so, the "
         "arm counts as not seen. If it was moved: limber driver calibrate",
@@ -195,13 +193,15 @@ ArmState DriverLink::calibrated(DriverReply reply) {
 }
 
 void DriverLink::require_known_plane(const DriverReply& reply) const {
-  const bool has_plane = calibration_ && calibration_->tracker && calibration_->tracker->plane;
-  if (reply.bodies && !has_plane && !pass_bodies_) {
+  const bool has_plane = settings_.calibration && settings_.calibration->tracker &&
+                         settings_.calibration->tracker->plane;
+  if (reply.bodies && !has_plane && !settings_.pass_bodies) {
     throw InputError(
-        calibration_ ? "state: bodies: the calibration knows no plane for them; calibrate again: "
-                       "limber driver calibrate"
-                     : "state: bodies: only a calibration says where they are in the arm's frame; "
-                       "make one with limber driver calibrate, and give it with --calibration");
+        settings_.calibration
+            ? "state: bodies: the calibration knows no plane for them; calibrate again: "
+              "limber driver calibrate"
+            : "state: bodies: only a calibration says where they are in the arm's frame; "
+              "make one with limber driver calibrate, and give it with --calibration");
   }
   if (reply.state.backbone && has_plane) {
     throw InputError(
@@ -311,10 +311,6 @@ void DriverLink::try_to_send(const std::string& line) {
   (void)child_.write_line(line, Clock::now() + kLastWords);
 }
 
-void DriverLink::say_bye() {
-  try_to_send(bye_line());
-}
-
 void DriverLink::end() {
   if (!open_) {
     return;
@@ -330,8 +326,8 @@ void DriverLink::end() {
         left->is_protected ? "can't be killed" : "was killed, and has not ended after a second",
         left->process);
     log_.note(message);
-    if (say_) {
-      say_(message);
+    if (settings_.say) {
+      settings_.say(message);
     }
   }
 }
@@ -347,10 +343,6 @@ void DriverLink::close_input() {
 void DriverLink::say_why_it_is_silent(const std::string& otherwise, milliseconds wait) {
   const bool ended = child_.wait_for_end(Clock::now() + wait);
   throw BrokenDriver(ended ? child_.how_it_ended() : otherwise);
-}
-
-double DriverLink::since_start_s() const {
-  return seconds_since(start_);
 }
 
 }  // namespace limber

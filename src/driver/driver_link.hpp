@@ -3,13 +3,13 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 
 #include "child_process.hpp"
 #include "limber/common/arm_signals.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/seconds_since.hpp"
 #include "limber/driver/driver_protocol.hpp"
 #include "limber/driver/driver_run.hpp"
 #include "limber/driver/process_driver.hpp"
@@ -59,7 +59,7 @@ class DriverLink {
   void send_vent();
   std::optional<ArmState> vent_answer(Time until);
 
-  void say_bye();
+  void say_bye() { try_to_send(bye_line()); }
 
   /// The driver reads the end of its input, and vents.
   void close_input();
@@ -74,7 +74,7 @@ class DriverLink {
 
   DriverLog& log() { return log_; }
   /// limber's clock, as requests have it.
-  double since_start_s() const;
+  double since_start_s() const { return seconds_since(start_); }
   /// Of the last state, where bodies pass.
   const std::optional<BodyPoses>& bodies() const { return bodies_; }
 
@@ -93,16 +93,12 @@ class DriverLink {
   ArmState calibrated(DriverReply reply);
   void require_known_plane(const DriverReply& reply) const;
 
-  std::optional<WireCalibration> calibration_;
-  bool pass_bodies_;
-  bool simulated_;  // may be
+  ProcessDriverSettings settings_;
   HostHello host_;
   double period_s_;
   ChildProcess child_;
   std::optional<LastWords> last_words_;  // until its input is closed
   DriverLog log_;
-  std::function<void(const std::string&)> say_;
-  std::function<bool()> vent_asked_;
   bool vent_ahead_ = false;  // was sent before the state of seq_ was there, with the next number
   DriverHello hello_;
   Time start_ = Clock::now();
