@@ -63,15 +63,15 @@ class Check {
 
   DriverCheck run() {
     rest();
-    if (for_each_side(&Check::pulse)) {
+    const bool reads_right = for_each_side(&Check::pulse);
+    if (reads_right) {
       for_each_side(&Check::step);
       test_silence();
-      driver_->vent();
-      result_.timing = driver_->timing();
+    }
+    driver_->vent();
+    result_.timing = driver_->timing();
+    if (reads_right) {
       test_end_of_input();
-    } else {
-      driver_->vent();
-      result_.timing = driver_->timing();
     }
     judge_timing();
     keep_episode();

@@ -143,7 +143,11 @@ Pressures WireCalibration::from_wire(const Eigen::Ref<const Pressures>& setpoint
   return gathered(valves, setpoint_kpa);
 }
 
-ArmState WireCalibration::from_wire(ArmState state) const {
+ArmState WireCalibration::from_wire(ArmState state, const std::optional<BodyPoses>& bodies) const {
+  constexpr double kMaxTiltRad = 0.5;  // more is no body of this arm
+  if (bodies && tilts_rad(*tracker->plane, *bodies).maxCoeff() <= kMaxTiltRad) {
+    state.backbone = poses_in_plane(*tracker->plane, *bodies);
+  }
   const Eigen::Map<const Eigen::VectorXd> zero(zero_kpa.data(), state.pressure_kpa.size());
   state.pressure_kpa = gathered(sensors, state.pressure_kpa - zero.cast<float>());
   if (state.setpoint_kpa) {
@@ -153,14 +157,6 @@ ArmState WireCalibration::from_wire(ArmState state) const {
     state.backbone = plates_of(*tracker, *state.backbone);
   }
   return state;
-}
-
-ArmState WireCalibration::from_wire(ArmState state, const std::optional<BodyPoses>& bodies) const {
-  constexpr double kMaxTiltRad = 0.5;  // more is no body of this arm
-  if (bodies && tilts_rad(*tracker->plane, *bodies).maxCoeff() <= kMaxTiltRad) {
-    state.backbone = poses_in_plane(*tracker->plane, *bodies);
-  }
-  return from_wire(std::move(state));
 }
 
 ArmState WireCalibration::to_wire(ArmState state) const {

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include <fmt/format.h>
@@ -224,17 +225,16 @@ TrackerCalibration read_tracker(const YamlReader& node) {
 
 ClockCalibration read_clocks(const YamlReader& node) {
   node.refuse_unknown_keys({"driver", "driver_drift", "tracker", "shape_delay"});
+  const auto interval = [&](const char* key) {
+    return node.has(key) ? std::optional(read_interval(node.at(key))) : std::nullopt;
+  };
   ClockCalibration clocks;
-  if (node.has("driver")) {
-    clocks.driver = read_interval(node.at("driver"));
+  clocks.driver = interval("driver");
+  if (clocks.driver) {
     clocks.driver_drift = node.at("driver_drift").number("seconds per second", -1.0, 1.0);
   }
-  if (node.has("tracker")) {
-    clocks.tracker = read_interval(node.at("tracker"));
-  }
-  if (node.has("shape_delay")) {
-    clocks.shape_delay = read_interval(node.at("shape_delay"));
-  }
+  clocks.tracker = interval("tracker");
+  clocks.shape_delay = interval("shape_delay");
   return clocks;
 }
 

@@ -111,10 +111,9 @@ struct WireCalibration {
   Pressures to_wire(const Eigen::Ref<const Pressures>& setpoint_kpa) const;
   Pressures from_wire(const Eigen::Ref<const Pressures>& setpoint_kpa) const;
   /// What the driver says as what the arm does, and back.
-  ArmState from_wire(ArmState state) const;
   /// `bodies` stand in place of the state's backbone; they count as not seen where one is turned
   /// more than 0.5 rad out of the plane. @pre the tracker has a plane where there are some.
-  ArmState from_wire(ArmState state, const std::optional<BodyPoses>& bodies) const;
+  ArmState from_wire(ArmState state, const std::optional<BodyPoses>& bodies = std::nullopt) const;
   ArmState to_wire(ArmState state) const;  ///< of a tracker in 3D: poses in its plane
   /// Limits of the wire's numbers as those of the segments, and back.
   std::vector<PressureLimits> from_wire(const std::vector<PressureLimits>& limits_kpa) const;
