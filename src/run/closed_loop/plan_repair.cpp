@@ -13,21 +13,102 @@ constexpr double kProbeShare = 0.02;     // of a segment's range: what sensitivi
 constexpr double kRepairDamping = 1e-3;  // of the normal matrix, of its mean diagonal
 constexpr int kRepairSteps = 4;
 
-}  // namespace
-
+/// What a radian of heading counts as; 0 where the goal asks for no heading. [m/rad]
 double m_per_rad(const PoseGoal& goal) {
   return goal.theta_rad ? goal.position_tolerance_m / goal.orientation_tolerance_rad : 0.0;
 }
 
-double as_length_m(const PoseGoal& goal, const PoseError& error) {
-  return std::hypot(error.position_m, m_per_rad(goal) * error.orientation_rad);
-}
-
+/// From a tip to the goal's centre: x, y and the heading as a length. [m]
 Eigen::Vector3d missing_m(const PoseGoal& goal, const Pose& tip) {
   const double turn = goal.theta_rad
                           ? std::remainder(*goal.theta_rad - tip.theta_rad, 2.0 * std::numbers::pi)
                           : 0.0;
   return {goal.x_m - tip.x_m, goal.y_m - tip.y_m, m_per_rad(goal) * turn};
+}
+
+std::vector<Pressures> shifted(const PressureBox& box, std::vector<Pressures> waypoints_kpa,
+                               const Eigen::VectorXd& shift_kpa) {
+  const double whole = path_cost_kpa(waypoints_kpa);
+  double gone = 0.0;
+  Pressures before = waypoints_kpa.front();
+  for (std::size_t w = 1; w < waypoints_kpa.size(); ++w) {
+    gone += motion_cost_kpa(before, waypoints_kpa[w]);
+    before = waypoints_kpa[w];
+    const bool is_end = w + 1 == waypoints_kpa.size();
+    const double share = is_end || whole <= 0.0 ? 1.0 : gone / whole;
+    waypoints_kpa[w] = box.limited(waypoints_kpa[w] + (share * shift_kpa).cast<float>());
+  }
+  return waypoints_kpa;
+}
+
+/// Columns: what one kPa at the end of each segment does to the settled tip (x, y, heading).
+Eigen::MatrixXd sensitivity(CheckedPlans& plans, const PressureBox& box,
+                            const std::vector<Pressures>& waypoints_kpa) {
+  const Eigen::Index n = waypoints_kpa.front().size();
+  const Pressures range_kpa = box.high_kpa - box.low_kpa;
+  std::vector<std::vector<Pressures>> paths{waypoints_kpa};
+  Eigen::VectorXd probes(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const bool has_room =
+        waypoints_kpa.back()[i] + float(kProbeShare) * range_kpa[i] <= box.high_kpa[i];
+    probes[i] = (has_room ? kProbeShare : -kProbeShare) * double(range_kpa[i]);
+    paths.push_back(shifted(box, waypoints_kpa, probes[i] * Eigen::VectorXd::Unit(n, i)));
+  }
+  MotionBatch batch(plans.simulator());
+  std::vector<MotionState> at(paths.size(), plans.from());
+  Eigen::MatrixXf to(n, static_cast<Eigen::Index>(paths.size()));
+  for (std::size_t w = 1; w < waypoints_kpa.size(); ++w) {
+    for (std::size_t j = 0; j < paths.size(); ++j) {
+      to.col(static_cast<Eigen::Index>(j)) = paths[j][w];
+    }
+    batch.run(at, to);
+    for (std::size_t j = 0; j < paths.size(); ++j) {
+      at[j] = batch.end(static_cast<int>(j));
+    }
+  }
+  Eigen::MatrixXd result(kPoseSize, n);
+  const auto settled = [&](std::size_t j) {
+    return numbers_of(plans.problem().model.settled_tip(at[j].valves, at[j].backbone));
+  };
+  const Eigen::Vector3d middle = settled(0);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    result.col(i) = (settled(static_cast<std::size_t>(i) + 1) - middle) / probes[i];
+  }
+  return result;
+}
+
+std::optional<std::vector<Pressures>> shifted_toward_goal(
+    CheckedPlans& plans, const std::vector<Pressures>& waypoints_kpa, double max_error_m) {
+  const PoseGoal& goal = plans.problem().environment.goal;
+  const PressureBox box = setpoints_of(plans.problem());
+  Eigen::MatrixXd jacobian = sensitivity(plans, box, waypoints_kpa);
+  jacobian.row(2) *= m_per_rad(goal);
+  const Eigen::Matrix3d normal = jacobian * jacobian.transpose();
+  const double damping = kRepairDamping * normal.trace() / kPoseSize;
+  std::optional<std::vector<Pressures>> best;
+  Eigen::VectorXd shift_kpa = Eigen::VectorXd::Zero(waypoints_kpa.front().size());
+  std::vector<Pressures> tried = waypoints_kpa;
+  for (int step = 0; step <= kRepairSteps; ++step) {
+    const std::optional<MotionState> end = plans.end_of(tried);
+    if (!end) {
+      break;
+    }
+    const Pose tip = tip_pose(end->backbone);
+    const double error_m = as_length_m(goal, pose_error(goal, tip));
+    if (error_m < max_error_m) {
+      max_error_m = error_m;
+      best = tried;
+    }
+    shift_kpa += jacobian.transpose() * damped_solve(normal, missing_m(goal, tip), damping);
+    tried = shifted(box, waypoints_kpa, shift_kpa);
+  }
+  return best;
+}
+
+}  // namespace
+
+double as_length_m(const PoseGoal& goal, const PoseError& error) {
+  return std::hypot(error.position_m, m_per_rad(goal) * error.orientation_rad);
 }
 
 PoseGoal asked_goal(PoseGoal goal, const Eigen::Vector3d& miss) {
@@ -56,88 +137,12 @@ std::vector<Pressures> waypoints_after(const PlanProgress& at, double step_limit
   return rest;
 }
 
-Eigen::MatrixXd PlanRepair::sensitivity(const std::vector<Pressures>& waypoints_kpa) {
-  const Eigen::Index n = waypoints_kpa.front().size();
-  const Pressures range_kpa = box_.high_kpa - box_.low_kpa;
-  std::vector<std::vector<Pressures>> paths{waypoints_kpa};
-  Eigen::VectorXd probes(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const bool has_room =
-        waypoints_kpa.back()[i] + float(kProbeShare) * range_kpa[i] <= box_.high_kpa[i];
-    probes[i] = (has_room ? kProbeShare : -kProbeShare) * double(range_kpa[i]);
-    paths.push_back(shifted(waypoints_kpa, probes[i] * Eigen::VectorXd::Unit(n, i)));
-  }
-  MotionBatch batch(plans_.simulator());
-  std::vector<MotionState> at(paths.size(), plans_.from());
-  Eigen::MatrixXf to(n, static_cast<Eigen::Index>(paths.size()));
-  for (std::size_t w = 1; w < waypoints_kpa.size(); ++w) {
-    for (std::size_t j = 0; j < paths.size(); ++j) {
-      to.col(static_cast<Eigen::Index>(j)) = paths[j][w];
-    }
-    batch.run(at, to);
-    for (std::size_t j = 0; j < paths.size(); ++j) {
-      at[j] = batch.end(static_cast<int>(j));
-    }
-  }
-  Eigen::MatrixXd result(kPoseSize, n);
-  const auto settled = [&](std::size_t j) {
-    return numbers_of(plans_.problem().model.settled_tip(at[j].valves, at[j].backbone));
-  };
-  const Eigen::Vector3d middle = settled(0);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    result.col(i) = (settled(static_cast<std::size_t>(i) + 1) - middle) / probes[i];
-  }
-  return result;
-}
-
-std::vector<Pressures> PlanRepair::shifted(std::vector<Pressures> waypoints_kpa,
-                                           const Eigen::VectorXd& shift_kpa) const {
-  const double whole = path_cost_kpa(waypoints_kpa);
-  double gone = 0.0;
-  Pressures before = waypoints_kpa.front();
-  for (std::size_t w = 1; w < waypoints_kpa.size(); ++w) {
-    gone += motion_cost_kpa(before, waypoints_kpa[w]);
-    before = waypoints_kpa[w];
-    const bool is_end = w + 1 == waypoints_kpa.size();
-    const double share = is_end || whole <= 0.0 ? 1.0 : gone / whole;
-    waypoints_kpa[w] = box_.limited(waypoints_kpa[w] + (share * shift_kpa).cast<float>());
-  }
-  return waypoints_kpa;
-}
-
-std::optional<std::vector<Pressures>> PlanRepair::toward_goal(
-    const std::vector<Pressures>& waypoints_kpa, double max_error_m) {
-  const PoseGoal& goal = plans_.problem().environment.goal;
-  Eigen::MatrixXd jacobian = sensitivity(waypoints_kpa);
-  jacobian.row(2) *= m_per_rad(goal);
-  const Eigen::Matrix3d normal = jacobian * jacobian.transpose();
-  const double damping = kRepairDamping * normal.trace() / kPoseSize;
-  std::optional<std::vector<Pressures>> best;
-  Eigen::VectorXd shift_kpa = Eigen::VectorXd::Zero(waypoints_kpa.front().size());
-  std::vector<Pressures> tried = waypoints_kpa;
-  for (int step = 0; step <= kRepairSteps; ++step) {
-    const std::optional<MotionState> end = plans_.end_of(tried);
-    if (!end) {
-      break;
-    }
-    const Pose tip = tip_pose(end->backbone);
-    const double error_m = as_length_m(goal, pose_error(goal, tip));
-    if (error_m < max_error_m) {
-      max_error_m = error_m;
-      best = tried;
-    }
-    shift_kpa += jacobian.transpose() * damped_solve(normal, missing_m(goal, tip), damping);
-    tried = shifted(waypoints_kpa, shift_kpa);
-  }
-  return best;
-}
-
 std::optional<Plan> repaired_plan(const PlanningProblem& problem,
                                   const std::vector<Pressures>& waypoints_kpa, double max_error_m,
                                   std::uint64_t seed, const PlanCheck& check) {
   CheckedPlans plans(problem, check);
   const std::optional<std::vector<Pressures>> shifted_kpa =
-      PlanRepair(plans).toward_goal(waypoints_kpa, max_error_m);
+      shifted_toward_goal(plans, waypoints_kpa, max_error_m);
   return shifted_kpa ? plans.checked(*shifted_kpa, "repair", seed) : std::nullopt;
 }
 

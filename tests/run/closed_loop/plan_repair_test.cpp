@@ -33,8 +33,8 @@ struct RepairSetting {
     PlanningProblem problem{arm, model, environment};
     problem.limits = limits;
     const PlanCheck accept = [](Plan&, const Environment&) { return true; };
-    CheckedPlans plans(problem, accept);
-    return PlanRepair(plans).toward_goal(waypoints_kpa, max_error_m);
+    const std::optional<Plan> plan = repaired_plan(problem, waypoints_kpa, max_error_m, 0, accept);
+    return plan ? std::optional(plan->waypoints_kpa) : std::nullopt;
   }
 };
 
