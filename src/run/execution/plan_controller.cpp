@@ -90,11 +90,7 @@ Decision PlanController::step(const Moment& now) {
 Decision PlanController::sent(const Pressures& setpoint_kpa, bool is_certified) {
   frames_not_certified_ += is_certified ? 0 : 1;
   sent_kpa_ = setpoint_kpa;
-  Decision decision;
-  decision.setpoint_kpa = setpoint_kpa;
-  decision.motion = motion_;
-  decision.is_certified = is_certified;
-  return decision;
+  return {.setpoint_kpa = setpoint_kpa, .motion = motion_, .is_certified = is_certified};
 }
 
 /// The next frame of the plan, or the last one again; and what is asked about it.
@@ -151,15 +147,9 @@ void PlanController::end_frame(const Moment& now) {
     is_late_ = true;
     return;
   }
-  Advised advised = std::move(**std::exchange(advised_, nullptr));
-  if (in_real_time_) {
-    times_.all_s.push_back(advised.took_s);
-    if (advised.advice.has_searched) {
-      times_.searches_s.push_back(advised.took_s);
-    }
-  }
+  MotionAdvice advice = take_answer(in_real_time_);
   if (goes_on_) {
-    take(std::move(advised.advice));
+    take(std::move(advice));
   }
 }
 
@@ -169,12 +159,20 @@ void PlanController::drop_late_advice(bool is_thinking) {
     return;
   }
   ++times_.late;
-  const Advised advised = std::move(**std::exchange(advised_, nullptr));
-  times_.all_s.push_back(advised.took_s);
-  if (advised.advice.has_searched) {
-    times_.searches_s.push_back(advised.took_s);
-  }
+  (void)take_answer(true);
   is_late_ = false;
+}
+
+/// To `advise`. @param is_timed  what it took is noted
+MotionAdvice PlanController::take_answer(bool is_timed) {
+  Advised advised = std::move(**std::exchange(advised_, nullptr));
+  if (is_timed) {
+    times_.all_s.push_back(advised.took_s);
+    if (advised.advice.has_searched) {
+      times_.searches_s.push_back(advised.took_s);
+    }
+  }
+  return std::move(advised.advice);
 }
 
 void PlanController::take(MotionAdvice advice) {
@@ -247,10 +245,8 @@ std::optional<Decision> PlanController::end_asking(const Moment& now) {
 }
 
 Decision PlanController::end() const {
-  Decision decision;
-  decision.has_left_plan = !is_at_end();
-  decision.reason = decision.has_left_plan ? stop_reason_ : "";  // came to its end all the same
-  return decision;
+  const bool has_left_plan = !is_at_end();  // else it came to its end all the same
+  return {.reason = has_left_plan ? stop_reason_ : "", .has_left_plan = has_left_plan};
 }
 
 void PlanController::go_over_to(FollowedPlan next, const std::string& name) {

@@ -122,6 +122,7 @@ class PlanController : public Controller {
   Decision move(const ArmEstimate& arm);
   void end_frame(const Moment& now);
   void drop_late_advice(bool is_thinking);
+  MotionAdvice take_answer(bool is_timed);
   void take(MotionAdvice advice);
   Decision hold_frame(const ArmEstimate& arm);
   Decision hold_still(const ArmEstimate& arm);
