@@ -126,13 +126,8 @@ Decision JacobianController::step(const Moment& now) {
   }
   setpoint_kpa_ = within_frame_rule(arm_, setpoint_kpa_, wanted);
   ++frame_;
-  Decision decision;
-  decision.setpoint_kpa = setpoint_kpa_;
-  if (frame_ < plan_.frames.size()) {
-    decision.plan = &plan_;
-    decision.frame = frame_;
-  }
-  return decision;
+  const Plan* plan = frame_ < plan_.frames.size() ? &plan_ : nullptr;
+  return {.setpoint_kpa = setpoint_kpa_, .plan = plan, .frame = frame_};
 }
 
 }  // namespace limber

@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <array>
+#include <ranges>
 #include <string>
 #include <string_view>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "limber/common/error.hpp"
 #include "limber/common/number_text.hpp"
@@ -33,22 +35,19 @@ constexpr std::array kGainFields = {
 void read_gain(const std::string& text, JacobianGains& gains) {
   const std::size_t equals = std::min(text.find('='), text.size());
   const std::string name = text.substr(0, equals);
-  std::string names;
-  for (const GainField& field : kGainFields) {
-    names += (names.empty() ? "" : ", ") + std::string(field.name);
-    if (name != field.name) {
-      continue;
-    }
-    const std::optional<double> value =
-        number_in(std::string_view(text).substr(std::min(equals + 1, text.size())));
-    if (!value || !(*value >= field.min && *value <= field.max)) {
-      throw InputError(fmt::format("controller: {}: expected {}=NUMBER, from {} to {}", text, name,
-                                   field.min, field.max));
-    }
-    gains.*(field.member) = *value;
-    return;
+  const auto field = std::ranges::find(kGainFields, name, &GainField::name);
+  if (field == kGainFields.end()) {
+    const auto names = kGainFields | std::views::transform(&GainField::name);
+    throw InputError(
+        fmt::format("controller: '{}': no such gain; expected {}", text, fmt::join(names, ", ")));
   }
-  throw InputError(fmt::format("controller: '{}': no such gain; expected {}", text, names));
+  const std::optional<double> value =
+      number_in(std::string_view(text).substr(std::min(equals + 1, text.size())));
+  if (!value || !(*value >= field->min && *value <= field->max)) {
+    throw InputError(fmt::format("controller: {}: expected {}=NUMBER, from {} to {}", text, name,
+                                 field->min, field->max));
+  }
+  gains.*(field->member) = *value;
 }
 
 }  // namespace

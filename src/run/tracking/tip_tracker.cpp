@@ -195,7 +195,7 @@ Eigen::VectorXd TipTracker::knots_one_frame_on() const {
   const Eigen::Index rest = knots_kpa_.size() - n;
   Eigen::VectorXd slope(knots_kpa_.size());
   slope.head(rest) = (knots_kpa_.tail(rest) - knots_kpa_.head(rest)) / kFramesPerKnot;
-  slope.tail(n) = rest > 0 ? Eigen::VectorXd(slope.segment(rest - n, n)) : Eigen::VectorXd::Zero(n);
+  slope.tail(n) = slope.segment(rest - n, n);
   return knots_kpa_ + slope;
 }
 

@@ -2,36 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace limber {
 
 namespace {
 
-class ErrorSum {
- public:
-  void add(double distance_m) {
-    squares_ += distance_m * distance_m;
-    error_.max_m = std::max(error_.max_m, distance_m);
-    ++error_.frames;
+std::optional<TrackError> error_of(const std::vector<double>& distances_m) {
+  if (distances_m.empty()) {
+    return std::nullopt;
   }
-  std::optional<TrackError> error() const {
-    if (error_.frames == 0) {
-      return std::nullopt;
-    }
-    TrackError result = error_;
-    result.rms_m = std::sqrt(squares_ / error_.frames);
-    return result;
-  }
-
- private:
-  double squares_ = 0.0;
-  TrackError error_;
-};
+  const double squares =
+      std::inner_product(distances_m.begin(), distances_m.end(), distances_m.begin(), 0.0);
+  const auto frames = static_cast<int>(distances_m.size());
+  return TrackError{std::sqrt(squares / frames), std::ranges::max(distances_m), frames};
+}
 
 }  // namespace
 
 TrackErrors track_errors(const TipPath& path, const Episode& episode, int start_frame) {
-  ErrorSum first, later;
+  std::vector<double> first_m;
+  std::vector<double> later_m;
   for (int t = start_frame; t < episode.frame_count(); ++t) {
     const double since_s = episode.time_s[t] - episode.time_s[start_frame];
     if (!episode.was_tracked(t)) {
@@ -39,9 +30,9 @@ TrackErrors track_errors(const TipPath& path, const Episode& episode, int start_
     }
     const Eigen::Vector2d tip_m = tip_position_m(backbone_at(episode.backbone, t));
     const double distance_m = (tip_m - path.at(since_s)).norm();
-    (since_s <= path.lap_s() ? first : later).add(distance_m);
+    (since_s <= path.lap_s() ? first_m : later_m).push_back(distance_m);
   }
-  return {first.error(), later.error()};
+  return {error_of(first_m), error_of(later_m)};
 }
 
 }  // namespace limber

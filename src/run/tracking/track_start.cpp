@@ -69,15 +69,15 @@ struct Candidate {
   double distance_m = 0.0;
 };
 
-/// Each of these set points, with the distance that its settled tip has from `tip_m`.
-std::vector<Candidate> rated(const ArmDescription& arm, const MotionModel& model,
-                             const Eigen::Vector2d& tip_m, const Eigen::MatrixXf& setpoints_kpa) {
+/// Of these set points, those whose settled tip is nearest to `tip_m`.
+Candidate nearest_of(const ArmDescription& arm, const MotionModel& model,
+                     const Eigen::Vector2d& tip_m, const Eigen::MatrixXf& setpoints_kpa) {
   const std::vector<Eigen::Vector2d> tips = settled_tips(arm, model, setpoints_kpa);
   std::vector<Candidate> starts;
   for (std::size_t c = 0; c < tips.size(); ++c) {
     starts.push_back({setpoints_kpa.col(Eigen::Index(c)), (tips[c] - tip_m).norm()});
   }
-  return starts;
+  return std::ranges::min(starts, {}, &Candidate::distance_m);
 }
 
 Candidate nearest_sample(const ArmDescription& arm, const MotionModel& model,
@@ -86,7 +86,7 @@ Candidate nearest_sample(const ArmDescription& arm, const MotionModel& model,
       sampled_kpa(arm, kStartSamples, [&](Eigen::Index /*segment*/, const PressureLimits& limits) {
         return random.uniform(limits.lower_kpa, limits.upper_kpa);
       });
-  return std::ranges::min(rated(arm, model, tip_m, setpoints_kpa), {}, &Candidate::distance_m);
+  return nearest_of(arm, model, tip_m, setpoints_kpa);
 }
 
 Candidate refined(const ArmDescription& arm, const MotionModel& model, const Eigen::Vector2d& tip_m,
@@ -97,9 +97,8 @@ Candidate refined(const ArmDescription& arm, const MotionModel& model, const Eig
           const double spread_kpa = share * limits.half_width_kpa();
           return limits.clamped(double(best.setpoint_kpa[i]) + spread_kpa * random.normal());
         });
-    const Candidate nearest =
-        std::ranges::min(rated(arm, model, tip_m, setpoints_kpa), {}, &Candidate::distance_m);
-    best = std::ranges::min(best, nearest, {}, &Candidate::distance_m);
+    best = std::ranges::min(best, nearest_of(arm, model, tip_m, setpoints_kpa), {},
+                            &Candidate::distance_m);
   }
   return best;
 }
@@ -113,7 +112,7 @@ TrackStart find_track_start(const ArmDescription& arm, const MotionModel& model,
   const Eigen::Vector2d& tip_m = path.point_m.front();
   RandomStream random(seed, 0);
   const Eigen::MatrixXf first_kpa = posture.at(0.0).cast<float>();
-  Candidate found = refined(arm, model, tip_m, rated(arm, model, tip_m, first_kpa).front(), random);
+  Candidate found = refined(arm, model, tip_m, nearest_of(arm, model, tip_m, first_kpa), random);
   if (found.distance_m > kStartNearM) {
     const Candidate nearest =
         refined(arm, model, tip_m, nearest_sample(arm, model, tip_m, random), random);
