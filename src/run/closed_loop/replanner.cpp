@@ -89,8 +89,6 @@ Replanner::Replanner(const ArmDescription& arm, const MotionModel& model,
       planner_(make_planner("default", settings.planner_jobs)),
       aim_(environment.goal) {}
 
-Replanner::~Replanner() = default;
-
 bool Replanner::may_go_on(const Plan& plan, std::size_t frame,
                           const std::optional<Backbone>& seen) {
   if (!seen || replans_ >= settings_.max_replans) {

@@ -49,8 +49,6 @@ void require_state_of(const ArmDescription& arm, const ArmState& state) {
   }
 }
 
-EpisodeRecorder::EpisodeRecorder(const ArmDescription& arm) : arm_(arm) {}
-
 bool EpisodeRecorder::add(const ArmState& state, const Pressures& setpoint_kpa, int motion_index) {
   assert(setpoint_kpa.size() == arm_.channel_count());
   require_state_of(arm_, state);

@@ -79,12 +79,9 @@ void check(const ScheduleSettings& settings) {
 }
 
 Motion make_motion(const ScheduleSettings& settings, Pressures setpoint_kpa, RandomStream& random) {
-  Motion motion;
-  motion.setpoint_kpa = std::move(setpoint_kpa);
-  motion.hold_s =
+  const double hold_s =
       settings.hold_min_s ? random.uniform(*settings.hold_min_s, settings.hold_s) : settings.hold_s;
-  motion.until_reached = !settings.hold_min_s.has_value();
-  return motion;
+  return {std::move(setpoint_kpa), hold_s, !settings.hold_min_s.has_value()};
 }
 
 int transition_count(const ArmDescription& arm, const ScheduleSettings& settings) {
@@ -168,13 +165,11 @@ std::vector<EpisodeSchedule> make_schedule(const ArmDescription& arm,
 }
 
 ScheduleSettings identifying_schedule(Dimension dimension) {
-  ScheduleSettings settings;
-  settings.kind = ScheduleKind::random;
-  settings.count = dimension == Dimension::plane ? 36 : 68;
-  settings.approach = Approach::straight;
-  settings.hold_s = 1.0;
-  settings.hold_min_s = 0.2;
-  return settings;
+  return {.kind = ScheduleKind::random,
+          .count = dimension == Dimension::plane ? 36 : 68,
+          .approach = Approach::straight,
+          .hold_s = 1.0,
+          .hold_min_s = 0.2};
 }
 
 std::string describe(const ScheduleSettings& settings) {

@@ -83,12 +83,7 @@ bool LiveArmFit::has_left_family() const {
 }
 
 std::vector<ArmChange> LiveArmFit::explained_changes() const {
-  Knowledge told = retired_;
-  for (const Window& window : windows_) {
-    if (window.is_fitted) {
-      add(window, told);
-    }
-  }
+  Knowledge told = with_windows(retired_);
   told.pull -= told.precision * at_start_.e.cast<double>();
   return limber::explained_changes(*family_.family, at_start_, {told.precision, told.pull});
 }
@@ -199,6 +194,16 @@ void LiveArmFit::add(const Window& window, Knowledge& known) const {
   known.pull += (weighted.transpose() * (window.slope * window.at - window.left_m)).cast<double>();
 }
 
+/// And what the windows say that are fitted.
+LiveArmFit::Knowledge LiveArmFit::with_windows(Knowledge known) const {
+  for (const Window& window : windows_) {
+    if (window.is_fitted) {
+      add(window, known);
+    }
+  }
+  return known;
+}
+
 /// What was known before, where predictions are off by so many times the usual error.
 void LiveArmFit::forget(double wrong) {
   if (wrong <= 1.0) {
@@ -212,12 +217,7 @@ void LiveArmFit::forget(double wrong) {
 
 void LiveArmFit::solve() {
   model_.reset();
-  Knowledge known = before_;
-  for (const Window& window : windows_) {
-    if (window.is_fitted) {
-      add(window, known);
-    }
-  }
+  const Knowledge known = with_windows(before_);
   const Eigen::LDLT<Eigen::MatrixXd> solver(known.precision);
   Eigen::VectorXf step = solver.solve(known.pull).cast<float>() - member_.e;
   step *= std::min(1.0F, kLongestStep / std::max(step.norm(), 1e-6F));

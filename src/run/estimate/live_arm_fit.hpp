@@ -81,6 +81,7 @@ class LiveArmFit {
   bool roll_out();
   Eigen::VectorXf offsets(const Window& window, const Eigen::VectorXf& e);
   void add(const Window& window, Knowledge& known) const;
+  Knowledge with_windows(Knowledge known) const;
   void forget(double wrong);
   void solve();
 

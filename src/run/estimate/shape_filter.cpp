@@ -68,10 +68,6 @@ ShapeFilter::ShapeFilter(Eigen::VectorXd gap_length_m, double noise_m)
       growth_(growth_of(gap_length_m_)),
       covariance_(kFramesAtStart * growth_) {}
 
-void ShapeFilter::predict() {
-  covariance_ += growth_;
-}
-
 Backbone ShapeFilter::corrected(const Backbone& predicted, const Backbone& measured) {
   const Eigen::Index gaps = predicted.rows() - 1;
   // In units of the noise, which is then the identity.

@@ -26,7 +26,7 @@ class ShapeFilter {
   ShapeFilter(Eigen::VectorXd gap_length_m, double noise_m);
 
   /// One more frame is predicted: it is known less well.
-  void predict();
+  void predict() { covariance_ += growth_; }
   /// Between both.
   /// @pre the arm's number of points; `predicted` is where the last `predict` led
   Backbone corrected(const Backbone& predicted, const Backbone& measured);

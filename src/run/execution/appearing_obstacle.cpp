@@ -1,5 +1,7 @@
 #include "limber/run/appearing_obstacle.hpp"
 
+#include <algorithm>
+
 #include "limber/common/random_stream.hpp"
 #include "limber/world/collision.hpp"
 
@@ -12,12 +14,8 @@ constexpr int kCircleSamples = 20;  // for each frame
 
 /// Whether the plan's shapes of these frames are that far from the circle.
 bool plan_is_free(const CollisionChecker& checker, const Plan& plan, int from, int to) {
-  for (int k = from; k <= to; ++k) {
-    if (!checker.is_free(plan.frames[static_cast<std::size_t>(k)].backbone)) {
-      return false;
-    }
-  }
-  return true;
+  return std::all_of(plan.frames.begin() + from, plan.frames.begin() + to + 1,
+                     [&](const PlanFrame& frame) { return checker.is_free(frame.backbone); });
 }
 
 }  // namespace

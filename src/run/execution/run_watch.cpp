@@ -102,11 +102,11 @@ void RunWatch::judge(ExecutionResult& result) {
   if (result.prediction && !is_seen()) {
     result.prediction->final_m = std::numeric_limits<double>::quiet_NaN();
   }
-  const auto since_start = [&](std::optional<Contact> contact) {
-    if (contact) {
-      contact->time_s -= start_time_s_;
+  const auto since_start = [&](auto noted) {
+    if (noted) {
+      noted->time_s -= start_time_s_;
     }
-    return contact;
+    return noted;
   };
   if (const std::optional<double> since_s = goal_time_.inside_since_s(); since_s && is_seen()) {
     result.goal_time_s = std::max(0.0, *since_s - start_time_s_);
@@ -117,10 +117,7 @@ void RunWatch::judge(ExecutionResult& result) {
   if (!is_seen() && !result.collided) {
     result.closest.reset();  // it may have come closer since
   }
-  result.appeared = appearance_.appeared();
-  if (result.appeared) {
-    result.appeared->time_s -= start_time_s_;
-  }
+  result.appeared = since_start(appearance_.appeared());
 }
 
 }  // namespace limber

@@ -20,7 +20,7 @@ void require_state_of(const ArmDescription& arm, const ArmState& state);
 /// sends again, as it has no newer one, is such a frame too, and its time is filled in likewise.
 class EpisodeRecorder {
  public:
-  explicit EpisodeRecorder(const ArmDescription& arm);
+  explicit EpisodeRecorder(const ArmDescription& arm) : arm_(arm) {}
 
   /// @return whether the arm was seen in that frame
   /// @throws SystemFault as require_state_of: such a state is kept out of the recording.

@@ -48,7 +48,6 @@ class Replanner {
  public:
   Replanner(const ArmDescription& arm, const MotionModel& model, const Environment& environment,
             const ErrorRoom& room, const ReplannerSettings& settings, std::uint64_t seed);
-  ~Replanner();
 
   /// Whether an arm that is seen there (none: nowhere) in a frame of the plan may follow its rest.
   bool may_go_on(const Plan& plan, std::size_t frame, const std::optional<Backbone>& seen);
