@@ -17,6 +17,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/arm/names.hpp"
+#include "limber/common/cpu_level.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/seconds_since.hpp"
 #include "limber/common/utf8.hpp"
@@ -28,14 +29,12 @@ namespace {
 
 /// "user@host": who started a run on an arm, as far as the system knows.
 std::string who_started_this() {
-  std::array<char, 256> host{};
-  ::gethostname(host.data(), host.size() - 1);
   std::array<char, 4096> room{};
   passwd entry{};
   passwd* found = nullptr;
   ::getpwuid_r(::getuid(), &entry, room.data(), room.size(), &found);
   const std::string user = found != nullptr ? found->pw_name : fmt::format("user {}", ::getuid());
-  return fmt::format("{}@{}", user, host.data());
+  return fmt::format("{}@{}", user, host_name());
 }
 
 constexpr double kSetpointRounding = 1e-3;  // of float32 set points
