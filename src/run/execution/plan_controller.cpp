@@ -22,9 +22,7 @@ void PlanController::begin(const RunStart& start) {
   if (plan_ != nullptr) {
     throw InputError("a controller that follows plans runs once; make another one for another run");
   }
-  arm_ = &start.arm;
-  hold_s_ = start.hold_s;
-  in_real_time_ = start.in_real_time;
+  run_.emplace(start);
   plan_ = &start.plan;
   sent_kpa_ = start.plan.frames.front().setpoint_kpa;
 }
@@ -49,7 +47,7 @@ Decision PlanController::step(const Moment& now) {
         begin_hold();
         break;
       case Phase::holding:
-        if (held_ < arm_->frames_in(hold_until_s_)) {
+        if (held_ < run_->arm.frames_in(hold_until_s_)) {
           const std::size_t before = frame_;
           Decision decision = hold_frame(now.arm);
           held_ = frame_ == before ? held_ + 1 : 0;
@@ -65,7 +63,7 @@ Decision PlanController::step(const Moment& now) {
         phase_ = asks_again_ ? Phase::asking : Phase::waiting_for_sight;
         break;
       case Phase::waiting_for_sight:
-        if (!now.arm.measured().backbone && blind_ < arm_->frames_in(kLongestBlindS)) {
+        if (!now.arm.measured().backbone && blind_ < run_->arm.frames_in(kLongestBlindS)) {
           ++blind_;
           return hold_still(now.arm);
         }
@@ -147,7 +145,7 @@ void PlanController::end_frame(const Moment& now) {
     is_late_ = true;
     return;
   }
-  MotionAdvice advice = take_answer(in_real_time_);
+  MotionAdvice advice = take_answer(run_->in_real_time);
   if (goes_on_) {
     take(std::move(advice));
   }
@@ -203,7 +201,7 @@ void PlanController::begin_hold() {
   halted_ = !is_at_end();
   halts_ += halted_ ? 1 : 0;
   held_ = halted_ ? 0 : plan_->hold_frame_count;
-  hold_until_s_ = halted_ ? std::min(kHaltHoldS, hold_s_) : hold_s_;
+  hold_until_s_ = halted_ ? std::min(kHaltHoldS, run_->hold_s) : run_->hold_s;
   after_end_ = 0;
   blind_ = 0;
   asks_again_ = false;
@@ -229,8 +227,8 @@ std::optional<Decision> PlanController::end_asking(const Moment& now) {
       return end();
     }
     asks_again_ = true;  // it may still have moved a little
-    held_ = arm_->frames_in(kHaltHoldS);
-    hold_until_s_ = hold_s_;
+    held_ = run_->arm.frames_in(kHaltHoldS);
+    hold_until_s_ = run_->hold_s;
     phase_ = Phase::holding;
     return std::nullopt;
   }
@@ -250,7 +248,7 @@ Decision PlanController::end() const {
 }
 
 void PlanController::go_over_to(FollowedPlan next, const std::string& name) {
-  require_plan_of(next.plan, *arm_, name);
+  require_plan_of(next.plan, run_->arm, name);
   if (next.plan.frames.front().setpoint_kpa != sent_kpa_) {
     throw InputError(name + " does not start at the set points that the arm holds");
   }

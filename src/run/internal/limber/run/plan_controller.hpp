@@ -132,9 +132,7 @@ class PlanController : public Controller {
   Decision end() const;
   void go_over_to(FollowedPlan next, const std::string& name);
 
-  const ArmDescription* arm_ = nullptr;
-  double hold_s_ = 0.0;
-  bool in_real_time_ = false;
+  std::optional<RunStart> run_;
   std::list<FollowedPlan> plans_;  // those after the first
   const Plan* plan_ = nullptr;     // the one that is followed
   std::size_t frame_ = 0;          // the last one of it that was commanded
