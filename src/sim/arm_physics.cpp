@@ -30,11 +30,9 @@ ArmPhysics::ArmPhysics(const ArmDescription& arm, const VirtualArmParameters& pa
                                        arm.limits_of_channel(link.segment).largest_kpa())});
     }
   }
-  restore(rest());
 }
 
-VirtualArmState ArmPhysics::rest() const {
-  VirtualArmState state;
+void ArmPhysics::rest(VirtualArmState& state) const {
   const std::size_t joints = 2 * links_.size();
   state.position.resize(joints);
   state.velocity.resize(joints);
@@ -55,35 +53,22 @@ VirtualArmState ArmPhysics::rest() const {
     state.table_anchor_m.push_back(plate.position.y());
     state.table_anchor_rad.push_back(plate.theta_rad);
   }
-  return state;
 }
 
 void ArmPhysics::save(VirtualArmState& state) const {
   chain_.get_state(state.position, state.velocity, state.warm_start);
-  save_air(air_, state);
-  state.braid_anchor_m = braid_anchor_m_;
-  state.creep_m = creep_m_;
-  state.table_anchor_m = table_anchor_m_;
-  state.table_anchor_rad = table_anchor_rad_;
 }
 
 void ArmPhysics::restore(const VirtualArmState& state) {
   chain_.set_state(state.position, state.velocity, state.warm_start,
                    static_cast<double>(state.step) * time_step_s_);
-  air_ = saved_air(state);
-  braid_anchor_m_ = state.braid_anchor_m;
-  creep_m_ = state.creep_m;
-  table_anchor_m_ = state.table_anchor_m;
-  table_anchor_rad_ = state.table_anchor_rad;
   kinematics_.update(chain_.position(), chain_.velocity());
 }
 
-std::string ArmPhysics::step(const std::vector<double>& setpoint_kpa, bool vent) {
-  for (std::size_t s = 0; s < air_.size(); ++s) {
-    pneumatics_.step(s, setpoint_kpa[s], vent, air_[s]);
-  }
-  apply_side_forces();
-  apply_table_forces();
+std::string ArmPhysics::step(VirtualArmState& state) {
+  pneumatics_.step(state);
+  apply_side_forces(state);
+  apply_table_forces(state);
   if (std::string complaint = chain_.step(); !complaint.empty()) {
     return complaint;
   }
@@ -103,11 +88,11 @@ double ArmPhysics::side_length_change_m(std::size_t gap, double lever_m) const {
   return chain_.position()[2 * gap] - lever_m * bend;
 }
 
-void ArmPhysics::apply_side_forces() {
+void ArmPhysics::apply_side_forces(VirtualArmState& state) {
   double* joint_force = chain_.applied_force();
   const double* velocity = chain_.velocity();
   for (std::size_t gap = 0; gap < links_.size(); ++gap) {
-    const double pressure = air_[static_cast<std::size_t>(links_[gap].segment)].pressure_kpa;
+    const double pressure = state.pressure_kpa[static_cast<std::size_t>(links_[gap].segment)];
     const std::array pressures = {std::max(-pressure, 0.0), std::max(pressure, 0.0)};
     joint_force[2 * gap] = 0.0;
     joint_force[2 * gap + 1] = 0.0;
@@ -117,7 +102,7 @@ void ArmPhysics::apply_side_forces() {
       const double rate = velocity[2 * gap] - lever * velocity[2 * gap + 1];
       const double tension =
           side_law_.tension_n(sides_[side].law, side_length_change_m(gap, lever), rate,
-                              pressures[k], {braid_anchor_m_[side], creep_m_[side]});
+                              pressures[k], {state.braid_anchor_m[side], state.creep_m[side]});
       joint_force[2 * gap] -= tension;
       joint_force[2 * gap + 1] += lever * tension;
     }
@@ -136,22 +121,23 @@ SpringSlider ArmPhysics::torsion_slider(const ChainLink& link, double rate_rad_p
 }
 
 // (V6), (V11)
-void ArmPhysics::apply_table_forces() {
+void ArmPhysics::apply_table_forces(VirtualArmState& state) {
   for (std::size_t gap = 0; gap < links_.size(); ++gap) {
     const PlaneKinematics::Plate& plate = kinematics_.plates()[gap + 1];
-    loads_[gap].force_n = table_slider(links_[gap], plate.velocity.norm())
-                              .force(plate.position, plate.velocity,
-                                     Eigen::Map<Eigen::Vector2d>(table_anchor_m_.data() + 2 * gap));
+    loads_[gap].force_n =
+        table_slider(links_[gap], plate.velocity.norm())
+            .force(plate.position, plate.velocity,
+                   Eigen::Map<Eigen::Vector2d>(state.table_anchor_m.data() + 2 * gap));
     const SpringSlider torsion = torsion_slider(links_[gap], plate.rate_rad_per_s);
     loads_[gap].torque_n_m =
         torsion.stiffness > 0.0
-            ? torsion.force(plate.theta_rad, plate.rate_rad_per_s, table_anchor_rad_[gap])
+            ? torsion.force(plate.theta_rad, plate.rate_rad_per_s, state.table_anchor_rad[gap])
             : 0.0;
   }
   kinematics_.add_joint_forces(loads_, chain_.applied_force());
 }
 
-double ArmPhysics::energy_j() const {
+double ArmPhysics::energy_j(const VirtualArmState& state) const {
   double energy = 0.0;
   for (std::size_t gap = 0; gap < links_.size(); ++gap) {
     const ChainLink& link = links_[gap];
@@ -164,14 +150,14 @@ double ArmPhysics::energy_j() const {
                      parameters_.slide_armature_kg * slide_rate * slide_rate +
                      parameters_.hinge_armature_kg_m2 * hinge_rate * hinge_rate +
                      parameters_.hinge_stiffness_n_m_per_rad * bend * bend);
-    const Eigen::Map<const Eigen::Vector2d> anchor(table_anchor_m_.data() + 2 * gap);
+    const Eigen::Map<const Eigen::Vector2d> anchor(state.table_anchor_m.data() + 2 * gap);
     energy += table_slider(link, 0.0).energy((plate.position - anchor).norm(), 0.0) +
-              torsion_slider(link, 0.0).energy(plate.theta_rad, table_anchor_rad_[gap]) -
+              torsion_slider(link, 0.0).energy(plate.theta_rad, state.table_anchor_rad[gap]) -
               link.mass_kg * gravity_m_per_s2_.head<2>().dot(plate.position);
     for (std::size_t side = 2 * gap; side < 2 * gap + 2; ++side) {
       const double stretch = side_length_change_m(gap, sides_[side].lever_m);
-      energy +=
-          side_law_.energy_j(sides_[side].law, stretch, braid_anchor_m_[side], creep_m_[side]);
+      energy += side_law_.energy_j(sides_[side].law, stretch, state.braid_anchor_m[side],
+                                   state.creep_m[side]);
     }
   }
   return energy;

@@ -21,19 +21,17 @@ class ArmPhysics {
  public:
   ArmPhysics(const ArmDescription& arm, const VirtualArmParameters& parameters, double time_step_s);
 
-  /// One step toward `setpoint_kpa` (signed, size n). @param vent  as Pneumatics::step's `exact`.
+  /// One step from `state`, whose joints stay as they are: `save` writes them.
   /// @return what went wrong; empty if nothing did
-  [[nodiscard]] std::string step(const std::vector<double>& setpoint_kpa, bool vent);
+  [[nodiscard]] std::string step(VirtualArmState& state);
 
-  /// The simulator's part of the state.
   void save(VirtualArmState& state) const;
   void restore(const VirtualArmState& state);
-  /// The state at rest: straight and vented.
-  VirtualArmState rest() const;
+  /// Writes the simulator's part of a new state at rest: straight and vented.
+  void rest(VirtualArmState& state) const;
 
   const PlaneKinematics& kinematics() const { return kinematics_; }
-  const std::vector<SegmentAir>& air() const { return air_; }
-  double energy_j() const;
+  double energy_j(const VirtualArmState& state) const;
   /// Mean strain of a segment's left (+1) or right (−1) side.
   double side_strain(int segment, double side) const;
 
@@ -46,8 +44,8 @@ class ArmPhysics {
   };
 
   double side_length_change_m(std::size_t gap, double lever_m) const;
-  void apply_side_forces();
-  void apply_table_forces();
+  void apply_side_forces(VirtualArmState& state);
+  void apply_table_forces(VirtualArmState& state);
   SpringSlider table_slider(const ChainLink& link, double speed_m_per_s) const;
   SpringSlider torsion_slider(const ChainLink& link, double rate_rad_per_s) const;
 
@@ -62,12 +60,6 @@ class ArmPhysics {
   MujocoChain chain_;
   PlaneKinematics kinematics_;
   std::vector<PlaneKinematics::Load> loads_;
-
-  std::vector<SegmentAir> air_;
-  std::vector<double> braid_anchor_m_;
-  std::vector<double> creep_m_;
-  std::vector<double> table_anchor_m_;
-  std::vector<double> table_anchor_rad_;
 };
 
 }  // namespace limber

@@ -32,13 +32,13 @@ void check_options(const VirtualArmOptions& options) {
   check_option("later_from_s", options.later_from_s, kLongestLossS);
 }
 
-ArmState Measurement::pressures(double time_s, const std::vector<SegmentAir>& air) {
+ArmState Measurement::pressures(double time_s, const std::vector<double>& true_kpa) {
   ArmState state;
   state.time_s = time_s;
-  state.pressure_kpa.resize(static_cast<Eigen::Index>(air.size()));
-  for (std::size_t s = 0; s < air.size(); ++s) {
+  state.pressure_kpa.resize(static_cast<Eigen::Index>(true_kpa.size()));
+  for (std::size_t s = 0; s < true_kpa.size(); ++s) {
     state.pressure_kpa[static_cast<Eigen::Index>(s)] =
-        static_cast<float>(air[s].pressure_kpa + noise(options_.noise_kpa));
+        static_cast<float>(true_kpa[s] + noise(options_.noise_kpa));
   }
   return state;
 }
@@ -49,8 +49,8 @@ bool Measurement::is_lost(double time_s) {
   return is_dropped || (since_s >= 0.0 && since_s < options_.lost_for_s);
 }
 
-ArmState Measurement::of(double time_s, const std::vector<SegmentAir>& air, BackboneD plates) {
-  ArmState state = pressures(time_s, air);
+ArmState Measurement::of(double time_s, const std::vector<double>& true_kpa, BackboneD plates) {
+  ArmState state = pressures(time_s, true_kpa);
   for (Eigen::Index row = 0; row < plates.rows(); ++row) {
     plates(row, 0) += noise(options_.noise_m);
     plates(row, 1) += noise(options_.noise_m);
@@ -62,8 +62,9 @@ ArmState Measurement::of(double time_s, const std::vector<SegmentAir>& air, Back
   return state;
 }
 
-ArmState Measurement::of(double time_s, const std::vector<SegmentAir>& air, SpaceBackboneD plates) {
-  ArmState state = pressures(time_s, air);
+ArmState Measurement::of(double time_s, const std::vector<double>& true_kpa,
+                         SpaceBackboneD plates) {
+  ArmState state = pressures(time_s, true_kpa);
   for (Eigen::Index row = 0; row < plates.rows(); ++row) {
     SpacePose pose = space_pose_of(plates.row(row));
     Eigen::Vector3d turn_rad;

@@ -2,21 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "limber/sim/virtual_arm.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
 
 namespace limber {
 
-/// Pressure of one segment (that of its right side if positive), in space of one chamber, and the
-/// flow of its valves.
-struct SegmentAir {
-  double pressure_kpa = 0.0;
-  double flow_kpa_per_s = 0.0;
-};
-
-/// Valves of one segment, in space of one chamber, and the PD controller that drives them:
+/// Valves of segments, in space of chambers, and the PD controller that drives them:
 /// docs/virtual-arm.md, (V8), (V9).
 ///
 /// One signed pressure stands for both sides, so they are never pressurised together: a set point
@@ -32,26 +24,29 @@ class Pneumatics {
         vent_limit_kpa_per_s_(own_or_common(parameters.vent_rate_limit_kpa_per_s)),
         leak_response_(leak_response(parameters, time_step_s)) {}
 
-  /// One simulator step of channel `channel` toward `setpoint_kpa` (signed); errors within the dead
-  /// band close the valves, unless `exact` (a safety vent).
-  void step(std::size_t channel, double setpoint_kpa, bool exact, SegmentAir& air) const {
-    const double error = setpoint_kpa - air.pressure_kpa;
-    const bool closed = !exact && std::abs(error) <= parameters_.pressure_dead_band_kpa;
-    const double demand = closed
-                              ? 0.0
-                              : parameters_.controller_proportional_gain * error -
-                                    parameters_.controller_derivative_gain_s * air.flow_kpa_per_s;
-    const bool vents = demand * air.pressure_kpa < 0.0;
-    const double time_constant =
-        vents ? parameters_.vent_time_constant_s : parameters_.inflate_time_constant_s;
-    const double limit = vents ? vent_limit_kpa_per_s_ : inflate_limit_kpa_per_s_;
-    const double flow = std::clamp(demand / time_constant, -limit, limit);
-    // Exact for a demand that is constant over the step, and second order in the pressure.
-    const double before = air.flow_kpa_per_s;
-    air.flow_kpa_per_s += valve_response_ * (flow - before);
-    air.pressure_kpa += 0.5 * time_step_s_ * (before + air.flow_kpa_per_s);
-    if (channel == static_cast<std::size_t>(parameters_.leaking_channel)) {
-      air.pressure_kpa *= leak_response_;
+  /// One simulator step of all channels toward their set points; errors within the dead band close
+  /// the valves, unless it is vented for safety.
+  void step(VirtualArmState& state) const {
+    for (std::size_t channel = 0; channel < state.pressure_kpa.size(); ++channel) {
+      double& pressure_kpa = state.pressure_kpa[channel];
+      double& flow_kpa_per_s = state.flow_kpa_per_s[channel];
+      const double error = state.setpoint_kpa[channel] - pressure_kpa;
+      const bool closed = !state.vented && std::abs(error) <= parameters_.pressure_dead_band_kpa;
+      const double demand = closed ? 0.0
+                                   : parameters_.controller_proportional_gain * error -
+                                         parameters_.controller_derivative_gain_s * flow_kpa_per_s;
+      const bool vents = demand * pressure_kpa < 0.0;
+      const double time_constant =
+          vents ? parameters_.vent_time_constant_s : parameters_.inflate_time_constant_s;
+      const double limit = vents ? vent_limit_kpa_per_s_ : inflate_limit_kpa_per_s_;
+      const double flow = std::clamp(demand / time_constant, -limit, limit);
+      // Exact for a demand that is constant over the step, and second order in the pressure.
+      const double before = flow_kpa_per_s;
+      flow_kpa_per_s += valve_response_ * (flow - before);
+      pressure_kpa += 0.5 * time_step_s_ * (before + flow_kpa_per_s);
+      if (channel == static_cast<std::size_t>(parameters_.leaking_channel)) {
+        pressure_kpa *= leak_response_;
+      }
     }
   }
 
@@ -76,22 +71,5 @@ class Pneumatics {
   double vent_limit_kpa_per_s_;
   double leak_response_;
 };
-
-inline void save_air(const std::vector<SegmentAir>& air, VirtualArmState& state) {
-  state.pressure_kpa.clear();
-  state.flow_kpa_per_s.clear();
-  for (const SegmentAir& one : air) {
-    state.pressure_kpa.push_back(one.pressure_kpa);
-    state.flow_kpa_per_s.push_back(one.flow_kpa_per_s);
-  }
-}
-
-inline std::vector<SegmentAir> saved_air(const VirtualArmState& state) {
-  std::vector<SegmentAir> air;
-  for (std::size_t i = 0; i < state.pressure_kpa.size(); ++i) {
-    air.push_back({state.pressure_kpa[i], state.flow_kpa_per_s[i]});
-  }
-  return air;
-}
 
 }  // namespace limber

@@ -28,7 +28,6 @@ SpacePhysics::SpacePhysics(const ArmDescription& arm, const VirtualArmParameters
       pneumatics_(parameters, time_step_s),
       chain_(arm, parameters, time_step_s) {
   add_chambers(arm);
-  restore(rest());
 }
 
 void SpacePhysics::add_chambers(const ArmDescription& arm) {
@@ -59,8 +58,7 @@ void SpacePhysics::add_chambers(const ArmDescription& arm) {
   }
 }
 
-VirtualArmState SpacePhysics::rest() const {
-  VirtualArmState state;
+void SpacePhysics::rest(VirtualArmState& state) const {
   const std::size_t joints = kSpaceJoints * links_.size();
   state.position.resize(joints);
   state.velocity.resize(joints);
@@ -75,32 +73,21 @@ VirtualArmState SpacePhysics::rest() const {
   state.flow_kpa_per_s.resize(channels_);
   state.braid_anchor_m.resize(chambers_.size());
   state.creep_m.resize(chambers_.size());
-  return state;
 }
 
 void SpacePhysics::save(VirtualArmState& state) const {
   chain_.get_state(state.position, state.velocity, state.warm_start);
-  save_air(air_, state);
-  state.braid_anchor_m = braid_anchor_m_;
-  state.creep_m = creep_m_;
-  state.joint_anchor_rad = joint_anchor_rad_;
 }
 
 void SpacePhysics::restore(const VirtualArmState& state) {
   chain_.set_state(state.position, state.velocity, state.warm_start,
                    static_cast<double>(state.step) * time_step_s_);
-  air_ = saved_air(state);
-  braid_anchor_m_ = state.braid_anchor_m;
-  creep_m_ = state.creep_m;
-  joint_anchor_rad_ = state.joint_anchor_rad;
 }
 
-std::string SpacePhysics::step(const std::vector<double>& setpoint_kpa, bool vent) {
-  for (std::size_t channel = 0; channel < air_.size(); ++channel) {
-    pneumatics_.step(channel, setpoint_kpa[channel], vent, air_[channel]);
-  }
-  apply_joint_forces();
-  apply_chamber_forces();
+std::string SpacePhysics::step(VirtualArmState& state) {
+  pneumatics_.step(state);
+  apply_joint_forces(state);
+  apply_chamber_forces(state);
   if (std::string complaint = chain_.step(); !complaint.empty()) {
     return complaint;
   }
@@ -123,17 +110,17 @@ double SpacePhysics::stretch_m(const ChamberInGap& chamber) const {
 }
 
 // (V13), by virtual work
-void SpacePhysics::apply_chamber_forces() {
+void SpacePhysics::apply_chamber_forces(VirtualArmState& state) {
   for (std::size_t i = 0; i < chambers_.size(); ++i) {
     const ChamberInGap& chamber = chambers_[i];
     const double* rate = chain_.velocity() + kSpaceJoints * chamber.gap;
-    double pressure = air_[chamber.channel].pressure_kpa;
+    double pressure = state.pressure_kpa[chamber.channel];
     if (!chamber.law.extends) {
       pressure = std::max(pressure, 0.0);  // valves may undershoot
     }
     const double tension = side_law_.tension_n(
         chamber.law, stretch_m(chamber), rate[0] + chamber.z_m * rate[1] - chamber.y_m * rate[2],
-        pressure, {braid_anchor_m_[i], creep_m_[i]});
+        pressure, {state.braid_anchor_m[i], state.creep_m[i]});
     double* force = chain_.applied_force() + kSpaceJoints * chamber.gap;
     force[0] -= tension;
     force[1] -= chamber.z_m * tension;
@@ -147,12 +134,12 @@ SpringSlider SpacePhysics::joint_slider() const {
 }
 
 // (V14), (V6)
-void SpacePhysics::apply_joint_forces() {
+void SpacePhysics::apply_joint_forces(VirtualArmState& state) {
   const SpringSlider slider = joint_slider();
   for (std::size_t gap = 0; gap < links_.size(); ++gap) {
     const double* joints = chain_.position() + kSpaceJoints * gap;
     const double* rate = chain_.velocity() + kSpaceJoints * gap;
-    double* anchor = joint_anchor_rad_.data() + kAnchors * gap;
+    double* anchor = state.joint_anchor_rad.data() + kAnchors * gap;
     const Eigen::Vector2d bend =
         slider.force(Eigen::Vector2d(joints[1], joints[2]), Eigen::Vector2d(rate[1], rate[2]),
                      Eigen::Map<Eigen::Vector2d>(anchor));
@@ -172,14 +159,14 @@ void SpacePhysics::write_plates(SpaceBackboneD& plates) const {
   write_space_plates(links_, parameters_.base_misalignment_rad, chain_.position(), plates);
 }
 
-double SpacePhysics::energy_j() const {
+double SpacePhysics::energy_j(const VirtualArmState& state) const {
   SpaceBackboneD plates;
   write_plates(plates);
   const SpringSlider slider = joint_slider();
   double energy = chain_.kinetic_energy_j();
   for (std::size_t gap = 0; gap < links_.size(); ++gap) {
     const double* joints = chain_.position() + kSpaceJoints * gap;
-    const double* anchor = joint_anchor_rad_.data() + kAnchors * gap;
+    const double* anchor = state.joint_anchor_rad.data() + kAnchors * gap;
     const Eigen::Vector2d bend(joints[1], joints[2]);
     const double twist = joints[3] + 0.5 * joints[1] * joints[2];
     energy += 0.5 * parameters_.hinge_stiffness_n_m_per_rad *
@@ -191,8 +178,8 @@ double SpacePhysics::energy_j() const {
     energy -= links_[gap].gap.mass_kg * gravity_m_per_s2_.dot(at_m);
   }
   for (std::size_t i = 0; i < chambers_.size(); ++i) {
-    energy += side_law_.energy_j(chambers_[i].law, stretch_m(chambers_[i]), braid_anchor_m_[i],
-                                 creep_m_[i]);
+    energy += side_law_.energy_j(chambers_[i].law, stretch_m(chambers_[i]), state.braid_anchor_m[i],
+                                 state.creep_m[i]);
   }
   return energy;
 }

@@ -21,20 +21,15 @@ class SpacePhysics {
   SpacePhysics(const ArmDescription& arm, const VirtualArmParameters& parameters,
                double time_step_s);
 
-  /// One step toward `setpoint_kpa` (size n, one per chamber). @param vent  as Pneumatics::step's
-  /// `exact`. @return what went wrong; empty if nothing did
-  [[nodiscard]] std::string step(const std::vector<double>& setpoint_kpa, bool vent);
-
-  /// The simulator's part of the state.
+  /// These four as ArmPhysics has them.
+  [[nodiscard]] std::string step(VirtualArmState& state);
   void save(VirtualArmState& state) const;
   void restore(const VirtualArmState& state);
-  /// The state at rest: straight and vented.
-  VirtualArmState rest() const;
+  void rest(VirtualArmState& state) const;
 
-  const std::vector<SegmentAir>& air() const { return air_; }
   /// m×7.
   void write_plates(SpaceBackboneD& plates) const;
-  double energy_j() const;
+  double energy_j(const VirtualArmState& state) const;
   /// Mean strain of a chamber at its place; positive where it is extended.
   double chamber_strain(int channel) const;
 
@@ -51,8 +46,8 @@ class SpacePhysics {
   void add_chambers(const ArmDescription& arm);
   /// (V13): of its length, from slide and bend alone.
   double stretch_m(const ChamberInGap& chamber) const;
-  void apply_chamber_forces();
-  void apply_joint_forces();
+  void apply_chamber_forces(VirtualArmState& state);
+  void apply_joint_forces(VirtualArmState& state);
   SpringSlider joint_slider() const;
 
   VirtualArmParameters parameters_;
@@ -64,11 +59,6 @@ class SpacePhysics {
   SideLaw side_law_;
   Pneumatics pneumatics_;
   MujocoChain chain_;
-
-  std::vector<SegmentAir> air_;
-  std::vector<double> braid_anchor_m_;
-  std::vector<double> creep_m_;
-  std::vector<double> joint_anchor_rad_;  // bend about y and z, and twist, of each gap
 };
 
 }  // namespace limber

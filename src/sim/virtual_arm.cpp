@@ -45,15 +45,10 @@ void write_shape(const ArmPhysics& physics, BackboneD& backbone) {
 
 class VirtualArm::Simulation {
   /// What `question` answers of the physics, of whichever kind it is.
-  template <class Question>
-  decltype(auto) ask(Question&& question) const {
-    return arm_.is_spatial() ? question(std::get<SpacePhysics>(physics_))
-                             : question(std::get<ArmPhysics>(physics_));
-  }
-  template <class Question>
-  decltype(auto) ask(Question&& question) {
-    return arm_.is_spatial() ? question(std::get<SpacePhysics>(physics_))
-                             : question(std::get<ArmPhysics>(physics_));
+  template <class Simulator, class Question>
+  static decltype(auto) ask(Simulator& of, Question&& question) {
+    return of.arm_.is_spatial() ? question(std::get<SpacePhysics>(of.physics_))
+                                : question(std::get<ArmPhysics>(of.physics_));
   }
 
  public:
@@ -63,18 +58,22 @@ class VirtualArm::Simulation {
         parameters_(virtual_arm_parameters(arm)),
         steps_per_frame_(steps_per_frame(arm, parameters_)),
         time_step_s_(arm.frame_period_s() / steps_per_frame_),
-        measurement_(options),
-        setpoint_kpa_(static_cast<std::size_t>(arm.channel_count())) {
+        measurement_(options) {
+    state_.setpoint_kpa.resize(static_cast<std::size_t>(arm.channel_count()));
     be(arm);
+    ask(*this, [&](auto& physics) {
+      physics.rest(state_);
+      physics.restore(state_);
+    });
     check_options(options);
     check_parts();
     dead_steps_ = std::llround(parameters_.valve_dead_time_s / time_step_s_);
     const auto latency_steps = static_cast<int>(std::lround(options.latency_s / time_step_s_));
     frames_late_ = latency_steps / steps_per_frame_;
     steps_late_ = latency_steps % steps_per_frame_;
-    delivered_ = measure();
+    state_.delivered = measure();
     for (int frame = 0; frame < frames_late_; ++frame) {
-      delayed_.push_back(delivered_);
+      state_.delayed.push_back(state_.delivered);
     }
   }
 
@@ -83,36 +82,31 @@ class VirtualArm::Simulation {
     if (!fault_.empty()) {
       throw SystemFault(fault_);
     }
-    pending_.push_back({step_ + dead_steps_, {commanded.begin(), commanded.end()}});
+    state_.pending_setpoints.push_back(
+        {state_.step + dead_steps_, {commanded.begin(), commanded.end()}});
     // The frame to deliver `frames_late_` frames from now is taken `steps_late_` before its end.
     for (int step = 1; step <= steps_per_frame_; ++step) {
       advance();
       if (step == steps_per_frame_ - steps_late_) {
-        delayed_.push_back(measure());
+        state_.delayed.push_back(measure());
       }
     }
-    delivered_ = std::move(delayed_.front());
-    delayed_.pop_front();
-    delivered_.time_s = time_s();
-    return delivered_;
+    state_.delivered = std::move(state_.delayed.front());
+    state_.delayed.pop_front();
+    state_.delivered.time_s = time_s();
+    return state_.delivered;
   }
 
   void vent() noexcept {
-    std::fill(setpoint_kpa_.begin(), setpoint_kpa_.end(), 0.0);
-    pending_.clear();
-    vented_ = true;
+    std::ranges::fill(state_.setpoint_kpa, 0.0);
+    state_.pending_setpoints.clear();
+    state_.vented = true;
   }
 
   VirtualArmState save() const {
-    VirtualArmState state;
-    ask([&](const auto& physics) { physics.save(state); });
-    state.step = step_;
-    state.setpoint_kpa = setpoint_kpa_;
-    state.pending_setpoints = pending_;
-    state.vented = vented_;
+    VirtualArmState state = state_;
+    ask(*this, [&](const auto& physics) { physics.save(state); });
     state.noise_position = measurement_.position();
-    state.delayed = delayed_;
-    state.delivered = delivered_;
     return state;
   }
 
@@ -127,19 +121,14 @@ class VirtualArm::Simulation {
                       state.position.size(), state.pressure_kpa.size(), state.delayed.size(),
                       arm_.name, own.position.size(), own.pressure_kpa.size(), own.delayed.size()));
     }
-    step_ = state.step;
+    state_ = state;
     become_later();
-    ask([&](auto& physics) { physics.restore(state); });
-    setpoint_kpa_ = state.setpoint_kpa;
-    pending_ = state.pending_setpoints;
-    vented_ = state.vented;
+    ask(*this, [&](auto& physics) { physics.restore(state); });
     measurement_.seek(state.noise_position);
-    delayed_ = state.delayed;
-    delivered_ = state.delivered;
     fault_.clear();
   }
 
-  double time_s() const { return static_cast<double>(step_) * time_step_s_; }
+  double time_s() const { return static_cast<double>(state_.step) * time_step_s_; }
   double time_step_s() const { return time_step_s_; }
   double frame_period_s() const { return arm_.frame_period_s(); }
   /// @throws InputError for an arm of the other kind.
@@ -153,22 +142,15 @@ class VirtualArm::Simulation {
     }
     return std::get<SpacePhysics>(physics_);
   }
-  const std::vector<SegmentAir>& air() const {
-    return ask([](const auto& physics) -> const auto& { return physics.air(); });
-  }
-  std::vector<double> pressure_kpa() const {
-    std::vector<double> pressures(air().size());
-    std::ranges::transform(air(), pressures.begin(), &SegmentAir::pressure_kpa);
-    return pressures;
-  }
+  const std::vector<double>& pressure_kpa() const { return state_.pressure_kpa; }
   double energy_j() const {
-    return ask([](const auto& physics) { return physics.energy_j(); });
+    return ask(*this, [&](const auto& physics) { return physics.energy_j(state_); });
   }
-  const ArmState& delivered() const { return delivered_; }
+  const ArmState& delivered() const { return state_.delivered; }
   void set_observer(StepObserver observer) { observer_ = std::move(observer); }
 
  private:
-  /// From rest.
+  /// Its state is still to be restored.
   void be(const ArmDescription& arm) {
     const VirtualArmParameters parameters = virtual_arm_parameters(arm);
     if (arm.is_spatial()) {
@@ -193,10 +175,11 @@ class VirtualArm::Simulation {
   }
 
   void take_arrived_setpoints() {
-    while (!pending_.empty() && pending_.front().step <= step_) {
-      setpoint_kpa_ = std::move(pending_.front().setpoint_kpa);
-      pending_.pop_front();
-      vented_ = false;
+    std::deque<PendingSetpoint>& pending = state_.pending_setpoints;
+    while (!pending.empty() && pending.front().step <= state_.step) {
+      state_.setpoint_kpa = std::move(pending.front().setpoint_kpa);
+      pending.pop_front();
+      state_.vented = false;
     }
   }
 
@@ -206,18 +189,16 @@ class VirtualArm::Simulation {
     if (std::exchange(is_later_, is_later) == is_later) {
       return;
     }
-    VirtualArmState state;
-    ask([&](const auto& physics) { physics.save(state); });
+    const VirtualArmState now = save();
     be(is_later ? *options_.later : arm_);
-    ask([&](auto& physics) { physics.restore(state); });
+    ask(*this, [&](auto& physics) { physics.restore(now); });
   }
 
   void advance() {
     become_later();
     take_arrived_setpoints();
-    const std::string complaint =
-        ask([&](auto& physics) { return physics.step(setpoint_kpa_, vented_); });
-    ++step_;
+    const std::string complaint = ask(*this, [&](auto& physics) { return physics.step(state_); });
+    ++state_.step;
     if (!complaint.empty()) {
       fail(complaint);
     }
@@ -233,7 +214,7 @@ class VirtualArm::Simulation {
         "[{:.4g}] kPa, set points [{:.4g}] kPa, time step {:.3g} s: check "
         "virtual_arm in the arm file, or make its time_step_s smaller",
         arm_.name, time_s(), complaint, fmt::join(pressure_kpa(), ", "),
-        fmt::join(setpoint_kpa_, ", "), time_step_s_);
+        fmt::join(state_.setpoint_kpa, ", "), time_step_s_);
     vent();
     throw SystemFault(fault_);
   }
@@ -243,11 +224,11 @@ class VirtualArm::Simulation {
     if (arm_.is_spatial()) {
       SpaceBackboneD plates;
       std::get<SpacePhysics>(physics_).write_plates(plates);
-      return measurement_.of(time_s(), air(), std::move(plates));
+      return measurement_.of(time_s(), pressure_kpa(), std::move(plates));
     }
     BackboneD backbone;
     write_shape(std::get<ArmPhysics>(physics_), backbone);
-    return measurement_.of(time_s(), air(), std::move(backbone));
+    return measurement_.of(time_s(), pressure_kpa(), std::move(backbone));
   }
 
   ArmDescription arm_;
@@ -265,12 +246,7 @@ class VirtualArm::Simulation {
   BackboneD seen_;  // what the observer is shown
   std::string fault_;
 
-  std::int64_t step_ = 0;
-  std::vector<double> setpoint_kpa_;  // what the pressure controller goes by
-  std::deque<PendingSetpoint> pending_;
-  bool vented_ = false;
-  std::deque<ArmState> delayed_;
-  ArmState delivered_;
+  VirtualArmState state_;  // but for joints and noise_position, which `save` asks for
 };
 
 VirtualArm::VirtualArm(const ArmDescription& arm, const VirtualArmOptions& options) {
@@ -328,7 +304,7 @@ SpaceBackboneD VirtualArm::true_plates() const {
 }
 
 Eigen::VectorXd VirtualArm::true_pressure_kpa() const {
-  const std::vector<double> kpa = simulation_->pressure_kpa();
+  const std::vector<double>& kpa = simulation_->pressure_kpa();
   return Eigen::Map<const Eigen::VectorXd>(kpa.data(), std::ssize(kpa));
 }
 

@@ -11,26 +11,35 @@ constexpr double kStepS = 1e-3;
 const VirtualArmParameters kParameters;
 const Pneumatics kPneumatics(kParameters, kStepS);
 
+/// One channel on its way.
+VirtualArmState air_at(double pressure_kpa, double setpoint_kpa) {
+  VirtualArmState air;
+  air.pressure_kpa = {pressure_kpa};
+  air.flow_kpa_per_s = {0.0};
+  air.setpoint_kpa = {setpoint_kpa};
+  return air;
+}
+
 /// Time until the pressure is within `tolerance_kpa` of the set point.
 double time_to_reach(double from_kpa, double setpoint_kpa, double tolerance_kpa) {
-  SegmentAir air{from_kpa, 0.0};
+  VirtualArmState air = air_at(from_kpa, setpoint_kpa);
   int steps = 0;
-  while (std::abs(air.pressure_kpa - setpoint_kpa) > tolerance_kpa && steps < 100000) {
-    kPneumatics.step(0, setpoint_kpa, false, air);
+  while (std::abs(air.pressure_kpa[0] - setpoint_kpa) > tolerance_kpa && steps < 100000) {
+    kPneumatics.step(air);
     ++steps;
   }
   return steps * kStepS;
 }
 
 TEST(Pneumatics, NeverFasterThanItsLimitAndNeverPastTheSetPoint) {
-  SegmentAir air{-100.0, 0.0};
+  VirtualArmState air = air_at(-100.0, 100.0);
   for (int i = 0; i < 5000; ++i) {
-    const double before = air.pressure_kpa;
-    kPneumatics.step(0, 100.0, false, air);
-    EXPECT_LE(air.pressure_kpa - before,
+    const double before = air.pressure_kpa[0];
+    kPneumatics.step(air);
+    EXPECT_LE(air.pressure_kpa[0] - before,
               kParameters.pressure_rate_limit_kpa_per_s * kStepS * 1.001);
-    EXPECT_GE(air.pressure_kpa, before);
-    EXPECT_LE(air.pressure_kpa, 100.0);
+    EXPECT_GE(air.pressure_kpa[0], before);
+    EXPECT_LE(air.pressure_kpa[0], 100.0);
   }
 }
 
@@ -49,15 +58,15 @@ TEST(Pneumatics, EachDirectionKeepsItsOwnLimit) {
   parameters.inflate_rate_limit_kpa_per_s = 60.0;
   parameters.vent_rate_limit_kpa_per_s = 140.0;
   const Pneumatics pneumatics(parameters, kStepS);
-  SegmentAir air{-90.0, 0.0};
+  VirtualArmState air = air_at(-90.0, 90.0);
   double fastest_vent = 0.0;
   double fastest_inflate = 0.0;
   for (int i = 0; i < 5000; ++i) {
-    const double before = air.pressure_kpa;
-    pneumatics.step(0, 90.0, false, air);
-    double& fastest = air.pressure_kpa < -1.0 ? fastest_vent : fastest_inflate;
-    if (std::abs(air.pressure_kpa) > 20.0) {  // around zero the valve's lag mixes the two
-      fastest = std::max(fastest, (air.pressure_kpa - before) / kStepS);
+    const double before = air.pressure_kpa[0];
+    pneumatics.step(air);
+    double& fastest = air.pressure_kpa[0] < -1.0 ? fastest_vent : fastest_inflate;
+    if (std::abs(air.pressure_kpa[0]) > 20.0) {  // around zero the valve's lag mixes the two
+      fastest = std::max(fastest, (air.pressure_kpa[0] - before) / kStepS);
     }
   }
   constexpr double kRounding = 1e-6;
@@ -67,26 +76,27 @@ TEST(Pneumatics, EachDirectionKeepsItsOwnLimit) {
 
 TEST(Pneumatics, HoldsStillWithinTheDeadBandUnlessItVents) {
   const double inside = 0.9 * kParameters.pressure_dead_band_kpa;
-  SegmentAir air{inside, 0.0};
+  VirtualArmState air = air_at(inside, 0.0);
   for (int i = 0; i < 1000; ++i) {
-    kPneumatics.step(0, 0.0, false, air);
+    kPneumatics.step(air);
   }
-  EXPECT_EQ(air.pressure_kpa, inside);
+  EXPECT_EQ(air.pressure_kpa[0], inside);
+  air.vented = true;
   for (int i = 0; i < 3000; ++i) {
-    kPneumatics.step(0, 0.0, true, air);
+    kPneumatics.step(air);
   }
-  EXPECT_NEAR(air.pressure_kpa, 0.0, 1e-6);
+  EXPECT_NEAR(air.pressure_kpa[0], 0.0, 1e-6);
 }
 
 TEST(Pneumatics, SettlesWithinTheDeadBandFromEverywhere) {
   for (double from = -100.0; from <= 100.0; from += 12.5) {
     for (double to = -100.0; to <= 100.0; to += 12.5) {
-      SegmentAir air{from, 0.0};
+      VirtualArmState air = air_at(from, to);
       for (int i = 0; i < 4000; ++i) {
-        kPneumatics.step(0, to, false, air);
+        kPneumatics.step(air);
       }
-      EXPECT_NEAR(air.pressure_kpa, to, kParameters.pressure_dead_band_kpa * 1.001);
-      EXPECT_NEAR(air.flow_kpa_per_s, 0.0, 1e-9);
+      EXPECT_NEAR(air.pressure_kpa[0], to, kParameters.pressure_dead_band_kpa * 1.001);
+      EXPECT_NEAR(air.flow_kpa_per_s[0], 0.0, 1e-9);
     }
   }
 }
