@@ -114,8 +114,7 @@ std::string to_string(const std::vector<Disturbance>& disturbances) {
 }
 
 bool has_kind(const std::vector<Disturbance>& disturbances, DisturbanceKind kind) {
-  return std::any_of(disturbances.begin(), disturbances.end(),
-                     [&](const Disturbance& one) { return one.kind == kind; });
+  return std::ranges::count(disturbances, kind, &Disturbance::kind) > 0;
 }
 
 DisturbedArm disturbed(const ArmDescription& arm, const Plan& plan,

@@ -7,6 +7,7 @@
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -91,52 +92,38 @@ void multiply_each(Parameters& physics, double factor, double power,
   }
 }
 
-void multiply_materials(Parameters& physics, double factor, RandomStream& random) {
+void multiply_materials(Parameters& physics, double factor, bool in_space, RandomStream& random) {
   multiply_each(physics, factor, kMaterial,
                 {&Parameters::side_elasticity_n, &Parameters::hinge_stiffness_n_m_per_rad,
-                 &Parameters::hinge_damping_n_m_s_per_rad, &Parameters::friction_stiffness_n_per_m,
-                 &Parameters::friction_torsion_arm},
+                 &Parameters::hinge_damping_n_m_s_per_rad},
                 random);
+  if (in_space) {
+    multiply(physics.twist_stiffness_n_m_per_rad, factor, kMaterial, random);
+  } else {
+    multiply_each(physics, factor, kMaterial,
+                  {&Parameters::friction_stiffness_n_per_m, &Parameters::friction_torsion_arm},
+                  random);
+  }
 }
 
-void multiply_materials_in_space(Parameters& physics, double factor, RandomStream& random) {
-  multiply_each(
-      physics, factor, kMaterial,
-      {&Parameters::side_elasticity_n, &Parameters::hinge_stiffness_n_m_per_rad,
-       &Parameters::hinge_damping_n_m_s_per_rad, &Parameters::twist_stiffness_n_m_per_rad},
-      random);
-}
-
-/// What arms in the plane and in space do not share.
-struct OwnParts {
-  double Parameters::*friction;
-  void (*multiply_materials)(Parameters&, double factor, RandomStream&);
-};
-
-void draw(Parameters& physics, const PhysicsFactor& of, const OwnParts& own, RandomStream& random) {
+void draw(Parameters& physics, const PhysicsFactor& of, bool in_space, RandomStream& random) {
   multiply_each(physics, of.factor, kFriction,
-                {own.friction, &Parameters::plate_payload_kg, &Parameters::hysteresis_fraction},
+                {in_space ? &Parameters::joint_friction_n_m : &Parameters::friction_coefficient,
+                 &Parameters::plate_payload_kg, &Parameters::hysteresis_fraction},
                 random);
-  own.multiply_materials(physics, of.factor, random);
+  multiply_materials(physics, of.factor, in_space, random);
   multiply_each(physics, of.factor, kValves,
                 {&Parameters::inflate_time_constant_s, &Parameters::vent_time_constant_s}, random);
   multiply(physics.actuator_gain, of.factor, kStrength, random);
+  if (in_space) {
+    multiply_each(physics, of.factor, kStrength,
+                  {&Parameters::chamber_area_m2, &Parameters::actuator_strain_scale}, random);
+  }
   physics.strength_spread = std::max(physics.strength_spread, kLeastStrengthSpread);
 }
 
-void draw(Parameters& physics, const PhysicsFactor& of, RandomStream& random) {
-  draw(physics, of, {&Parameters::friction_coefficient, multiply_materials}, random);
-}
-
-void draw_in_space(Parameters& physics, const PhysicsFactor& of, RandomStream& random) {
-  draw(physics, of, {&Parameters::joint_friction_n_m, multiply_materials_in_space}, random);
-  multiply_each(physics, of.factor, kStrength,
-                {&Parameters::chamber_area_m2, &Parameters::actuator_strain_scale}, random);
-}
-
 /// Ranges are widened to hold the arm file's own value.
-template <std::size_t n>
-void draw_ranges(Parameters& physics, const std::array<Range, n>& ranges, RandomStream& random) {
+void draw_ranges(Parameters& physics, std::span<const Range> ranges, RandomStream& random) {
   for (const Range& range : ranges) {
     double& value = physics.*(range.member);
     const double low = std::min(range.low, value);
@@ -147,21 +134,19 @@ void draw_ranges(Parameters& physics, const std::array<Range, n>& ranges, Random
   }
 }
 
-void draw_in_space(Parameters& physics, const WidePhysics&, RandomStream& random) {
-  draw_ranges(physics, kWideRangesInSpace, random);
-  multiply(physics.joint_friction_n_m, kWideFactorInSpace, kFriction, random);
-  multiply(physics.plate_payload_kg, kWideFactorInSpace, kFriction, random);
-  multiply_materials_in_space(physics, kWideMaterialFactor, random);
+void draw(Parameters& physics, const WidePhysics&, bool in_space, RandomStream& random) {
+  if (in_space) {
+    draw_ranges(physics, kWideRangesInSpace, random);
+    multiply(physics.joint_friction_n_m, kWideFactorInSpace, kFriction, random);
+    multiply(physics.plate_payload_kg, kWideFactorInSpace, kFriction, random);
+  } else {
+    draw_ranges(physics, kWideRanges, random);
+  }
+  multiply_materials(physics, kWideMaterialFactor, in_space, random);
   physics.actuator_gain *= 1.0 + random.uniform(-kWideGain, kWideGain);
-  physics.chamber_area_m2 *= 1.0 + random.uniform(-kWideGain, kWideGain);
-  physics.strength_spread = std::max(physics.strength_spread, kWideStrengthSpread);
-  physics.gap_length_spread = std::max(physics.gap_length_spread, kWideGapLengthSpread);
-}
-
-void draw(Parameters& physics, const WidePhysics&, RandomStream& random) {
-  draw_ranges(physics, kWideRanges, random);
-  multiply_materials(physics, kWideMaterialFactor, random);
-  physics.actuator_gain *= 1.0 + random.uniform(-kWideGain, kWideGain);
+  if (in_space) {
+    physics.chamber_area_m2 *= 1.0 + random.uniform(-kWideGain, kWideGain);
+  }
   physics.strength_spread = std::max(physics.strength_spread, kWideStrengthSpread);
   physics.gap_length_spread = std::max(physics.gap_length_spread, kWideGapLengthSpread);
 }
@@ -190,15 +175,8 @@ VirtualArmParameters related_physics(const VirtualArmParameters& of,
                                      std::uint64_t number, Dimension dimension) {
   RandomStream random(seed, kPhysicsStream + number);
   VirtualArmParameters physics = of;
-  std::visit(
-      [&](const auto& how) {
-        if (dimension == Dimension::space) {
-          draw_in_space(physics, how, random);
-        } else {
-          draw(physics, how, random);
-        }
-      },
-      variation);
+  const bool in_space = dimension == Dimension::space;
+  std::visit([&](const auto& how) { draw(physics, how, in_space, random); }, variation);
   physics.strength_seed = random.index(kStrengthSeeds);
   return physics;
 }

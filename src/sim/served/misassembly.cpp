@@ -5,15 +5,14 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
-#include <ranges>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "limber/common/csv_reader.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/number_text.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/sim/driver_server.hpp"
 
@@ -52,28 +51,11 @@ Eigen::Quaterniond drawn_rotation(RandomStream& stream) {
   return Eigen::Quaterniond(q).normalized();
 }
 
-using Kind = ServerFaultKind;
-
-constexpr std::array<std::pair<const char*, Kind>, 18> kKinds = {{
-    {"late", Kind::late},
-    {"repeat", Kind::repeat},
-    {"old", Kind::old},
-    {"half", Kind::half},
-    {"huge", Kind::huge},
-    {"nan", Kind::nan},
-    {"size", Kind::size},
-    {"clock", Kind::clock},
-    {"die", Kind::die},
-    {"hang", Kind::hang},
-    {"flood", Kind::flood},
-    {"hello", Kind::hello},
-    {"over", Kind::over},
-    {"stuck", Kind::stuck},
-    {"jump", Kind::jump},
-    {"sealed", Kind::sealed},
-    {"rise", Kind::rise},
-    {"release", Kind::release},
-}};
+// In the order of ServerFaultKind.
+constexpr std::array kFaultNames = {"late", "repeat", "old",  "half",   "huge",  "nan",
+                                    "size", "clock",  "die",  "hang",   "flood", "hello",
+                                    "over", "stuck",  "jump", "sealed", "rise",  "release"};
+static_assert(kFaultNames.size() == static_cast<std::size_t>(ServerFaultKind::release) + 1);
 
 }  // namespace
 
@@ -204,25 +186,23 @@ Misassembly draw_misassembly_in_3d(const ArmDescription& arm, std::uint64_t seed
 }
 
 const char* to_string(ServerFaultKind kind) {
-  return std::find_if(kKinds.begin(), kKinds.end(), [&](const auto& k) { return k.second == kind; })
-      ->first;
+  return kFaultNames[static_cast<std::size_t>(kind)];
 }
 
 ServerFault parse_server_fault(const std::string& text) {
   constexpr double kMaxFrame = 1e6;
   const std::size_t at = text.find('@');
   const std::string name = text.substr(0, at);
-  const auto* found =
-      std::find_if(kKinds.begin(), kKinds.end(), [&](const auto& k) { return name == k.first; });
+  const auto* found = std::ranges::find(kFaultNames, name);
   double frame = -1.0;
-  if (at == std::string::npos || found == kKinds.end() ||
+  if (at == std::string::npos || found == kFaultNames.end() ||
       !parse_number(text.substr(at + 1), frame) || frame < 0.0 || frame > kMaxFrame ||
       frame != static_cast<int>(frame)) {
     throw InputError(
         fmt::format("--fault {}: expected KIND@FRAME, as in die@12; kinds: {}; frames count from 0",
-                    text, fmt::join(std::views::keys(kKinds), ", ")));
+                    text, fmt::join(kFaultNames, ", ")));
   }
-  return {found->second, static_cast<int>(frame)};
+  return {static_cast<ServerFaultKind>(found - kFaultNames.begin()), static_cast<int>(frame)};
 }
 
 }  // namespace limber
