@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -31,6 +32,18 @@ std::string power_of_ten_label(double value) {
 /// Beyond this, differences and squares of values would overflow.
 constexpr double kMax = 1e150;
 
+/// Lowest and highest of the values seen.
+struct Extent {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  bool empty() const { return low > high; }
+  void include(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
 /// Looks at every series once and gathers what the axes must span.
 class Measurer {
  public:
@@ -39,14 +52,14 @@ class Measurer {
   void operator()(const LineSeries& series) { points(series.x, series.y); }
   void operator()(const PointSeries& series) {
     points(series.x, series.y);
-    padded_ = true;
+    padded = true;
   }
   void operator()(const BandSeries& series) {
     points(series.x, series.low);
     points(series.x, series.high);
   }
   void operator()(const BarSeries& series) {
-    from_zero_ = true;
+    from_zero = true;
     for (std::size_t i = 0; i < series.values.size(); ++i) {
       const double error = series.errors.empty() ? 0.0 : series.errors[i];
       if (!is_drawable(series.values[i], log_y_) || !is_drawable(error)) {
@@ -77,11 +90,10 @@ class Measurer {
     }
   }
 
-  bool starts_at_zero() const { return from_zero_; }
-  bool padded() const { return padded_; }
-
   Extent x, y, binned;
   int undrawable = 0;
+  bool from_zero = false;
+  bool padded = false;
 
  private:
   void include_or_count(Extent& extent, double each, bool logarithmic) {
@@ -104,14 +116,12 @@ class Measurer {
   }
 
   bool log_y_;
-  bool from_zero_ = false;
-  bool padded_ = false;
 };
 
 std::vector<double> even_edges(const Extent& extent) {
   constexpr int kBins = 40;  // each about 12 px wide in a chart of the usual size
-  double low = extent.low();
-  double high = extent.high();
+  double low = extent.low;
+  double high = extent.high;
   if (low == high) {
     const double half = low == 0.0 ? 0.5 : 0.05 * std::abs(low);
     low -= half;
@@ -136,12 +146,12 @@ NiceRange x_range(const ChartSettings& settings, const Measurer& measured) {
   if (measured.x.empty()) {
     return {0.0, 1.0};
   }
-  const double width = measured.x.high() - measured.x.low();
-  if (width <= 1e-9 * std::max(std::abs(measured.x.low()), std::abs(measured.x.high()))) {
-    return nice_range(measured.x.low(), measured.x.high());
+  const double width = measured.x.high - measured.x.low;
+  if (width <= 1e-9 * std::max(std::abs(measured.x.low), std::abs(measured.x.high))) {
+    return nice_range(measured.x.low, measured.x.high);
   }
-  const double margin = measured.padded() ? 0.03 * width : 0.0;
-  return {measured.x.low() - margin, measured.x.high() + margin};
+  const double margin = measured.padded ? 0.03 * width : 0.0;
+  return {measured.x.low - margin, measured.x.high + margin};
 }
 
 NiceRange y_range(const ChartSettings& settings, const Measurer& measured) {
@@ -154,13 +164,13 @@ NiceRange y_range(const ChartSettings& settings, const Measurer& measured) {
   if (measured.y.empty()) {
     return settings.y.logarithmic ? NiceRange{0.1, 1.0} : NiceRange{0.0, 1.0};
   }
-  double low = measured.y.low();
-  double high = measured.y.high();
+  double low = measured.y.low;
+  double high = measured.y.high;
   if (settings.y.logarithmic) {
     return nice_logarithmic_range(low, high);
   }
   // Quantities that cannot be negative read best from zero.
-  if (measured.starts_at_zero() || (low >= 0.0 && low < 0.5 * high)) {
+  if (measured.from_zero || (low >= 0.0 && low < 0.5 * high)) {
     low = std::min(low, 0.0);
     high = std::max(high, 0.0);
   }
@@ -253,15 +263,6 @@ AxisTicks logarithmic_ticks(double low, double high) {
     }
   }
   return ticks;
-}
-
-void Extent::include(double value) {
-  if (empty()) {
-    low_ = value;
-    high_ = value;
-  }
-  low_ = std::min(low_, value);
-  high_ = std::max(high_, value);
 }
 
 bool is_drawable(double value, bool logarithmic) {

@@ -37,19 +37,6 @@ NiceRange nice_logarithmic_range(double low, double high);
 /// by 2 and 5 (0 < low < high, finite).
 AxisTicks logarithmic_ticks(double low, double high);
 
-/// Lowest and highest of the values seen.
-class Extent {
- public:
-  void include(double value);
-  bool empty() const { return low_ > high_; }
-  double low() const { return low_; }
-  double high() const { return high_; }
-
- private:
-  double low_ = 1.0;
-  double high_ = 0.0;
-};
-
 /// What a chart needs to know about its data: ranges of the axes, the shared bins of its
 /// histograms, and how many values can't be drawn.
 struct ChartMeasure {

@@ -142,9 +142,8 @@ std::string pixel_path(const std::vector<Pixel>& points) {
 SeriesDrawer::SeriesDrawer(const ChartArea& area, const ChartMeasure& measure,
                            const std::vector<Series>& series)
     : area_(area), measure_(measure) {
-  for (const Series& each : series) {
-    bar_series_ += std::holds_alternative<BarSeries>(each) ? 1 : 0;
-  }
+  bar_series_ = static_cast<int>(std::ranges::count_if(
+      series, [](const Series& each) { return std::holds_alternative<BarSeries>(each); }));
 }
 
 std::string SeriesDrawer::operator()(const LineSeries& series) {

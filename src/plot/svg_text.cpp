@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
+#include <utility>
+
+#include "limber/common/utf8.hpp"
 
 namespace limber {
 
@@ -13,52 +17,28 @@ namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
 
-/// Bytes of the UTF-8 character that starts `text`, or 0 if it is no valid one.
+constexpr std::array<std::pair<char, std::string_view>, 5> kEscapes = {
+    {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}}};
+
+/// Bytes of the character that starts `text`, or 0 if XML has no such one: it is no UTF-8, or U+FFFE
+/// or U+FFFF.
 std::size_t character_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
-  const std::uint8_t first = byte(0);
-  if (first < 0x80) {
-    return 1;
-  }
-  const std::size_t length = (first >> 5) == 6    ? 2
-                             : (first >> 4) == 14 ? 3
-                             : (first >> 3) == 30 ? 4
-                                                  : 0;
-  if (length == 0 || text.size() < length) {
-    return 0;
-  }
-  std::uint32_t code = first & (0xFFU >> (length + 1));
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0) != 0x80) {
-      return 0;
-    }
-    code = (code << 6) | (byte(i) & 0x3FU);
-  }
-  static constexpr std::array<std::uint32_t, 5> kMin{0, 0, 0x80, 0x800, 0x10000};
-  const bool overlong = code < kMin[length];
-  const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
-  const bool forbidden = code == 0xFFFE || code == 0xFFFF || code > 0x10FFFF;
-  return overlong || surrogate || forbidden ? 0 : length;
+  constexpr std::size_t kLongest = 4;
+  const bool is_none = find_invalid_utf8(text.substr(0, kLongest)) == 0 ||
+                       text.starts_with("\xEF\xBF\xBE") || text.starts_with("\xEF\xBF\xBF");
+  const int leading_ones = std::countl_one(static_cast<std::uint8_t>(text.front()));
+  return is_none ? 0 : static_cast<std::size_t>(std::max(1, leading_ones));
 }
 
 std::string_view escaped(std::string_view character) {
-  switch (character.front()) {
-    case '&':
-      return "&amp;";
-    case '<':
-      return "&lt;";
-    case '>':
-      return "&gt;";
-    case '"':
-      return "&quot;";
-    case '\'':
-      return "&#39;";
-    case '\n':
-    case '\t':
-      return character;
-    default:
-      return static_cast<std::uint8_t>(character.front()) < 0x20 ? kReplacement : character;
+  const char first = character.front();
+  for (const auto& [special, escape] : kEscapes) {
+    if (first == special) {
+      return escape;
+    }
   }
+  const bool is_control = static_cast<std::uint8_t>(first) < 0x20 && first != '\n' && first != '\t';
+  return is_control ? kReplacement : character;
 }
 
 }  // namespace
