@@ -257,42 +257,38 @@ void OutputFolder::require_unchanged(const std::vector<std::string>& names) cons
   }
 }
 
-void OutputFolder::list(const std::string& name, const std::string& hash) {
-  files_[name] = hash;
+void OutputFolder::begin(const std::vector<std::string>& names) {
+  const std::lock_guard lock(mutex_);
+  require_free(names);
+  for (const std::string& name : names) {
+    files_[name] = "";
+  }
   write_manifest();
 }
 
-void OutputFolder::write(const std::string& name, std::string_view content) {
-  {
-    const std::lock_guard lock(mutex_);
-    require_free({name});
-    list(name, "");
-  }
-  write_file_atomically(folder_ / name, content);
-  const std::lock_guard lock(mutex_);
-  list(name, content_hash(content));
-}
-
-void OutputFolder::write_with(const std::vector<std::string>& names,
-                              const std::function<void()>& write_them) {
-  {
-    const std::lock_guard lock(mutex_);
-    require_free(names);
-    for (const std::string& name : names) {
-      files_[name] = "";
-    }
-    write_manifest();
-  }
-  write_them();
-  std::map<std::string, std::string> hashes;
-  for (const std::string& name : names) {
-    hashes[name] = file_hash(folder_ / name);
-  }
+void OutputFolder::end(const std::map<std::string, std::string>& hashes) {
   const std::lock_guard lock(mutex_);
   for (const auto& [name, hash] : hashes) {
     files_[name] = hash;
   }
   write_manifest();
+}
+
+void OutputFolder::write(const std::string& name, std::string_view content) {
+  begin({name});
+  write_file_atomically(folder_ / name, content);
+  end({{name, content_hash(content)}});
+}
+
+void OutputFolder::write_with(const std::vector<std::string>& names,
+                              const std::function<void()>& write_them) {
+  begin(names);
+  write_them();
+  std::map<std::string, std::string> hashes;
+  for (const std::string& name : names) {
+    hashes[name] = file_hash(folder_ / name);
+  }
+  end(hashes);
 }
 
 void OutputFolder::remove(const std::string& name) {

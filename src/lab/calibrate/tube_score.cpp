@@ -44,21 +44,16 @@ void visit_frames(const Plan& plan, const Episode& run, Visit&& visit) {
   }
 }
 
-/// How far each plate of a predicted shape is from where it started.
-class Moved {
- public:
-  explicit Moved(const Backbone& start) : start_(start) {}
-  double operator()(const Backbone& predicted, Eigen::Index plate) const {
-    return (at(predicted, plate) - at(start_, plate)).norm();
-  }
-
- private:
-  const Backbone& start_;
-};
+/// How far each plate of a shape that the plan predicts is from where it started.
+auto moved_in(const Plan& plan) {
+  return [&start = plan.frames.front().backbone](const Backbone& predicted, Eigen::Index plate) {
+    return (at(predicted, plate) - at(start, plate)).norm();
+  };
+}
 
 /// Of its room that the tip has, on average over the plan's frames.
 double mean_tip_share(const Plan& plan, const RoomGrowth& growth) {
-  const Moved moved(plan.frames.front().backbone);
+  const auto moved = moved_in(plan);
   double sum = 0.0;
   for (const PlanFrame& frame : plan.frames) {
     sum += growth.share_after(moved(frame.backbone, frame.backbone.rows() - 1));
@@ -85,7 +80,7 @@ std::vector<int> shown_frames(const Plan& plan, const Episode& run) {
 MotionErrors motion_errors(const Plan& plan, const Episode& run, const RoomGrowth& growth) {
   MotionErrors errors;
   errors.plate_m.assign(static_cast<std::size_t>(plan.frames.front().backbone.rows()), 0.0);
-  const Moved moved(plan.frames.front().backbone);
+  const auto moved = moved_in(plan);
   visit_frames(plan, run, [&](const Backbone& predicted, const Backbone& seen) {
     const Eigen::Index tip = predicted.rows() - 1;
     for (Eigen::Index plate = 0; plate <= tip; ++plate) {
@@ -102,7 +97,7 @@ MotionErrors motion_errors(const Plan& plan, const Episode& run, const RoomGrowt
 double tube_score(const Plan& plan, const Episode& run, const Tube& shape) {
   double score = 0.0;
   double end_score = 0.0;
-  const Moved moved(plan.frames.front().backbone);
+  const auto moved = moved_in(plan);
   const auto scale = [&](const Backbone& predicted, Eigen::Index plate) {
     return shape.plate_scale_m[static_cast<std::size_t>(plate)] *
            shape.growth.share_after(moved(predicted, plate));

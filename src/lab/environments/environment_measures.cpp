@@ -15,6 +15,9 @@ namespace limber {
 namespace {
 
 constexpr std::uint64_t kMeasureStream = 0x6d656173ULL;
+constexpr double kPositionToleranceM = 0.02;  // these three as in limber's own environments
+constexpr double kOrientationToleranceRad = 0.3;
+constexpr double kOrientationShare = 0.3;  // of environments whose goal asks for a heading
 
 /// Moves straight to `to_kpa` and holds; none if that collides.
 std::optional<Backbone> end_of_straight_line(const PlanningProblem& problem,
@@ -54,14 +57,12 @@ Obstacle random_obstacle(double unit, const Eigen::Vector2d& at, RandomStream& r
   return polygon;
 }
 
-PoseGoal random_goal(const Pose& tip, double position_tolerance_m, double orientation_tolerance_rad,
-                     double orientation_share, RandomStream& random) {
-  PoseGoal goal;
-  goal.x_m = tip.x_m;
-  goal.y_m = tip.y_m;
-  goal.position_tolerance_m = position_tolerance_m;
-  goal.orientation_tolerance_rad = orientation_tolerance_rad;
-  if (random.uniform() < orientation_share) {
+PoseGoal random_goal(const Pose& tip, RandomStream& random) {
+  PoseGoal goal{.x_m = tip.x_m,
+                .y_m = tip.y_m,
+                .position_tolerance_m = kPositionToleranceM,
+                .orientation_tolerance_rad = kOrientationToleranceRad};
+  if (random.uniform() < kOrientationShare) {
     goal.theta_rad = std::remainder(tip.theta_rad, 2.0 * std::numbers::pi);
   }
   return goal;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <utility>
 
@@ -29,10 +30,18 @@ constexpr double kMinTravelM = 0.15;  // of the tip, from start to goal: else th
 constexpr int kFewestObstacles = 2;
 constexpr int kMostObstacles = 5;
 constexpr int kTriesPerObstacle = 30;
-constexpr double kPositionToleranceM = 0.02;  // these three as in limber's own environments
-constexpr double kOrientationToleranceRad = 0.3;
-constexpr double kOrientationShare = 0.3;  // of environments whose goal asks for a heading
 constexpr int kStraightLineStarts = 20;
+
+/// Whether an arm that moves from each shape to the next keeps that far from the obstacle.
+template <class Shapes, class ShapeOf = std::identity>
+bool is_clear(const ArmDescription& arm, const Obstacle& obstacle, double clearance_m,
+              const Shapes& shapes, const ShapeOf& shape_of = {}) {
+  const CollisionChecker checker(arm, {obstacle}, clearance_m);
+  const auto collides = [&](const Backbone& from, const Backbone& to) {
+    return !checker.is_motion_free(from, to);
+  };
+  return std::ranges::adjacent_find(shapes, collides, shape_of) == shapes.end();
+}
 
 /// Builds one environment about one random motion.
 class EnvironmentSampler {
@@ -55,8 +64,7 @@ class EnvironmentSampler {
     if (std::hypot(tip.x_m - start.x_m, tip.y_m - start.y_m) < kMinTravelM) {
       return std::nullopt;
     }
-    result_.environment.goal =
-        random_goal(tip, kPositionToleranceM, kOrientationToleranceRad, kOrientationShare, random_);
+    result_.environment.goal = random_goal(tip, random_);
     const int wanted =
         kFewestObstacles + static_cast<int>(random_.index(kMostObstacles - kFewestObstacles + 1));
     for (int k = 0; k < wanted * kTriesPerObstacle &&
@@ -112,11 +120,7 @@ class EnvironmentSampler {
   void add_obstacle(bool on_straight_line) {
     const Obstacle obstacle =
         random_obstacle(size_unit(arm_), random_point(on_straight_line), random_);
-    const CollisionChecker checker(arm_, {obstacle}, settings_.clearance_m);
-    const auto collides = [&](const Backbone& from, const Backbone& to) {
-      return !checker.is_motion_free(from, to);
-    };
-    if (std::ranges::adjacent_find(motion_, collides, &PlanFrame::backbone) == motion_.end()) {
+    if (is_clear(arm_, obstacle, settings_.clearance_m, motion_, &PlanFrame::backbone)) {
       result_.environment.obstacles.push_back(obstacle);
     }
   }
@@ -135,52 +139,39 @@ class EnvironmentSampler {
 constexpr double kShapePeriodS = 0.01;  // an arm that speeds up by 5 m/s² leaves a chord by 0.06 mm
 constexpr float kSettledShare = 0.01F;  // of the limit: pressures this near have arrived
 
-/// A virtual arm whose shapes are kept.
-class RecordedArm {
- public:
-  explicit RecordedArm(const ArmDescription& arm) : arm_(arm), driver_(arm) {
-    const auto every = std::max(1L, std::lround(kShapePeriodS / driver_.time_step_s()));
-    shapes_.push_back(driver_.true_backbone().cast<float>());
-    driver_.set_observer([this, every, step = 0L](double, const BackboneD& shape) mutable {
-      if (++step % every == 0) {
-        shapes_.push_back(shape.cast<float>());
-      }
-    });
-  }
+bool is_settled(const ArmDescription& arm, const VirtualArm& driver, const Pressures& kpa) {
+  const Pressures off_kpa = (driver.true_pressure_kpa().cast<float>() - kpa).cwiseAbs();
+  const auto band_kpa = static_cast<float>(virtual_arm_parameters(arm).pressure_dead_band_kpa);
+  const Pressures near_kpa = kSettledShare * pressure_limits_kpa(arm);
+  return (off_kpa.array() <= near_kpa.array().max(band_kpa)).all();
+}
 
-  std::vector<Backbone> run(const std::vector<Pressures>& waypoints_kpa) {
-    Pressures at_kpa = start_state(Environment{}, arm_).pressures_kpa;
-    for (const Pressures& to_kpa : waypoints_kpa) {
-      for (const Pressures& sent_kpa :
-           straight_setpoints(at_kpa, to_kpa, arm_.pressure_step_limit_kpa())) {
-        (void)driver_.command(sent_kpa);
-      }
-      at_kpa = to_kpa;
+std::vector<Backbone> shapes_of_virtual_arm(const ArmDescription& arm,
+                                            const std::vector<Pressures>& waypoints_kpa) {
+  VirtualArm driver(arm);
+  std::vector<Backbone> shapes = {driver.true_backbone().cast<float>()};
+  const auto every = std::max(1L, std::lround(kShapePeriodS / driver.time_step_s()));
+  driver.set_observer([&shapes, every, step = 0L](double, const BackboneD& shape) mutable {
+    if (++step % every == 0) {
+      shapes.push_back(shape.cast<float>());
     }
-    hold(at_kpa);
-    shapes_.push_back(driver_.true_backbone().cast<float>());
-    return std::move(shapes_);
-  }
-
- private:
-  void hold(const Pressures& kpa) {
-    const int least = arm_.frames_in(kHoldS);
-    for (int k = 0; k < least || (k < arm_.frames_in(kLongestHoldS) && !is_settled(kpa)); ++k) {
-      (void)driver_.command(kpa);
+  });
+  Pressures at_kpa = start_state(Environment{}, arm).pressures_kpa;
+  for (const Pressures& to_kpa : waypoints_kpa) {
+    for (const Pressures& sent_kpa :
+         straight_setpoints(at_kpa, to_kpa, arm.pressure_step_limit_kpa())) {
+      (void)driver.command(sent_kpa);
     }
+    at_kpa = to_kpa;
   }
-
-  bool is_settled(const Pressures& kpa) const {
-    const Pressures off_kpa = (driver_.true_pressure_kpa().cast<float>() - kpa).cwiseAbs();
-    const auto band_kpa = static_cast<float>(virtual_arm_parameters(arm_).pressure_dead_band_kpa);
-    const Pressures near_kpa = kSettledShare * pressure_limits_kpa(arm_);
-    return (off_kpa.array() <= near_kpa.array().max(band_kpa)).all();
+  const int least = arm.frames_in(kHoldS);
+  for (int k = 0;
+       k < least || (k < arm.frames_in(kLongestHoldS) && !is_settled(arm, driver, at_kpa)); ++k) {
+    (void)driver.command(at_kpa);
   }
-
-  const ArmDescription& arm_;
-  VirtualArm driver_;
-  std::vector<Backbone> shapes_;
-};
+  shapes.push_back(driver.true_backbone().cast<float>());
+  return shapes;
+}
 
 constexpr std::uint64_t kWitnessedStream = 0x776974ULL << 32;
 constexpr int kAttempts = 100;
@@ -211,8 +202,7 @@ class Sampler {
     if (std::hypot(end.x_m - start.x_m, end.y_m - start.y_m) < unit_ * kMinTravelM) {
       return std::nullopt;
     }
-    result_.environment.goal =
-        random_goal(end, kPositionToleranceM, kOrientationToleranceRad, kOrientationShare, random_);
+    result_.environment.goal = random_goal(end, random_);
     result_.clearance_m = unit_ * kClearancesM[index(2)];
     return add_obstacles() ? std::optional(std::move(result_)) : std::nullopt;
   }
@@ -228,7 +218,7 @@ class Sampler {
         static_cast<std::size_t>(kMinObstacles + index(kMaxObstacles - kMinObstacles + 1));
     for (std::size_t k = 0; k < wanted * kTriesPerObstacle && obstacles.size() < wanted; ++k) {
       const Obstacle obstacle = random_obstacle(unit_, random_point(), random_);
-      if (is_clear(obstacle)) {
+      if (is_clear(arm_, obstacle, result_.clearance_m, shapes_)) {
         obstacles.push_back(obstacle);
       }
     }
@@ -242,14 +232,6 @@ class Sampler {
     const double away_m = unit_ * kNearM * random_.uniform();
     return {double(shape(plate, 0)) + away_m * std::cos(angle),
             double(shape(plate, 1)) + away_m * std::sin(angle)};
-  }
-
-  bool is_clear(const Obstacle& obstacle) const {
-    const CollisionChecker checker(arm_, {obstacle}, result_.clearance_m);
-    const auto collides = [&](const Backbone& from, const Backbone& to) {
-      return !checker.is_motion_free(from, to);
-    };
-    return std::ranges::adjacent_find(shapes_, collides) == shapes_.end();
   }
 
   const ArmDescription& arm_;
@@ -279,7 +261,7 @@ std::optional<RandomEnvironment> random_environment(const ArmDescription& arm,
 
 Witness virtual_witness(const ArmDescription& arm) {
   return [&arm](const std::vector<Pressures>& waypoints_kpa) {
-    return RecordedArm(arm).run(waypoints_kpa);
+    return shapes_of_virtual_arm(arm, waypoints_kpa);
   };
 }
 

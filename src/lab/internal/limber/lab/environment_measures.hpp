@@ -18,10 +18,8 @@ double size_unit(const ArmDescription& arm);
 /// A circle, rectangle or simple polygon about a point, 1.5 to 25 cm large for the paper's arm.
 Obstacle random_obstacle(double unit, const Eigen::Vector2d& at, RandomStream& random);
 
-/// Where that tip is.
-/// @param orientation_share  how probable it is that the goal asks for its heading, in [0, 1]
-PoseGoal random_goal(const Pose& tip, double position_tolerance_m, double orientation_tolerance_rad,
-                     double orientation_share, RandomStream& random);
+/// Where that tip is, with the tolerances of limber's own environments; it may ask for its heading.
+PoseGoal random_goal(const Pose& tip, RandomStream& random);
 
 /// Whether the straight motion in pressure from the start to `to_kpa`, the hold included, collides
 /// as the problem's model predicts it.

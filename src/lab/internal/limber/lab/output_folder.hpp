@@ -80,7 +80,9 @@ class OutputFolder {
   void list_left();
   bool is_own(const std::string& name) const;
   bool holds_foreign(const std::string& name) const;
-  void list(const std::string& name, const std::string& hash);
+  /// Lists what will be written, then, by its hash, what was.
+  void begin(const std::vector<std::string>& names);
+  void end(const std::map<std::string, std::string>& hashes);
 
   std::filesystem::path folder_;
   std::string verb_;
