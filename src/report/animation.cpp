@@ -44,21 +44,15 @@ std::string with_all(std::string text, const std::string& from, const std::strin
 /// The template with each @NAME@ once replaced by its part, which may hold such names itself.
 std::string filled(std::string_view page, const std::map<std::string_view, std::string>& parts) {
   std::string text;
-  for (std::size_t from = 0; from < page.size();) {
-    const std::size_t open = page.find('@', from);
-    const std::size_t close = open == page.npos ? page.npos : page.find('@', open + 1);
-    const auto part =
-        close == page.npos ? parts.end() : parts.find(page.substr(open + 1, close - open - 1));
-    if (part == parts.end()) {
-      const std::size_t next = open == page.npos ? page.size() : open + 1;
-      text += page.substr(from, next - from);
-      from = next;
-      continue;
-    }
-    text += page.substr(from, open - from);
-    text += part->second;
-    from = close + 1;
+  for (std::size_t open = page.find('@'); open != page.npos; open = page.find('@')) {
+    text += page.substr(0, open);
+    page.remove_prefix(open + 1);
+    const std::size_t close = page.find('@');
+    const auto part = close == page.npos ? parts.end() : parts.find(page.substr(0, close));
+    text += part == parts.end() ? "@" : part->second;
+    page.remove_prefix(part == parts.end() ? 0 : close + 1);
   }
+  text += page;
   return text;
 }
 

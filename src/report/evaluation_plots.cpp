@@ -121,6 +121,12 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kShownEpisodes = 3;
 
+/// Which frames an error is a mean over.
+constexpr const char* kFramesCounted =
+    "every frame after the first of its episode in which the arm was tracked; a frame that a rollout "
+    "was given as its start is no prediction, and one that rests on no tracked frame counts for "
+    "nothing";
+
 constexpr std::array<std::pair<const char*, Restart>, 4> kHorizons = {
     {{"one_step", Restart::every_frame},
      {"window_32", Restart::every_32_frames},
@@ -271,16 +277,10 @@ std::string plot_inflate_deflate(const ForwardModel& no_load, const ForwardModel
   return chart.svg();
 }
 
-std::string frames_counted_in_words() {
-  return "every frame after the first of its episode in which the arm was "
-         "tracked; a frame that a rollout was given as its start is no "
-         "prediction, and one that rests on no tracked frame counts for nothing";
-}
-
 Json to_json(const YardstickReport& report, const std::vector<Episode>& episodes) {
   Json json;
   json["yardsticks_fitted_to"] = report.fitted_to;
-  json["frames_counted"] = frames_counted_in_words();
+  json["frames_counted"] = kFramesCounted;
   json["horizons"]["frames"] = report.horizon_frames;
   json["episodes"] = Json::array();
   for (std::size_t e = 0; e < episodes.size(); ++e) {
@@ -313,7 +313,7 @@ std::string to_text(const YardstickReport& report) {
   }
   text += "all plates: open loop, mean over all plates but the base. Fitted to " +
           report.fitted_to + "\n";
-  return text + worst_episodes(report) + "counted: " + frames_counted_in_words() + "\n";
+  return text + worst_episodes(report) + "counted: " + kFramesCounted + "\n";
 }
 
 std::string error_over_horizon_svg(const YardstickReport& report) {

@@ -43,7 +43,7 @@ struct RunTimes {
         episode(run),
         planned_s(
             each_frame(planned.frame_count(), [&](int k) { return k * of.frame_period_s(); })),
-        run_s(each_frame(run.frame_count(), [&](int t) { return run.time_s[t]; })) {}
+        run_s(run.time_s.begin(), run.time_s.end()) {}
 
   const PlanFrame& planned_frame(int k) const { return plan.frames[static_cast<std::size_t>(k)]; }
   /// A number of each frame of the run; none of those in which nobody saw the arm.

@@ -49,9 +49,6 @@ std::string to_text(const YardstickReport& report);
 /// Mean tip error over the frames between restarts, from one to the whole episode, as SVG text.
 std::string error_over_horizon_svg(const YardstickReport& report);
 
-/// Which frames an error is a mean over, in words.
-std::string frames_counted_in_words();
-
 /// Writes one_step.csv, window_32.csv, per_motion.csv and open_loop.csv: a row for each frame, its
 /// episode, frame, time and whether it was tracked, and of each plate what was recorded and what
 /// the models predict. A cell is empty where nothing is predicted. Returns their paths.
