@@ -1,5 +1,8 @@
 #include "limber/lab/demo.hpp"
 
+#include <chrono>
+#include <iterator>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -51,27 +54,6 @@ constexpr const char* kFiles[] = {"arm.yaml",
 
 }  // namespace
 
-void StageClock::start(const std::string& name) {
-  stop();
-  running_ = name;
-  started_ = Clock::now();
-}
-
-void StageClock::stop() {
-  if (!running_.empty()) {
-    stages_.emplace_back(running_, seconds_since(started_));
-    running_.clear();
-  }
-}
-
-double StageClock::total_s() const {
-  double sum = 0.0;
-  for (const auto& [name, seconds] : stages_) {
-    sum += seconds;
-  }
-  return sum;
-}
-
 nlohmann::ordered_json run_demo(const DemoSettings& settings) {
   OutputFolder output(settings.folder, "demo", OutputFolder::start(false, settings.force));
   if (!output.left().empty()) {
@@ -82,18 +64,20 @@ nlohmann::ordered_json run_demo(const DemoSettings& settings) {
   results.settings = &settings;
   results.output = &output;
   results.recipe = settings.quick ? quick_recipe(settings.arm) : full_recipe(settings.arm);
+  const auto timed = [&](const char* stage, const auto& work) {
+    const auto begin = std::chrono::steady_clock::now();
+    work();
+    results.times.push_back({stage, seconds_since(begin)});
+  };
   int number = 0;
   for (const Stage& stage : kStages) {
     throw_if_interrupted();
     settings.say(
         fmt::format("[{}/{}] {}: {}", ++number, std::size(kStages) + 1, stage.name, stage.what));
-    results.clock.start(stage.name);
-    stage.run(results);
+    timed(stage.name, [&] { stage.run(results); });
   }
   settings.say(fmt::format("[{0}/{0}] report", number + 1));
-  results.clock.start("report");
-  output.write("report.html", demo_report(results));
-  results.clock.stop();
+  timed("report", [&] { output.write("report.html", demo_report(results)); });
   const nlohmann::ordered_json summary = demo_summary(results);
   output.write("summary.json", summary.dump(2) + "\n");
   return summary;

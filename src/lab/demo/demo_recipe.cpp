@@ -53,9 +53,8 @@ ScheduleSettings one_episode(int motions) {
 
 /// Straight in pressure, as a plan's motions are: the error that plans keep room for is theirs.
 ScheduleSettings unseen_motions(int count) {
-  ScheduleSettings schedule = one_episode(count);
-  schedule.approach = Approach::straight;
-  return schedule;
+  return {
+      .kind = ScheduleKind::random, .count = count, .episodes = 1, .approach = Approach::straight};
 }
 
 }  // namespace

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "demo_recipe.hpp"
@@ -23,23 +21,10 @@
 
 namespace limber {
 
-/// Wall time of each stage of a long run, in order.
-class StageClock {
- public:
-  /// Ends the stage that runs, if any, and starts `name`.
-  void start(const std::string& name);
-  /// Ends the last stage.
-  void stop();
-
-  /// (stage, seconds), finished stages only.
-  const std::vector<std::pair<std::string, double>>& stages() const { return stages_; }
-  double total_s() const;
-
- private:
-  using Clock = std::chrono::steady_clock;
-  std::vector<std::pair<std::string, double>> stages_;
-  std::string running_;
-  Clock::time_point started_;
+/// Wall time of a stage that is finished.
+struct StageTime {
+  std::string stage;
+  double seconds = 0.0;
 };
 
 /// What became of the network's plans of one planning time, in one group of environments.
@@ -75,7 +60,7 @@ struct DemoResults {
   const DemoSettings* settings = nullptr;
   OutputFolder* output = nullptr;
   DemoRecipe recipe;
-  StageClock clock;
+  std::vector<StageTime> times;
 
   BenchData bench_points;
   CharacterisedArm characterised;
