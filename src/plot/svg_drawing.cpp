@@ -196,8 +196,7 @@ void SvgDrawing::star(WorldPoint center, double radius_m, const ShapeStyle& styl
 }
 
 void SvgDrawing::arrow(WorldPoint from, WorldPoint to, const ShapeStyle& style) {
-  const std::vector<WorldPoint> ends{from, to};
-  if (!drawable(ends)) {
+  if (!drawable(std::array{from, to})) {
     return;
   }
   const double length_px = scale_ * std::hypot(to.x_m - from.x_m, to.y_m - from.y_m);
@@ -212,10 +211,8 @@ void SvgDrawing::arrow(WorldPoint from, WorldPoint to, const ShapeStyle& style) 
            (style.opacity < 1.0 ? svg::attribute("opacity", style.opacity) : "") + ">\n";
   ShapeStyle opaque = style;
   opaque.opacity = 1.0;
-  const std::vector<WorldPoint> shaft{from, behind(0.0)};
-  polyline(shaft, opaque);
-  const std::vector<WorldPoint> head{to, behind(0.4), behind(-0.4)};
-  polygon(head, {.fill = style.stroke, .stroke = "none"});
+  polyline(std::array{from, behind(0.0)}, opaque);
+  polygon(std::array{to, behind(0.4), behind(-0.4)}, {.fill = style.stroke, .stroke = "none"});
   body_ += "</g>\n";
 }
 

@@ -65,14 +65,19 @@ BenchPoint settled_point(VirtualArm& arm, const Pressures& setpoint_kpa, Eigen::
 }
 
 /// The arm that stands on the bench: one segment, nothing that depends on history.
-ArmDescription bench_arm(const ArmDescription& arm, int segment) {
+ArmDescription on_bench(const ArmDescription& arm, int segment, const std::string& what) {
   ArmDescription bench = arm;
   bench.segments = {arm.segments[static_cast<std::size_t>(segment)]};
+  bench.name = fmt::format("{}, {} on the bench", arm.name, what);
+  change_virtual_arm(bench, make_ideal);
+  return bench;
+}
+
+ArmDescription side_on_bench(const ArmDescription& arm, int segment) {
+  ArmDescription bench = on_bench(arm, segment, segment_name(segment));
   // Either side is like the other, so that the right one stands for the side that takes more.
   PressureLimits& limits = bench.segments.front().pressure_limit_kpa;
   limits = limits.largest_kpa();
-  bench.name = fmt::format("{}, {} on the bench", arm.name, segment_name(segment));
-  change_virtual_arm(bench, make_ideal);
   return bench;
 }
 
@@ -104,15 +109,12 @@ double own_share(const Segment& segment, int chamber) {
   return places.row(chamber).dot(back.col(chamber));
 }
 
-/// One segment, free of load and of all that depends on history.
+/// Free of load, too.
 ArmDescription chamber_on_bench(const ArmDescription& arm, int channel) {
-  ArmDescription bench = arm;
-  bench.segments = {arm.segments[static_cast<std::size_t>(place_of(arm, channel).segment)]};
+  ArmDescription bench = on_bench(arm, place_of(arm, channel).segment, channel_name(arm, channel));
   bench.no_load = NoLoadKind::straight;
   bench.segments.front().shape_of_strains = {};
   bench.gravity.setZero();
-  bench.name = fmt::format("{}, {} on the bench", arm.name, channel_name(arm, channel));
-  change_virtual_arm(bench, make_ideal);
   return bench;
 }
 
@@ -128,7 +130,7 @@ std::vector<BenchPoint> bench_test(const ArmDescription& arm, int segment, int s
     throw InputError(
         fmt::format("bench test: {} steps; expected {} to {}", steps, kMinSteps, kMaxSteps));
   }
-  VirtualArm bench(bench_arm(arm, segment));
+  VirtualArm bench(side_on_bench(arm, segment));
   const double limit =
       arm.segments[static_cast<std::size_t>(segment)].pressure_limit_kpa.largest_kpa();
   std::vector<BenchPoint> points = {{0.0, 0.0}};

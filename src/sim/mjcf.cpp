@@ -33,31 +33,47 @@ std::string margin_of(std::size_t number) {
   return std::string(kFirst + number, ' ');
 }
 
-std::string link_mjcf(const ChainLink& link, const VirtualArmParameters& p, std::size_t number) {
+/// Of plate `number`, not closed, with its slide.
+std::string body_mjcf(const ChainLink& link, const VirtualArmParameters& p, std::size_t number,
+                      double inertia_along, double inertia_across) {
   return fmt::format(
       "{0}<body name=\"plate_{1}\" pos=\"{2} 0 0\">\n"
-      "{0}  <inertial pos=\"0 0 0\" mass=\"{3}\" diaginertia=\"{4} {4} {4}\"/>\n"
+      "{0}  <inertial pos=\"0 0 0\" mass=\"{3}\" diaginertia=\"{4} {5} {5}\"/>\n"
       "{0}  <joint name=\"slide_{1}\" type=\"slide\" "
-      "axis=\"1 0 0\" damping=\"{5}\" armature=\"{6}\"/>\n"
-      "{0}  <joint name=\"hinge_{1}\" type=\"hinge\" axis=\"0 0 1\" pos=\"{7} 0 0\" "
-      "stiffness=\"{8}\" springref=\"{9}\" damping=\"{10}\" armature=\"{11}\"/>\n",
-      margin_of(number), number, link.length_m, link.mass_kg, link.inertia_kg_m2,
-      p.slide_damping_n_s_per_m, p.slide_armature_kg, -0.5 * link.length_m,
-      p.hinge_stiffness_n_m_per_rad, link.rest_angle_rad, link.hinge_damping_n_m_s_per_rad,
-      p.hinge_armature_kg_m2);
+      "axis=\"1 0 0\" damping=\"{6}\" armature=\"{7}\"/>\n",
+      margin_of(number), number, link.length_m, link.mass_kg, inertia_along, inertia_across,
+      p.slide_damping_n_s_per_m, p.slide_armature_kg);
 }
 
 /// Of every plate but the base, not closed.
 std::vector<std::string> body_texts(const ArmDescription& arm, const VirtualArmParameters& p) {
   std::vector<std::string> texts;
+  const auto add_body = [&](const ChainLink& link, double inertia_along, double inertia_across) {
+    texts.push_back(body_mjcf(link, p, texts.size() + 1, inertia_along, inertia_across));
+  };
+  const auto add_hinge = [&](const ChainLink& link, const char* name, const char* axis,
+                             double stiffness, double rest_rad, double damping) {
+    texts.back() += fmt::format(
+        "{}  <joint name=\"{}_{}\" type=\"hinge\" axis=\"{}\" pos=\"{} 0 0\" stiffness=\"{}\" "
+        "springref=\"{}\" damping=\"{}\" armature=\"{}\"/>\n",
+        margin_of(texts.size()), name, texts.size(), axis, -0.5 * link.length_m, stiffness,
+        rest_rad, damping, p.hinge_armature_kg_m2);
+  };
+  const double bend = p.hinge_stiffness_n_m_per_rad;
   if (arm.is_spatial()) {
     for (const SpaceLink& link : space_chain_links(arm, p)) {
-      const std::size_t number = texts.size() + 1;
-      texts.push_back(space_link_mjcf(link, p, number, margin_of(number)));
+      const double damping = link.gap.hinge_damping_n_m_s_per_rad;
+      add_body(link.gap, link.inertia_along_kg_m2, link.inertia_across_kg_m2);
+      add_hinge(link.gap, "bend_y", "0 1 0", bend, link.rest_rad[0], damping);
+      add_hinge(link.gap, "bend_z", "0 0 1", bend, link.rest_rad[1], damping);
+      add_hinge(link.gap, "twist", "1 0 0", p.twist_stiffness_n_m_per_rad, 0.0,
+                p.twist_damping_n_m_s_per_rad);
     }
   } else {
     for (const ChainLink& link : chain_links(arm, p)) {
-      texts.push_back(link_mjcf(link, p, texts.size() + 1));
+      add_body(link, link.inertia_kg_m2, link.inertia_kg_m2);
+      add_hinge(link, "hinge", "0 0 1", bend, link.rest_angle_rad,
+                link.hinge_damping_n_m_s_per_rad);
     }
   }
   return texts;

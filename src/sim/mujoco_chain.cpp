@@ -193,30 +193,6 @@ std::vector<SpaceLink> space_chain_links(const ArmDescription& arm, const Virtua
   return links;
 }
 
-std::string space_link_mjcf(const SpaceLink& link, const VirtualArmParameters& p,
-                            std::size_t number, const std::string& margin) {
-  const auto hinge = [&](const char* name, const char* axis, double stiffness, double rest_rad,
-                         double damping) {
-    return fmt::format(
-        "{}  <joint name=\"{}_{}\" type=\"hinge\" axis=\"{}\" pos=\"{} 0 0\" stiffness=\"{}\" "
-        "springref=\"{}\" damping=\"{}\" armature=\"{}\"/>\n",
-        margin, name, number, axis, -0.5 * link.gap.length_m, stiffness, rest_rad, damping,
-        p.hinge_armature_kg_m2);
-  };
-  const double bend = p.hinge_stiffness_n_m_per_rad;
-  const double damping = link.gap.hinge_damping_n_m_s_per_rad;
-  return fmt::format(
-             "{0}<body name=\"plate_{1}\" pos=\"{2} 0 0\">\n"
-             "{0}  <inertial pos=\"0 0 0\" mass=\"{3}\" diaginertia=\"{4} {5} {5}\"/>\n"
-             "{0}  <joint name=\"slide_{1}\" type=\"slide\" "
-             "axis=\"1 0 0\" damping=\"{6}\" armature=\"{7}\"/>\n",
-             margin, number, link.gap.length_m, link.gap.mass_kg, link.inertia_along_kg_m2,
-             link.inertia_across_kg_m2, p.slide_damping_n_s_per_m, p.slide_armature_kg) +
-         hinge("bend_y", "0 1 0", bend, link.rest_rad[0], damping) +
-         hinge("bend_z", "0 0 1", bend, link.rest_rad[1], damping) +
-         hinge("twist", "1 0 0", p.twist_stiffness_n_m_per_rad, 0.0, p.twist_damping_n_m_s_per_rad);
-}
-
 void write_space_plates(const std::vector<SpaceLink>& links, double base_angle_rad,
                         const double* position, SpaceBackboneD& plates) {
   plates.resize(static_cast<Eigen::Index>(links.size()) + 1, kSpacePoseSize);

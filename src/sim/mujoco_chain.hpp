@@ -110,10 +110,6 @@ struct SpaceLink {
 std::vector<SpaceLink> space_chain_links(const ArmDescription& arm,
                                          const VirtualArmParameters& parameters);
 
-/// The body of plate `number` in MuJoCo's XML, not closed.
-std::string space_link_mjcf(const SpaceLink& link, const VirtualArmParameters& parameters,
-                            std::size_t number, const std::string& margin);
-
 /// (V12): poses of all plates at the joints' `position`, kSpaceJoints numbers per gap. Quaternions
 /// change sign with no motion, however far an arm turns.
 /// @param base_angle_rad  of the base about z

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
-#include <memory>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -195,9 +194,7 @@ DriverFactory related_arm_factory(const ArmDescription& arm, const VirtualArmOpt
   return [arm, options, variation](int index) {
     const auto number = static_cast<std::uint64_t>(index);
     const ArmDescription relative = with_related_physics(arm, variation, options.seed, number);
-    VirtualArmOptions own = options;
-    own.stream = number;
-    return std::make_unique<VirtualArm>(relative, own);
+    return virtual_arm_factory(relative, options)(index);
   };
 }
 

@@ -14,39 +14,37 @@ namespace limber {
 /// Threads: constant after construction; share it freely.
 class ActuatorLaw {
  public:
-  explicit ActuatorLaw(const VirtualArmParameters& parameters)
-      : threshold_(parameters.actuator_threshold_kpa),
-        extension_(parameters.actuator_extension_n),
-        compression_(parameters.actuator_compression_n),
-        strain_scale_(parameters.actuator_strain_scale),
-        gain_(parameters.actuator_gain),
-        offset_(parameters.actuator_strain_offset) {}
+  explicit ActuatorLaw(const VirtualArmParameters& parameters) : parameters_(parameters) {}
 
   /// (V3) Pressure [kPa] at which the actuator of strain e just pulls.
   double threshold_kpa(double strain) const {
-    const double e = strain / strain_scale_;
-    return e < 0.0 ? quartic(threshold_, e) : 0.0;
+    const double e = strain / parameters_.actuator_strain_scale;
+    return e < 0.0 ? quartic(parameters_.actuator_threshold_kpa, e) : 0.0;
   }
 
   /// (V4), (V5) Tension; continuous in both arguments. @param pressure_kpa  ≥ 0.
   double tension_n(double strain, double pressure_kpa) const {
-    const double e = strain / strain_scale_;  // on Olson's own surface, whose scale is 1
+    const double e =
+        strain / parameters_.actuator_strain_scale;  // on Olson's own surface, whose scale is 1
     const double threshold = threshold_kpa(strain);
-    const double reach = offset_ + e;
+    const double reach = parameters_.actuator_strain_offset + e;
     if (e >= 0.0) {
-      return gain_ * reach * reach * pressure_kpa + quartic(extension_, e);
+      return parameters_.actuator_gain * reach * reach * pressure_kpa +
+             quartic(parameters_.actuator_extension_n, e);
     }
     if (pressure_kpa >= threshold) {
-      return gain_ * reach * reach * (pressure_kpa - threshold);
+      return parameters_.actuator_gain * reach * reach * (pressure_kpa - threshold);
     }
-    return quartic(compression_, e) * (1.0 - pressure_kpa / threshold);
+    return quartic(parameters_.actuator_compression_n, e) * (1.0 - pressure_kpa / threshold);
   }
 
   /// Work [J per metre of actuator] stored by straining an unpressurised actuator from 0 to e.
   double passive_energy_n(double strain) const {
-    const double e = strain / strain_scale_;
-    const QuarticCoefficients& c = e < 0.0 ? compression_ : extension_;
-    return strain_scale_ * (e * e * (c[0] / 2 + e * (c[1] / 3 + e * (c[2] / 4 + e * c[3] / 5))));
+    const double e = strain / parameters_.actuator_strain_scale;
+    const QuarticCoefficients& c =
+        e < 0.0 ? parameters_.actuator_compression_n : parameters_.actuator_extension_n;
+    return parameters_.actuator_strain_scale *
+           (e * e * (c[0] / 2 + e * (c[1] / 3 + e * (c[2] / 4 + e * c[3] / 5))));
   }
 
  private:
@@ -54,12 +52,7 @@ class ActuatorLaw {
     return x * (c[0] + x * (c[1] + x * (c[2] + x * c[3])));
   }
 
-  QuarticCoefficients threshold_;
-  QuarticCoefficients extension_;
-  QuarticCoefficients compression_;
-  double strain_scale_;
-  double gain_;
-  double offset_;
+  VirtualArmParameters parameters_;
 };
 
 /// Tension of what pulls and pushes along one gap: a side of an arm in a plane, or a chamber of one

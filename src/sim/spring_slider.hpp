@@ -55,27 +55,21 @@ struct SpringSlider {
 /// Threads: constant after construction; share it freely.
 class TableFriction {
  public:
-  explicit TableFriction(const VirtualArmParameters& parameters)
-      : sliding_(parameters.friction_coefficient),
-        static_excess_(parameters.friction_static_excess),
-        stribeck_m_per_s_(parameters.friction_stribeck_m_per_s),
-        viscous_s_per_m_(parameters.friction_viscous_s_per_m) {}
+  explicit TableFriction(const VirtualArmParameters& parameters) : parameters_(parameters) {}
 
   /// @param speed_m_per_s  ≥ 0
   double coefficient(double speed_m_per_s) const {
-    double excess = static_excess_;
+    double excess = parameters_.friction_static_excess;
     if (excess > 0.0) {  // spares the exponential
-      const double ratio = speed_m_per_s / stribeck_m_per_s_;
+      const double ratio = speed_m_per_s / parameters_.friction_stribeck_m_per_s;
       excess *= std::exp(-ratio * ratio);
     }
-    return sliding_ * (1.0 + excess) + viscous_s_per_m_ * speed_m_per_s;
+    return parameters_.friction_coefficient * (1.0 + excess) +
+           parameters_.friction_viscous_s_per_m * speed_m_per_s;
   }
 
  private:
-  double sliding_;
-  double static_excess_;
-  double stribeck_m_per_s_;
-  double viscous_s_per_m_;
+  VirtualArmParameters parameters_;
 };
 
 }  // namespace limber
