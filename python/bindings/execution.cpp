@@ -18,23 +18,6 @@ namespace limber::python {
 
 namespace {
 
-/// An ExecutionResult that is a Python object already.
-struct ResultObject : pybind11::object {};
-
-}  // namespace
-
-}  // namespace limber::python
-
-// In signatures, and so in stubs, it is called what it is.
-template <>
-struct pybind11::detail::handle_type_name<limber::python::ResultObject> {
-  static constexpr auto name = const_name<limber::ExecutionResult>();
-};
-
-namespace limber::python {
-
-namespace {
-
 constexpr const char* kParts = "_parts";  // arm, environment and plan of a result
 
 /// limber's own closed loop, and what it is for.
@@ -102,13 +85,14 @@ ExecutionResult run_with(const ArmDescription& arm, const Environment& environme
 }
 
 /// With what its picture needs: the very objects that the caller handed over.
-ResultObject execute_with(const ArmDescription& arm, const Environment& environment,
-                          const Plan& plan, const py::object& driver,
-                          const ExecutionSettings& settings, const py::object& controller) {
+SeenAs<ExecutionResult> execute_with(const ArmDescription& arm, const Environment& environment,
+                                     const Plan& plan, const py::object& driver,
+                                     const ExecutionSettings& settings,
+                                     const py::object& controller) {
   require_planar(arm, "limber.execute");
   py::object result = py::cast(run_with(arm, environment, plan, driver, settings, controller));
   result.attr(kParts) = py::make_tuple(py::cast(&arm), py::cast(&environment), py::cast(&plan));
-  return ResultObject{std::move(result)};
+  return result;
 }
 
 std::optional<std::string> picture_of(const py::object& self) {

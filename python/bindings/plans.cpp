@@ -1,6 +1,7 @@
 #include "limber/world/plan.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
@@ -17,21 +18,20 @@ namespace limber::python {
 namespace {
 
 /// One row a frame of what `member` names, shape (T, n).
-template <class Frames, class Get>
-py::array_t<float> rows_of(const Frames& frames, const Get& get) {
+template <class Frames, class Member>
+py::array_t<float> rows_of(const Frames& frames, const Member& member) {
   const auto count = static_cast<py::ssize_t>(frames.size());
-  const py::ssize_t n = frames.empty() ? 0 : get(frames.front()).size();
+  const py::ssize_t n = frames.empty() ? 0 : std::invoke(member, frames.front()).size();
   py::array_t<float> rows({count, n});
   float* to = rows.mutable_data();
   for (const auto& frame : frames) {
-    to = std::copy_n(get(frame).data(), n, to);
+    to = std::copy_n(std::invoke(member, frame).data(), n, to);
   }
   return rows;
 }
 
 py::array_t<float> backbones_of(const Plan& plan) {
-  const py::array_t<float> rows = rows_of(
-      plan.frames, [](const PlanFrame& frame) -> const Backbone& { return frame.backbone; });
+  const py::array_t<float> rows = rows_of(plan.frames, &PlanFrame::backbone);
   return rows.attr("reshape")(rows.shape(0), -1, kPoseSize);
 }
 
@@ -77,25 +77,16 @@ void bind_plan_motion(py::class_<Plan>& binding) {
   binding
       .def_property_readonly(
           "waypoints_kpa",
-          [](const Plan& plan) {
-            return rows_of(plan.waypoints_kpa,
-                           [](const Pressures& p) -> const Pressures& { return p; });
-          },
+          [](const Plan& plan) { return rows_of(plan.waypoints_kpa, std::identity()); },
           "Set points that it goes straight between, the start first, float32 (w, n) "
           "[kPa]; a copy.")
       .def_property_readonly(
           "setpoint_kpa",
-          [](const Plan& plan) {
-            return rows_of(plan.frames,
-                           [](const PlanFrame& f) -> const Pressures& { return f.setpoint_kpa; });
-          },
+          [](const Plan& plan) { return rows_of(plan.frames, &PlanFrame::setpoint_kpa); },
           "Set points to command, float32 (T, n) [kPa], positive bends right; a copy.")
       .def_property_readonly(
           "pressure_kpa",
-          [](const Plan& plan) {
-            return rows_of(plan.frames,
-                           [](const PlanFrame& f) -> const Pressures& { return f.pressure_kpa; });
-          },
+          [](const Plan& plan) { return rows_of(plan.frames, &PlanFrame::pressure_kpa); },
           "Pressures predicted from them, float32 (T, n) [kPa]; a copy.")
       .def_property_readonly(
           "backbone", &backbones_of,
