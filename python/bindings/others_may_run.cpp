@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <thread>
+#include <utility>
 
 #include "limber/common/interrupt.hpp"
 
@@ -43,6 +44,13 @@ OthersMayRun::OthersMayRun() {
   if (!ending) {
     released_.emplace();
   }
+}
+
+std::shared_ptr<py::object> shared(py::object object) {
+  return {new py::object(std::move(object)), [](py::object* one) {
+            const py::gil_scoped_acquire python;
+            delete one;
+          }};
 }
 
 bool python_is_ending() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include <pybind11/pybind11.h>
@@ -29,6 +30,9 @@ class OthersMayRun {
   Counted counted_;
   std::optional<pybind11::gil_scoped_release> released_;
 };
+
+/// A Python object whose last owner may be a thread without Python's lock.
+std::shared_ptr<pybind11::object> shared(pybind11::object object);
 
 /// Whether Python is ending: no work begins any more.
 bool python_is_ending();

@@ -34,21 +34,11 @@ void tell(const py::object& on_message, const std::string& message) noexcept {
   }
 }
 
-/// What `ProcessDriver(...)` is called with, beside the arm.
-struct Asked {
-  std::string command;
-  std::optional<Path> arm_file;
-  double limit_scale = 1.0;
-  bool check_rate = true;
-  bool simulated = false;
-  std::optional<Path> calibration;
-  std::optional<Path> log;
-  py::object on_message;
-};
-
-ProcessDriverSettings settings_from(const ArmDescription& arm, const Asked& asked) {
-  const auto& [command, arm_file, limit_scale, check_rate, simulated, calibration, log,
-               on_message] = asked;
+std::unique_ptr<SharedProcessDriver> start(const ArmDescription& arm, const std::string& command,
+                                           const std::optional<Path>& arm_file, double limit_scale,
+                                           bool check_rate, const std::optional<Path>& log,
+                                           const py::object& on_message, bool simulated,
+                                           const std::optional<Path>& calibration) {
   require_planar(arm, "limber.ProcessDriver");
   if (!command.starts_with(kExec) || command.size() == kExec.size()) {
     throw InputError(fmt::format(
@@ -72,22 +62,9 @@ ProcessDriverSettings settings_from(const ArmDescription& arm, const Asked& aske
     require_calibration_of(*settings.calibration, arm, calibration->string());
   }
   settings.log = log.value_or(Path());
-  // Let go with Python's lock, as it is called with it.
-  const std::shared_ptr<py::object> listener(new py::object(on_message), [](py::object* object) {
-    const py::gil_scoped_acquire python;
-    delete object;
-  });
-  settings.say = [listener](const std::string& message) { tell(*listener, message); };
-  return settings;
-}
-
-std::unique_ptr<SharedProcessDriver> start(const ArmDescription& arm, const std::string& command,
-                                           const std::optional<Path>& arm_file, double limit_scale,
-                                           bool check_rate, const std::optional<Path>& log,
-                                           const py::object& on_message, bool simulated,
-                                           const std::optional<Path>& calibration) {
-  const ProcessDriverSettings settings = settings_from(
-      arm, {command, arm_file, limit_scale, check_rate, simulated, calibration, log, on_message});
+  settings.say = [listener = shared(on_message)](const std::string& message) {
+    tell(*listener, message);
+  };
   const OthersMayRun others_may_run;
   return std::make_unique<SharedProcessDriver>(arm, settings);
 }

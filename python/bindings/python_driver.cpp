@@ -19,13 +19,6 @@ ArmState state_from(const py::object& driver, const char* method, const py::obje
   return returned.cast<ArmState>();
 }
 
-std::shared_ptr<py::object> shared(py::object object) {
-  return {new py::object(std::move(object)), [](py::object* one) {
-            const py::gil_scoped_acquire python;
-            delete one;
-          }};
-}
-
 ArmNow at_this_moment(const ArmEstimate& arm) {
   ArmNow now{arm.frames(),        arm.setpoint_kpa(), arm.measured(), arm.lag_frames(),
              arm.frames_unseen(), arm.rest(),         std::nullopt};
@@ -38,12 +31,7 @@ ArmNow at_this_moment(const ArmEstimate& arm) {
 }  // namespace
 
 PythonDriver::PythonDriver(py::object driver, CallerThread& caller)
-    : driver_(new py::object(std::move(driver)),
-              [](py::object* object) {
-                const py::gil_scoped_acquire python;
-                delete object;
-              }),
-      caller_(caller) {
+    : driver_(shared(std::move(driver))), caller_(caller) {
   const py::gil_scoped_acquire python;
   state_ = state_from(*driver_, "state", driver_->attr("state")());
 }
