@@ -1,6 +1,5 @@
 #include "limber/arm/arm_description.hpp"
 
-#include <fmt/format.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
@@ -8,6 +7,7 @@
 #include "bindings.hpp"
 #include "limber/arm/arm_commands.hpp"
 #include "limber/arm/arm_identity.hpp"
+#include "limber/arm/pressure_limits.hpp"
 #include "limber/world/environment.hpp"
 #include "others_may_run.hpp"
 #include "pictures.hpp"
@@ -132,16 +132,6 @@ py::array_t<float> largest_pressures_of(const ArmDescription& arm) {
   return limits;
 }
 
-py::array_t<float> pressure_ranges_of(const ArmDescription& arm) {
-  py::array_t<float> ranges({arm.channel_count(), 2});
-  for (int i = 0; i < arm.channel_count(); ++i) {
-    const PressureLimits& limits = arm.limits_of_channel(i);
-    ranges.mutable_at(i, 0) = static_cast<float>(limits.lower_kpa);
-    ranges.mutable_at(i, 1) = static_cast<float>(limits.upper_kpa);
-  }
-  return ranges;
-}
-
 void bind_arm_functions(py::module_& module) {
   module.def(
       "load_arm", [](const std::filesystem::path& path) { return load_arm(path); }, py::arg("path"),
@@ -153,13 +143,8 @@ void bind_arm_functions(py::module_& module) {
   module.def("rest_positions_m", &rest_positions_m, py::arg("arm"),
              "Distance along the arm at rest from the base to each plate, a list of m "
              "numbers [m]; the first is 0.");
-  module.def(
-      "arm_differences",
-      [](const ArmDescription& there, const ArmDescription& here) {
-        return arm_differences(there, here);
-      },
-      py::arg("there"), py::arg("here"),
-      "Keys in which the arms differ, with both values; empty where they are the same arm.");
+  module.def("arm_differences", &arm_differences, py::arg("there"), py::arg("here"),
+             "Keys in which the arms differ, with both values; empty where they are the same arm.");
 }
 
 }  // namespace
@@ -205,7 +190,8 @@ void bind_arm(py::module_& module) {
           "pressure_limits_kpa", &largest_pressures_of,
           "Largest pressure of each segment, of either side, or chamber, float32 (n,) [kPa].")
       .def_property_readonly(
-          "pressure_ranges_kpa", &pressure_ranges_of,
+          "pressure_ranges_kpa",
+          [](const ArmDescription& arm) { return limits_array(limits_of(arm)); },
           "Lower and upper limit of each segment or chamber, float32 (n, 2) [kPa].")
       .def(
           "frames_in",

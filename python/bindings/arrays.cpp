@@ -156,6 +156,15 @@ py::ssize_t batch_size(const py::array& array, const char* name) {
   return array.shape(0);
 }
 
+py::array_t<float> limits_array(const std::vector<PressureLimits>& limits) {
+  py::array_t<float> rows({limits.size(), std::size_t{2}});
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    rows.mutable_at(i, 0) = static_cast<float>(limits[i].lower_kpa);
+    rows.mutable_at(i, 1) = static_cast<float>(limits[i].upper_kpa);
+  }
+  return rows;
+}
+
 Pressures pressures_from(const FloatArray& array, Eigen::Index n, const char* name) {
   require_shape(array, {n}, name);
   require_finite(array, name);

@@ -9,6 +9,7 @@
 #include <pybind11/numpy.h>
 #include <Eigen/Core>
 
+#include "limber/arm/arm_description.hpp"
 #include "limber/arm/backbone.hpp"
 #include "others_may_run.hpp"
 
@@ -91,6 +92,9 @@ template <class Vector>
 py::array_t<typename Vector::Scalar> vector_array(const Vector& vector) {
   return copy_of<typename Vector::Scalar>(vector, {vector.size()});
 }
+
+/// Lower and upper one of each, shape (n, 2).
+py::array_t<float> limits_array(const std::vector<PressureLimits>& limits);
 
 /// Shape (m, 3).
 template <class Scalar>

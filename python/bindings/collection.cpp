@@ -1,6 +1,5 @@
 #include "limber/run/collection.hpp"
 
-#include <fmt/format.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 

@@ -58,14 +58,11 @@ void bind_novel_frames(py::module_& module) {
   py::class_<NovelFrames> novel(module, "NovelFrames",
                                 "Tracked frames, and how many of them lie beyond what a model "
                                 "learnt from, by whether their pressures do.");
-  py::class_<NovelFrames::Count>(module, "NovelFramesCount",
-                                 "So many frames of NovelFrames, and so many of them novel.")
-      .def_readonly("frames", &NovelFrames::Count::frames, "Number of frames.")
-      .def_readonly("novel", &NovelFrames::Count::novel,
-                    "Frames beyond what the model learnt from.")
-      .def("__repr__", [](const NovelFrames::Count& count) {
-        return fmt::format("NovelFramesCount(frames={}, novel={})", count.frames, count.novel);
-      });
+  Record<NovelFrames::Count>(module, "NovelFramesCount",
+                             "So many frames of NovelFrames, and so many of them novel.")
+      .read_only("frames", &NovelFrames::Count::frames, "Number of frames.")
+      .read_only("novel", &NovelFrames::Count::novel, "Frames beyond what the model learnt from.")
+      .done();
   novel
       .def_readonly("pressures_within", &NovelFrames::pressures_within,
                     "NovelFramesCount of frames whose pressures are within the recorded ranges.")

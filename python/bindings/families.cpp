@@ -85,12 +85,11 @@ void bind_families(py::module_& module) {
          bool train_weights, std::uint64_t seed, int jobs) {
         require_jobs(jobs);
         const std::vector<Episode> copies = episodes_from(episodes);
-        CallerThread caller;
         AdaptationSettings settings;
         settings.weights = train_weights ? AdaptWeights::automatic : AdaptWeights::never;
         settings.seed = seed;
         settings.jobs = jobs;
-        return caller.run_interruptible([&] { return adapt(arm, family, copies, settings); });
+        return interruptibly([&] { return adapt(arm, family, copies, settings); });
       },
       py::arg("arm"), py::arg("family"), py::arg("episodes"), py::arg("train_weights") = true,
       py::arg("seed") = 1, py::arg("jobs") = 0,

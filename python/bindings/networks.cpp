@@ -187,10 +187,8 @@ void bind_networks(py::module_& module) {
   bind_gap_bounds(module);
   bind_learnt_region(module);
   bind_network(module);
-  module.def(
-      "read_model", [](const std::filesystem::path& path) { return read_model(path); },
-      py::arg("path"), py::call_guard<OthersMayRun>(),
-      "Reads and checks a model (safetensors). Raises InputError naming file and key.");
+  module.def("read_model", &read_model, py::arg("path"), py::call_guard<OthersMayRun>(),
+             "Reads and checks a model (safetensors). Raises InputError naming file and key.");
   module.def(
       "write_model",
       [](const std::filesystem::path& path, CompensationModel model) {  // Python may change its own

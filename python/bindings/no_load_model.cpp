@@ -1,6 +1,7 @@
 #include "limber/arm/no_load_model.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
@@ -28,18 +29,14 @@ py::array_t<float> backbone(const NoLoadModel& model, const FloatArray& pressure
   require_own_memory(result, pressures_kpa, "pressures_kpa", false);
   float* to = result.mutable_data();
   const float* from = pressures_kpa.data();
-  const auto run = [&] {
-    require_finite(pressures_kpa, "pressures_kpa");
-    for (py::ssize_t i = 0; i < count; ++i) {
-      model.poses(Eigen::Map<const Eigen::VectorXf>(from + i * n, n),
-                  Eigen::Map<Eigen::VectorXf>(to + i * size * m, size * m));
-    }
-  };
+  std::optional<OthersMayRun> others_may_run;
   if (batch) {
-    const OthersMayRun others_may_run;
-    run();
-  } else {
-    run();
+    others_may_run.emplace();
+  }
+  require_finite(pressures_kpa, "pressures_kpa");
+  for (py::ssize_t i = 0; i < count; ++i) {
+    model.poses(Eigen::Map<const Eigen::VectorXf>(from + i * n, n),
+                Eigen::Map<Eigen::VectorXf>(to + i * size * m, size * m));
   }
   return result;
 }

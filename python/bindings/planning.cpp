@@ -43,6 +43,12 @@ std::vector<PressureLimits> limits_of_pairs(const std::vector<std::pair<double, 
   return limits;
 }
 
+void require_bounded_model(const PlanningProblem& problem) {
+  if (problem.model.has_network()) {
+    require_bounded(problem.model.compensation(), "the model");
+  }
+}
+
 /// A planner takes one caller at a time; Python's threads do not know that.
 class OnePlanner {
  public:
@@ -53,9 +59,7 @@ class OnePlanner {
   /// @param limits  a copy: Python may change its own meanwhile
   PlanResult plan(const PlanningProblem& problem, PlannerLimits limits, std::uint64_t seed,
                   const py::object& callback) {
-    if (problem.model.has_network()) {
-      require_bounded(problem.model.compensation(), "the model");
-    }
+    require_bounded_model(problem);
     if (busy_.exchange(true)) {
       throw InputError("this planner is planning already; make one for each thread");
     }
@@ -164,23 +168,13 @@ void bind_problem(py::module_& module) {
       });
 }
 
-void bind_problem_with_room(py::module_& module) {
-  module.def("problem_with_room", of_planar_arms("limber.problem_with_room", &problem_with_room),
-             py::arg("arm"), py::arg("model"), py::arg("environment"), py::arg("room"),
-             py::keep_alive<0, 1>(), py::keep_alive<0, 2>(), py::keep_alive<0, 3>(),
-             "The PlanningProblem whose plans keep that room: the model's tube, or one "
-             "clearance everywhere. room: an ErrorRoom, as error_room makes it.");
-}
-
 /// A motion of somebody else's planner, in (w, n) set points.
 PlanResult along(const PlanningProblem& problem, const FloatArray& waypoints_kpa,
                  const std::string& planner, std::uint64_t seed) {
   const auto n = py::ssize_t{problem.arm.channel_count()};
   require_shape(waypoints_kpa, {batch_size(waypoints_kpa, "waypoints_kpa"), n}, "waypoints_kpa");
   require_finite(waypoints_kpa, "waypoints_kpa");
-  if (problem.model.has_network()) {
-    require_bounded(problem.model.compensation(), "the model");
-  }
+  require_bounded_model(problem);
   std::vector<Pressures> waypoints;
   for (py::ssize_t w = 0; w < waypoints_kpa.shape(0); ++w) {
     waypoints.emplace_back(Eigen::Map<const Pressures>(waypoints_kpa.data(w, 0), n));
@@ -329,7 +323,11 @@ void bind_plan_function(py::module_& module) {
 void bind_planning(py::module_& module) {
   bind_limits(module);
   bind_problem(module);
-  bind_problem_with_room(module);
+  module.def("problem_with_room", of_planar_arms("limber.problem_with_room", &problem_with_room),
+             py::arg("arm"), py::arg("model"), py::arg("environment"), py::arg("room"),
+             py::keep_alive<0, 1>(), py::keep_alive<0, 2>(), py::keep_alive<0, 3>(),
+             "The PlanningProblem whose plans keep that room: the model's tube, or one "
+             "clearance everywhere. room: an ErrorRoom, as error_room makes it.");
   bind_plan_result(module);
   py::class_<OnePlanner>(module, "Planner", "A planner in pressure space: one caller at a time.")
       .def_property_readonly("name", &OnePlanner::name, "Its name, a text that make_planner takes.")

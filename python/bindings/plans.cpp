@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <functional>
 
-#include <fmt/format.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 

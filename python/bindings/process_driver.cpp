@@ -77,17 +77,6 @@ ArmState command(SharedProcessDriver& shared, const FloatArray& setpoint_kpa) {
   return driver->command(pressures_map(setpoint_kpa));
 }
 
-py::array_t<float> limits_of(SharedProcessDriver& shared) {
-  const DriverUse driver(shared);
-  const std::vector<PressureLimits>& limits = driver->limits_kpa();
-  py::array_t<float> rows({limits.size(), std::size_t{2}});
-  for (std::size_t s = 0; s < limits.size(); ++s) {
-    rows.mutable_at(s, 0) = static_cast<float>(limits[s].lower_kpa);
-    rows.mutable_at(s, 1) = static_cast<float>(limits[s].upper_kpa);
-  }
-  return rows;
-}
-
 std::string repr_of(SharedProcessDriver& shared) {
   if (!shared.is_open()) {
     return "ProcessDriver(closed)";
@@ -196,8 +185,10 @@ void bind_process_driver(py::module_& module) {
           "Vents and ends the process; so does the end of this object.")
       .def("__enter__", [](const py::object& self) { return self; })
       .def("__exit__", [](const py::object& self, const py::args&) { self.attr("close")(); })
-      .def_property_readonly("limits_kpa", &limits_of,
-                             "In force, lower and upper, float32 (n, 2) [kPa].")
+      .def_property_readonly(
+          "limits_kpa",
+          [](SharedProcessDriver& shared) { return limits_array(DriverUse(shared)->limits_kpa()); },
+          "In force, lower and upper, float32 (n, 2) [kPa].")
       .def_property_readonly(
           "is_real_time",
           [](SharedProcessDriver& shared) { return DriverUse(shared)->is_real_time(); },

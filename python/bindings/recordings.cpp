@@ -98,8 +98,11 @@ Episode make_episode(const DoubleArray& time_s, const FloatArray& pressure_kpa,
   return episode;
 }
 
-py::array_t<float> view_of_frames(const FrameMatrix& matrix, const py::object& owner) {
-  return view_of(matrix.data(), {matrix.rows(), matrix.cols()}, owner);
+/// One list of frames, a view.
+template <FrameMatrix Episode::*kFrames>
+py::array_t<float> frames_of(const py::object& self) {
+  const FrameMatrix& frames = self.cast<const Episode&>().*kFrames;
+  return view_of(frames.data(), {frames.rows(), frames.cols()}, self);
 }
 
 py::array_t<bool> tracked_of(const Episode& episode) {
@@ -132,17 +135,11 @@ void bind_episode(py::module_& module) {
           },
           "Time of each frame, float64 (T,) [s], increasing.")
       .def_property_readonly(
-          "pressure_kpa",
-          [](const py::object& self) {
-            return view_of_frames(self.cast<const Episode&>().pressure_kpa, self);
-          },
+          "pressure_kpa", &frames_of<&Episode::pressure_kpa>,
           "Measured, float32 (T, n) [kPa], positive bends right; the set points, where "
           "nothing was measured.")
       .def_property_readonly(
-          "setpoint_kpa",
-          [](const py::object& self) {
-            return view_of_frames(self.cast<const Episode&>().setpoint_kpa, self);
-          },
+          "setpoint_kpa", &frames_of<&Episode::setpoint_kpa>,
           "Set points that were commanded, float32 (T, n) [kPa], positive bends right.")
       .def_property_readonly(
           "backbone",
@@ -280,14 +277,10 @@ void bind_recording_inspection(py::module_& module) {
   module.def(
       "inspect",
       [](const Recording& recording, const ArmDescription* arm, const std::string& file) {
-        std::string text;
-        {
-          const OthersMayRun others_may_run;
-          text = to_text(recording, inspect(recording, arm, file));
-        }
-        return text;
+        return to_text(recording, inspect(recording, arm, file));
       },
       py::arg("recording"), py::arg("arm") = py::none(), py::arg("file") = "recording",
+      py::call_guard<OthersMayRun>(),
       "What a recording holds and what is odd about it, a text. arm: gives the "
       "limits, None: the largest set points stand for them; file: its name in "
       "messages.");
@@ -380,10 +373,8 @@ void bind_recordings(py::module_& module) {
       },
       py::arg("episodes"),
       "Copies of the episodes without measured pressures: set points take their place.");
-  module.def(
-      "read_recording", [](const std::filesystem::path& path) { return read_recording(path); },
-      py::arg("path"), py::call_guard<OthersMayRun>(),
-      "Reads and checks a recording (HDF5). Raises InputError naming file and field.");
+  module.def("read_recording", &read_recording, py::arg("path"), py::call_guard<OthersMayRun>(),
+             "Reads and checks a recording (HDF5). Raises InputError naming file and field.");
   module.def("write_recording", &write_recording, py::arg("path"), py::arg("recording"),
              py::call_guard<OthersMayRun>(),
              "Writes a recording (HDF5) that read_recording reads, atomically.");
