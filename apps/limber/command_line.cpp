@@ -39,17 +39,8 @@ namespace {
 
 constexpr double kMax = 1e15;  // in kPa, m, s, Hz, rad: nothing real comes near
 
-/// @return what is wrong with `text`; empty if nothing is
-std::string check_finite(std::string& text) {
-  double value = 0.0;
-  return parse_number(text, value) && std::abs(value) <= kMax
-             ? ""
-             : fmt::format("'{}' found; expected a finite number of at most {}", shortened(text),
-                           kMax);
-}
-
 /// @param words  what is allowed. @param in_help  the same, as help texts have it
-CLI::Validator number_check(bool (*holds)(double), const char* words, const char* in_help) {
+CLI::Validator number_check(bool (*holds)(double), const std::string& words, const char* in_help) {
   return {[=](std::string& text) {
             double value = 0.0;
             return parse_number(text, value) && holds(value)
@@ -59,6 +50,7 @@ CLI::Validator number_check(bool (*holds)(double), const char* words, const char
           in_help};
 }
 
+/// @return what is wrong with `text`; empty if nothing is
 std::string check_blanks(std::string& text) {
   return text.find(',') == std::string::npos
              ? ""
@@ -99,7 +91,8 @@ void require_plain_numbers(CLI::App& command) {
   for (CLI::Option* option : command.get_options()) {
     const std::string type = option->get_type_name().substr(0, option->get_type_name().find(':'));
     if (type == "FLOAT") {
-      option->transform(CLI::Validator(check_finite, ""));
+      option->transform(number_check([](double value) { return std::abs(value) <= kMax; },
+                                     fmt::format("a finite number of at most {}", kMax), ""));
     } else if (type == "INT") {
       option->transform(CLI::Validator(check_whole<std::int64_t>, ""));
     } else if (type == "UINT") {

@@ -12,7 +12,7 @@ namespace limber {
 class ModelFlags {
  public:
   /// --model, --no-load, --valves and --no-valves. @param of_plan  "… that it was made with"
-  void add_to(CLI::App& app, const std::string& of_plan = "");
+  void add_to(CLI::App& app, const std::string& of_plan);
   /// --valves and --no-valves alone, for verbs that ask for a model in their own way.
   void add_valves_to(CLI::App& app);
 

@@ -36,10 +36,7 @@ class BenchVerb final : public Verb {
     auto* plot = app.add_option("--plot", plot_, "Bar chart to write, SVG");
     auto* training = app.add_option("--training", training_,
                                     "Recording: instead, time the epochs of training on it")
-                         ->excludes(model)
-                         ->excludes(queries)
-                         ->excludes(quick)
-                         ->excludes(plot);
+                         ->excludes(model, queries, quick, plot);
     app.add_option("--preset", preset_, "Training preset to time: paper or best; both by default")
         ->check(CLI::IsMember({"paper", "best"}))
         ->needs(training);
@@ -53,8 +50,7 @@ class BenchVerb final : public Verb {
     app.add_option(
            "--tables", tables_,
            "File (safetensors) for the weights that the first epoch starts from, for a peer")
-        ->needs(training)
-        ->needs("--preset");
+        ->needs(training, "--preset");
   }
 
   int run(const CommonFlags& flags) override {

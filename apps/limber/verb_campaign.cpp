@@ -58,12 +58,9 @@ class CampaignVerb final : public Verb {
     auto* status = app.add_flag("--status", status_,
                                 "Run nothing: how many units are done, running, failed, and the "
                                 "time that is left")
-                       ->excludes(collect)
-                       ->excludes(shard);
+                       ->excludes(collect, shard);
     app.add_flag("--dry-run", dry_run_, "Run nothing: list the units and what they cost")
-        ->excludes(shard)
-        ->excludes(collect)
-        ->excludes(status);
+        ->excludes(shard, collect, status);
   }
 
   int run(const CommonFlags& flags) override {

@@ -88,17 +88,14 @@ class CharacterizeVerb final : public Verb {
     auto* valves = app.add_option("--valves", valves_,
                                   "Identify the valves between this recording's set points and "
                                   "measured pressures instead (docs/valves.md)")
-                       ->excludes(csv)
-                       ->excludes(plot);
+                       ->excludes(csv, plot);
     auto* recordings =
         app.add_option(
                "--recording", recordings_,
                "Fit gains, offsets, lengths and lag of the simple model to these recordings "
                "instead: for those who have logs and no bench test (docs/model.md)")
             ->allow_extra_args(false)
-            ->excludes(csv)
-            ->excludes(plot)
-            ->excludes(valves);
+            ->excludes(csv, plot, valves);
     auto* mapping = app.add_option("--mapping", mapping_,
                                    "Of --commands: which columns are what; its command columns are "
                                    "the arm's own (docs/importing.md)");
@@ -108,9 +105,7 @@ class CharacterizeVerb final : public Verb {
                "Find what the arm's own commands, as six motors of three segments, make of its "
                "segments in these logs instead, and print it for the arm file")
             ->needs(mapping)
-            ->excludes(csv)
-            ->excludes(plot)
-            ->excludes(valves);
+            ->excludes(csv, plot, valves);
     mapping->needs(commands);
     for (auto* other : {csv, valves, recordings, commands}) {
       steps->excludes(other);
