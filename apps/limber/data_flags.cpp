@@ -115,7 +115,6 @@ EpisodeChoice choose_sliced(OutlinedRecordings outlines, double fraction, std::u
   return choice;
 }
 
-constexpr double kValidationShare = 0.1;
 constexpr double kUnseenShare = 0.1;
 constexpr double kMostHeldBack = 100'000.0;  // frames of arms that validate: 200 of half a minute
 
@@ -235,8 +234,8 @@ EpisodeChoice DataFlags::load(const CommonFlags& flags, const ArmDescription& ar
     choice.is_little = true;
     choice.data.training = std::move(all.episodes);
   } else {
-    const EpisodeShares shares{kValidationShare, unseen_.empty() ? kUnseenShare : 0.0};
-    choice = choose_episodes(std::move(all), std::move(validation), shares, flags.seed);
+    choice = choose_episodes(std::move(all), std::move(validation),
+                             unseen_.empty() ? kUnseenShare : 0.0, flags.seed);
   }
   choice.broken = std::move(broken);
   if (!unseen_.empty()) {

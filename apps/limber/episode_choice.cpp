@@ -23,7 +23,7 @@ const char* kind(bool setpoints_only) {
 
 }  // namespace
 
-void RecordingKinds::add(const std::string& file, bool setpoints_only) {
+void EpisodeReader::note_kind(const std::string& file, bool setpoints_only) {
   if (first_.empty()) {
     first_ = file;
     setpoints_only_ = setpoints_only;
@@ -41,15 +41,14 @@ Recording read_recording_of(const ArmDescription& arm, const std::string& file) 
   return recording;
 }
 
-Recording RecordingKinds::read(const std::string& file, const ArmDescription& arm,
-                               bool leave_out_measured, std::span<const int> episodes) {
+Recording EpisodeReader::read_of_arm(const std::string& path, std::span<const int> episodes) {
   Recording recording =
-      episodes.empty() ? read_recording(file) : read_recording_part(file, episodes);
-  require_recording_of(recording, arm, file);
-  if (leave_out_measured) {
+      episodes.empty() ? read_recording(path) : read_recording_part(path, episodes);
+  require_recording_of(recording, arm_, path);
+  if (setpoints_) {
     recording.episodes = with_setpoints_only(std::move(recording.episodes));
   }
-  add(file, recording.setpoints_only());
+  note_kind(path, recording.setpoints_only());
   return recording;
 }
 
@@ -75,7 +74,7 @@ void NamedEpisodes::add(const std::string& path, std::vector<Episode> more) {
 }
 
 Recording EpisodeReader::read(const std::string& path) {
-  Recording recording = kinds_.read(path, arm_, setpoints_);
+  Recording recording = read_of_arm(path, {});
   warn_of_base(path, recording);
   return recording;
 }
@@ -123,7 +122,7 @@ void EpisodeReader::note_source(const std::string& path) {
 
 std::vector<Episode> EpisodeReader::read_part(const std::string& path,
                                               std::span<const int> episodes) {
-  Recording recording = kinds_.read(path, arm_, setpoints_, episodes);
+  Recording recording = read_of_arm(path, episodes);
   if (begun_.insert(path).second) {
     warn_of_base(path, recording);
   }
@@ -153,19 +152,19 @@ std::vector<std::string> leave_out_broken(const ArmDescription& arm, NamedEpisod
   return broken;
 }
 
-EpisodeChoice choose_episodes(NamedEpisodes all, NamedEpisodes validation,
-                              const EpisodeShares& shares, std::uint64_t seed) {
+EpisodeChoice choose_episodes(NamedEpisodes all, NamedEpisodes validation, double unseen_share,
+                              std::uint64_t seed) {
   EpisodeChoice choice;
   if (validation.episodes.empty()) {
-    choice.data = hold_back_validation(std::move(all.episodes), shares.validation, seed);
+    choice.data = hold_back_validation(std::move(all.episodes), kValidationShare, seed);
     const char* part = choice.data.training.size() == all.names.size() ? "the end of " : "";
-    hold_back_unseen(choice.data, shares.unseen, seed);
+    hold_back_unseen(choice.data, unseen_share, seed);
     for (const int number : choice.data.held_back) {
       choice.validation.push_back(part + all.names[static_cast<std::size_t>(number)]);
     }
   } else {
     choice.data.training = std::move(all.episodes);
-    hold_back_unseen(choice.data, shares.unseen, seed);
+    hold_back_unseen(choice.data, unseen_share, seed);
     choice.data.validation = std::move(validation.episodes);
     choice.validation = std::move(validation.names);
   }

@@ -18,25 +18,6 @@ namespace limber {
 /// @throws InputError as read_recording and require_recording_of
 Recording read_recording_of(const ArmDescription& arm, const std::string& file);
 
-/// Recordings that are learnt from together: all of them measured pressures (or the arm's other
-/// command), or all hold set points only.
-class RecordingKinds {
- public:
-  /// @throws InputError that names this file and the first one, if they are of different kinds.
-  void add(const std::string& file, bool setpoints_only);
-  /// Reads a recording of `arm` (require_recording_of) and adds it.
-  /// @param leave_out_measured  takes its set points alone
-  /// @param episodes  reads these alone (read_recording_part); none: all
-  Recording read(const std::string& file, const ArmDescription& arm,
-                 bool leave_out_measured = false, std::span<const int> episodes = {});
-
-  bool setpoints_only() const { return setpoints_only_; }
-
- private:
-  std::string first_;
-  bool setpoints_only_ = false;
-};
-
 /// A recording as a network has to be asked with it: one that learnt from set points is given set
 /// points, whatever was measured beside them.
 /// @throws InputError where it learnt from what was measured, and nothing was.
@@ -51,19 +32,23 @@ struct NamedEpisodes {
   void add(const std::string& path, std::vector<Episode> more);
 };
 
-/// Reads what a network is to learn from, and keeps the files' names and hashes.
+/// Reads what a network is to learn from, and keeps the files' names and hashes. All of it measured
+/// pressures (or the arm's other command), or all of it holds set points only.
 class EpisodeReader {
  public:
   /// @param setpoints  whether set points alone are taken
   EpisodeReader(const CommonFlags& flags, const ArmDescription& arm, bool setpoints)
       : flags_(flags), arm_(arm), setpoints_(setpoints) {}
 
-  /// @throws InputError as RecordingKinds::read; says where the base is not where it should be.
+  /// @throws InputError as require_recording_of and note_kind; says where the base is not where it
+  /// should be.
   Recording read(const std::string& path);
   /// Those of its episodes that have these numbers; says once per file where its base is.
   std::vector<Episode> read_part(const std::string& path, std::span<const int> episodes);
   /// All of them, which are noted as `sources`.
   NamedEpisodes read_all(const std::vector<std::string>& paths);
+  /// @throws InputError that names this file and the first one, if they are of different kinds.
+  void note_kind(const std::string& file, bool setpoints_only);
   /// @throws InputError where a source, of any call, has the same content.
   void note_source(const std::string& path);
   /// @param sources  of the model that is gone on from, in its record
@@ -72,29 +57,25 @@ class EpisodeReader {
   bool is_source(const std::string& path) const;
   bool was_learnt_before(const std::string& path) const;
 
-  RecordingKinds& kinds() { return kinds_; }
   /// "a.h5 HASH, b.h5 HASH".
   const std::string& sources() const { return sources_; }
   /// The same, followed by what else was learnt before.
   std::string all_sources() const;
 
  private:
+  /// @param episodes  reads these alone (read_recording_part); none: all
+  Recording read_of_arm(const std::string& path, std::span<const int> episodes);
   void warn_of_base(const std::string& path, const Recording& recording) const;
 
   const CommonFlags& flags_;
   const ArmDescription& arm_;
   bool setpoints_;
-  RecordingKinds kinds_;
+  std::string first_;  ///< of the files whose kind was noted
+  bool setpoints_only_ = false;
   std::string sources_;
   std::string learnt_before_;
   std::map<std::string, std::string> path_of_hash_;  ///< of sources
   std::set<std::string> begun_;                      ///< files of which a part was read
-};
-
-/// Of the frames: what chooses the epoch, and what the finished model is measured on.
-struct EpisodeShares {
-  double validation = 0.1;
-  double unseen = 0.1;  ///< 0: none
 };
 
 /// What is trained on, and which episodes choose the epoch.
@@ -110,10 +91,14 @@ struct EpisodeChoice {
 std::vector<std::string> leave_out_broken(const ArmDescription& arm, NamedEpisodes& all,
                                           NamedEpisodes& validation);
 
+/// Of the frames: what is held back to choose the epoch.
+inline constexpr double kValidationShare = 0.1;
+
 /// Holds back for validation and for the model's error.
 /// @param validation  what validates; where there is none, episodes are held back.
+/// @param unseen_share  of the frames, that the finished model is measured on; 0: none
 /// @throws InputError as `hold_back_validation`.
-EpisodeChoice choose_episodes(NamedEpisodes all, NamedEpisodes validation,
-                              const EpisodeShares& shares, std::uint64_t seed);
+EpisodeChoice choose_episodes(NamedEpisodes all, NamedEpisodes validation, double unseen_share,
+                              std::uint64_t seed);
 
 }  // namespace limber

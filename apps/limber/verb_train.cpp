@@ -223,7 +223,7 @@ class TrainVerb final : public Verb {
     require_model_of(start, arm, from_);
     require_one_arm(start, from_);
     require_no_contradiction(start);
-    reader.kinds().add(from_, start.learnt_from_setpoints);
+    reader.note_kind(from_, start.learnt_from_setpoints);
     if (const auto found = start.training.find("data"); found != start.training.end()) {
       reader.note_learnt_before(found->second);
     }
