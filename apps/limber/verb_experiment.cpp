@@ -27,7 +27,7 @@ namespace {
 std::vector<std::string> once_each(const std::vector<std::string>& names) {
   std::vector<std::string> result;
   for (const std::string& name : names) {
-    if (std::find(result.begin(), result.end(), name) == result.end()) {
+    if (std::ranges::find(result, name) == result.end()) {
       result.push_back(name);
     }
   }
@@ -67,10 +67,7 @@ class RunFlags {
     return once_each(names);
   }
 
-  bool replans() const {
-    const std::vector<std::string> names = controllers();
-    return std::find(names.begin(), names.end(), "replan") != names.end();
-  }
+  bool replans() const { return std::ranges::count(controllers(), "replan") > 0; }
 
   /// In the order given, empty for none; none alone if nothing is given.
   /// @throws InputError if there is no such kind.

@@ -106,8 +106,7 @@ class FamilyVerb final : public Verb {
       Recording recording = record(arm, variation, share, flags);
       add_arms_of(recording, arms);
       std::ranges::move(recording.episodes, std::back_inserter(episodes));
-      sources += fmt::format("{}{} {}", sources.empty() ? "" : ", ", share.name,
-                             file_hash(recording_path(share)));
+      add_source(sources, share.name, file_hash(recording_path(share)));
     }
     TrainingData data = hold_back_arms(std::move(episodes), arms, kHeldBackShare, flags.seed);
     add_mirrored_arms(arm, data);

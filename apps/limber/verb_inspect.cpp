@@ -124,16 +124,14 @@ Command command_of(const CompensationModel& model) {
 
 /// How large the model's error is, and what its recordings held.
 void add_what_is_known(const CompensationModel& model, Finding& finding) {
-  if (model.prediction_error) {
-    finding.json["prediction_error"] = to_json(*model.prediction_error);
-    finding.text += "\n  " + to_text(*model.prediction_error);
-  } else {
-    finding.text += "\n  error on unseen motions: not measured";
-  }
-  if (model.tube) {
-    finding.json["tube"] = to_json(*model.tube);
-    finding.text += "\n  " + to_text(*model.tube);
-  }
+  const auto add = [&](const char* key, const auto& known, const char* where_it_is_not) {
+    if (known) {
+      finding.json[key] = to_json(*known);
+    }
+    finding.text += known ? "\n  " + to_text(*known) : where_it_is_not;
+  };
+  add("prediction_error", model.prediction_error, "\n  error on unseen motions: not measured");
+  add("tube", model.tube, "");
   if (model.learnt) {
     const Command command = command_of(model);
     finding.json["learnt"] = to_json(*model.learnt, command);
@@ -144,12 +142,7 @@ void add_what_is_known(const CompensationModel& model, Finding& finding) {
   } else {
     finding.text += "\n  what it was trained on is not stored";
   }
-  if (model.bounds) {
-    finding.json["bounds"] = to_json(*model.bounds);
-    finding.text += "\n  " + to_text(*model.bounds);
-  } else {
-    finding.text += "\n  no bounds: plan refuses it, and says how to add them";
-  }
+  add("bounds", model.bounds, "\n  no bounds: plan refuses it, and says how to add them");
 }
 
 void add_family(const CompensationModel& model, Finding& finding) {

@@ -284,14 +284,12 @@ class PlanVerb final : public Verb {
     }
     // If planning can't begin there is nothing to draw here; `environment check --svg` draws the
     // environment.
-    if (!svg_.empty() && exit_code(result.status) != kExitBadInput) {
-      write_file_atomically(svg_, plan_picture(arm, environment, result));
+    if (exit_code(result.status) != kExitBadInput) {
+      write_given(svg_, [&] { return plan_picture(arm, environment, result); });
     }
-    if (result.plan && !pressures_svg_.empty()) {
-      write_file_atomically(pressures_svg_, pressure_picture(arm, *result.plan));
-    }
-    if (result.plan && !animation_.empty()) {
-      write_file_atomically(animation_, plan_animation(arm, environment, *result.plan));
+    if (result.plan) {
+      write_given(pressures_svg_, [&] { return pressure_picture(arm, *result.plan); });
+      write_given(animation_, [&] { return plan_animation(arm, environment, *result.plan); });
     }
   }
 

@@ -145,8 +145,7 @@ class VerifyVerb final : public Verb {
     }
     nlohmann::ordered_json json = to_json(certificate, arm.command, environment);
     std::string text = to_text(certificate, arm, environment);
-    const bool is_plan = std::ranges::none_of(
-        certificate.failures, [](const auto& failure) { return failure.check == "sizes"; });
+    const bool is_plan = !has_failed(certificate, "sizes");
     if (used != nullptr && used->member_count() > 1 && is_plan) {
       if (const auto spread = plan_spread(plan, arm, *used, environment)) {
         json["spread"] = to_json(*spread);
