@@ -90,9 +90,14 @@ void bind_certificate_findings(py::module_& module) {
 
 void bind_certificate(py::module_& module) {
   bind_certificate_findings(module);
-  py::class_<OwnCertifier>(module, "Certifier",
-                           "Certifies plans for one problem with nothing "
-                           "of the planner's. Constant: share it freely.")
+  Record<OwnCertifier>(module, "Certifier",
+                       "Certifies plans for one problem with nothing "
+                       "of the planner's. Constant: share it freely.")
+      .property(
+          "environment_hash",
+          [](const OwnCertifier& own) { return own.certifier.environment_hash(); },
+          "environment_hash of the environment, which plans have to state.")
+      .done()
       .def(py::init([](const ArmDescription& arm, std::optional<CompensationModel> network,
                        ValveParameters valves, const Environment& environment) {
              const OthersMayRun others_may_run;
@@ -108,14 +113,7 @@ void bind_certificate(py::module_& module) {
       .def("certify", &certified, py::arg("plan"),
            "The Certificate of one plan. Raises InputError where the plan was made for "
            "another arm, environment or valves; all else is a failure in the result. "
-           "Ctrl-C raises KeyboardInterrupt.")
-      .def_property_readonly(
-          "environment_hash",
-          [](const OwnCertifier& own) { return own.certifier.environment_hash(); },
-          "environment_hash of the environment, which plans have to state.")
-      .def("__repr__", [](const OwnCertifier& own) {
-        return "Certifier(environment_hash='" + own.certifier.environment_hash() + "')";
-      });
+           "Ctrl-C raises KeyboardInterrupt.");
   module.def(
       "certify",
       [](const Plan* plan, const ArmDescription& arm, std::optional<CompensationModel> network,

@@ -45,12 +45,6 @@ void require_loop_of(const ClosedLoopOf& loop, const ArmDescription& arm,
           environment_hash(environment));
 }
 
-template <class Driver>
-ExecutionResult run_on(const ArmDescription& arm, const Environment& environment, const Plan& plan,
-                       Driver& driver, const ExecutionSettings& settings, CallerThread& caller) {
-  return caller.run([&] { return execute(arm, environment, plan, driver, settings); });
-}
-
 ExecutionResult run_with(const ArmDescription& arm, const Environment& environment,
                          const Plan& plan, const py::object& driver, const ExecutionSettings& asked,
                          const py::object& controller) {
@@ -65,9 +59,12 @@ ExecutionResult run_with(const ArmDescription& arm, const Environment& environme
   } else if (!controller.is_none()) {
     settings.controller = &own.emplace(controller, arm.channel_count(), caller);
   }
+  const auto run_on = [&](auto& one) {
+    return caller.run([&] { return execute(arm, environment, plan, one, settings); });
+  };
   if (py::isinstance<SharedVirtualArm>(driver)) {
     const SharedVirtualArm::Use use(driver.cast<SharedVirtualArm&>());
-    return run_on(arm, environment, plan, *use, settings, caller);
+    return run_on(*use);
   }
   if (py::isinstance<SharedProcessDriver>(driver)) {
     const SharedProcessDriver::Use use(driver.cast<SharedProcessDriver&>());
@@ -81,7 +78,7 @@ ExecutionResult run_with(const ArmDescription& arm, const Environment& environme
     });
   }
   PythonDriver python_driver(driver, caller);
-  return run_on(arm, environment, plan, python_driver, settings, caller);
+  return run_on(python_driver);
 }
 
 /// With what its picture needs: the very objects that the caller handed over.
@@ -143,17 +140,17 @@ void bind_execution_findings(py::module_& module) {
 }
 
 void bind_controllers(py::module_& module) {
-  py::class_<ArmNow>(module, "ArmEstimate", "What is known about an arm at one moment of a run.")
-      .def_readonly("frames", &ArmNow::frames, "Set points sent since the start.")
+  Record<ArmNow>(module, "ArmEstimate", "What is known about an arm at one moment of a run.")
+      .read_only("frames", &ArmNow::frames, "Set points sent since the start.")
+      .read_only("lag_frames", &ArmNow::lag_frames,
+                 "Frames by which what is measured is behind what was sent.")
+      .read_only("frames_unseen", &ArmNow::frames_unseen, "Frames since the arm was tracked last.")
+      .done()
       .def_property_readonly(
           "setpoint_kpa", [](const ArmNow& now) { return vector_array(now.setpoint_kpa); },
           "Set points of the last frame, float32 (n,) [kPa].")
       .def_readonly("measured", &ArmNow::measured,
                     "ArmState as the driver said it, lag_frames behind the set points.")
-      .def_readonly("lag_frames", &ArmNow::lag_frames,
-                    "Frames by which what is measured is behind what was sent.")
-      .def_readonly("frames_unseen", &ArmNow::frames_unseen,
-                    "Frames since the arm was tracked last.")
       .def_property_readonly(
           "rest",
           [](const ArmNow& now) -> py::object {
@@ -161,11 +158,7 @@ void bind_controllers(py::module_& module) {
           },
           "Mean shape of an arm that has rested for 0.5 s, float32 (m, 3), or None.")
       .def_readonly("state", &ArmNow::state,
-                    "MotionState after the last set points, or None: no model, or never tracked.")
-      .def("__repr__", [](const ArmNow& now) {
-        return fmt::format("ArmEstimate(frames={}, lag_frames={}, frames_unseen={})", now.frames,
-                           now.lag_frames, now.frames_unseen);
-      });
+                    "MotionState after the last set points, or None: no model, or never tracked.");
   py::class_<ClosedLoopOf>(module, "ClosedLoop",
                            "Leads the arm along its plan, and plans again from where it is "
                            "measured, while it moves and after. One run.")

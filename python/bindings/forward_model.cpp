@@ -14,6 +14,7 @@
 #include "limber/forward/rollout_batch.hpp"
 #include "others_may_run.hpp"
 #include "planar.hpp"
+#include "record.hpp"
 
 namespace limber::python {
 
@@ -219,15 +220,16 @@ py::array_t<float> told_commands(const ForwardModel& model, const FloatArray& co
 }
 
 void bind_parallel_forward(py::module_& module) {
-  py::class_<ParallelForward>(module, "ParallelForward",
-                              "Large batches over several threads; the answers are the same for "
-                              "any number. One caller at a time.")
+  Record<ParallelForward>(module, "ParallelForward",
+                          "Large batches over several threads; the answers are the same for "
+                          "any number. One caller at a time.")
+      .property("jobs", &ParallelForward::jobs, "Number of threads.")
+      .done()
       .def(py::init([](int jobs) {
              require_jobs(jobs);
              return ParallelForward(jobs);
            }),
            py::arg("jobs") = 0, "jobs: threads, 0: one per core; never changes a result.")
-      .def_property_readonly("jobs", &ParallelForward::jobs, "Number of threads.")
       .def(
           "step_batch",
           [](ParallelForward& parallel, const ForwardModel& model, const FloatArray& previous_kpa,
@@ -241,10 +243,7 @@ void bind_parallel_forward(py::module_& module) {
           py::arg("model"), py::arg("previous_kpa"), py::arg("current_kpa"), py::arg("previous"),
           py::arg("out") = py::none(), py::arg("before") = py::none(),
           "ForwardModel.step_batch, in parts of some hundred queries: float32 (k, n), (k, n) [kPa] "
-          "and (k, m, 3) give (k, m, 3), in space 7 for 3. `before` as in ForwardModel.step.")
-      .def("__repr__", [](const ParallelForward& parallel) {
-        return fmt::format("ParallelForward(jobs={})", parallel.jobs());
-      });
+          "and (k, m, 3) give (k, m, 3), in space 7 for 3. `before` as in ForwardModel.step.");
 }
 
 }  // namespace

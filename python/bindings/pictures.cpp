@@ -25,41 +25,29 @@ constexpr double kWidthPx = 420.0;  // beside a notebook's text
 constexpr double kRoom = 0.1;       // about a picture's content, of its size
 
 /// Grows to hold a square about a point.
-void hold(WorldBox& box, double x_m, double y_m, double radius_m) {
-  box.x_min_m = std::min(box.x_min_m, x_m - radius_m);
-  box.x_max_m = std::max(box.x_max_m, x_m + radius_m);
-  box.y_min_m = std::min(box.y_min_m, y_m - radius_m);
-  box.y_max_m = std::max(box.y_max_m, y_m + radius_m);
+void hold(Box& box, const Eigen::Vector2d& point_m, double radius_m) {
+  box.include(point_m.array() - radius_m);
+  box.include(point_m.array() + radius_m);
 }
 
-void hold(WorldBox& box, const Obstacle& obstacle) {
-  if (const auto* circle = std::get_if<Circle>(&obstacle)) {
-    hold(box, circle->x_m, circle->y_m, circle->radius_m);
-  } else if (const auto* rectangle = std::get_if<Rectangle>(&obstacle)) {
-    for (const Eigen::Vector2d& corner : rectangle_corners(*rectangle)) {
-      hold(box, corner.x(), corner.y(), 0.0);
-    }
-  } else {
-    for (const Eigen::Vector2d& point : std::get<Polygon>(obstacle).points_m) {
-      hold(box, point.x(), point.y(), 0.0);
-    }
-  }
+void hold(Box& box, const Box& other) {
+  box.include(other.low);
+  box.include(other.high);
 }
 
-WorldBox with_room(WorldBox box) {
-  const double room_m =
-      kRoom * std::max(box.x_max_m - box.x_min_m, box.y_max_m - box.y_min_m) + 0.01;
-  return {box.x_min_m - room_m, box.x_max_m + room_m, box.y_min_m - room_m, box.y_max_m + room_m};
+WorldBox with_room(const Box& box) {
+  const double room_m = kRoom * (box.high - box.low).maxCoeff() + 0.01;
+  return {box.low.x() - room_m, box.high.x() + room_m, box.low.y() - room_m, box.high.y() + room_m};
 }
 
-WorldBox box_of(const ArmDescription& arm, const Backbone& backbone) {
-  WorldBox box{0.0, 0.0, 0.0, 0.0};
+Box box_of(const ArmDescription& arm, const Backbone& backbone) {
+  Box box;
   double width_m = 0.0;
   for (const Segment& segment : arm.segments) {
     width_m = std::max(width_m, segment.width_m);
   }
   for (Eigen::Index i = 0; i < backbone.rows(); ++i) {
-    hold(box, double(backbone(i, 0)), double(backbone(i, 1)), width_m);
+    hold(box, {double(backbone(i, 0)), double(backbone(i, 1))}, width_m);
   }
   return box;
 }
@@ -86,12 +74,12 @@ std::optional<std::string> arm_picture(const ArmDescription& arm) {
 }
 
 std::string obstacles_picture(const Environment& environment) {
-  WorldBox box{0.0, 0.0, 0.0, 0.0};  // the arm's base, whatever else there is
+  Box box;  // the arm's base, whatever else there is
   for (const Obstacle& obstacle : environment.obstacles) {
-    hold(box, obstacle);
+    hold(box, make_obstacle_shape(obstacle, 0).box);
   }
   const PoseGoal& goal = environment.goal;
-  hold(box, goal.x_m, goal.y_m, goal.position_tolerance_m);
+  hold(box, {goal.x_m, goal.y_m}, goal.position_tolerance_m);
   SvgDrawing drawing(with_room(box), kWidthPx, environment.name);
   drawing.axes();
   draw_environment(drawing, environment);
@@ -103,11 +91,9 @@ std::string motion_picture(const Plan& plan) {
     return {};
   }
   const ArmDescription arm = read_arm_keys(plan.arm_description, "plan");
-  WorldBox box = box_of(arm, plan.frames.front().backbone);
+  Box box = box_of(arm, plan.frames.front().backbone);
   for (const PlanFrame& frame : plan.frames) {
-    const WorldBox more = box_of(arm, frame.backbone);
-    hold(box, more.x_min_m, more.y_min_m, 0.0);
-    hold(box, more.x_max_m, more.y_max_m, 0.0);
+    hold(box, box_of(arm, frame.backbone));
   }
   SvgDrawing drawing(with_room(box), kWidthPx, plan.environment_name);
   drawing.axes();
