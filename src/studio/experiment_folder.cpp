@@ -1,6 +1,7 @@
 #include "experiment_folder.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -133,14 +134,13 @@ Json ExperimentFolder::runs(std::size_t row) const {
   }
   const std::string begin =
       fmt::format("{}_{}_", text_of(rows[row], "environment"), text_of(rows[row], "model"));
-  std::vector<std::string> ids;
+  std::set<std::string> ids;
   std::error_code error;
   for (const auto& file : fs::directory_iterator(project_.folder() / name_ / "trials", error)) {
     if (file.path().extension() == ".json" && file.path().stem().string().starts_with(begin)) {
-      ids.push_back(file.path().stem().string());
+      ids.insert(file.path().stem().string());
     }
   }
-  std::ranges::sort(ids);
   Json runs = Json::array();
   for (const std::string& id : ids) {
     const nlohmann::json trial = read("trials/" + id + ".json");

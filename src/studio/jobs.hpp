@@ -22,9 +22,11 @@ inline constexpr int kJobThreads = 1;
 inline constexpr double kMinLimitScale = 0.01;
 
 /// What a tab asks its worker for (docs/studio_api.md). `request` comes back with every event.
-struct PlanJob {
+struct SceneJob {
   std::uint64_t request = 0;
   SceneNames scene;
+};
+struct PlanJob : SceneJob {
   nlohmann::json environment;
   double time_limit_s = 5.0;
   std::uint64_t seed = 1;
@@ -38,17 +40,12 @@ struct RunJob {
   bool drop_obstacle = false;  ///< into its way while it moves
 };
 /// The virtual arm's tip, led along a path that was drawn.
-struct FollowJob {
-  std::uint64_t request = 0;
-  SceneNames scene;
+struct FollowJob : SceneJob {
   nlohmann::json environment;
   TipPath path;
 };
 /// Models moved by hand, side by side, from rest.
-struct DriveJob {
-  std::uint64_t request = 0;
-  SceneNames scene;
-};
+struct DriveJob : SceneJob {};
 /// A plan that `limber experiment` has made.
 struct OpenJob {
   std::uint64_t request = 0;
@@ -56,16 +53,11 @@ struct OpenJob {
   std::string run;
 };
 /// The model's errors on a recording, and what the recording covers.
-struct MeasureJob {
-  std::uint64_t request = 0;
-  SceneNames scene;
+struct MeasureJob : SceneJob {
   std::string recording;
 };
 /// The scene's family, fitted to a minute of the virtual arm; saved among the project's models.
-struct FitJob {
-  std::uint64_t request = 0;
-  SceneNames scene;
-};
+struct FitJob : SceneJob {};
 using Job = std::variant<PlanJob, RunJob, FollowJob, DriveJob, OpenJob, MeasureJob, FitJob>;
 
 /// A plan that was found, with what it was made for.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -80,11 +81,6 @@ bool is_inside(const fs::path& folder, const fs::path& file) {
          folder.end();
 }
 
-void add_sorted(std::vector<std::string>& names, std::vector<std::string> more) {
-  std::ranges::sort(more);
-  names.insert(names.end(), more.begin(), more.end());
-}
-
 [[noreturn]] void refuse_name(const std::string& name) {
   throw InputError(fmt::format("'{}': no file of the project folder has that name", name));
 }
@@ -121,24 +117,24 @@ std::vector<std::string> ProjectFolder::names(ProjectItem kind) const {
   for (const auto& [name, path] : given_[static_cast<std::size_t>(kind)]) {
     result.push_back(name);
   }
-  std::vector<std::string> found;
+  std::set<std::string> found;
   std::error_code error;
   look_through([&](const fs::directory_entry& entry) {
     const bool is_file = entry.is_regular_file(error) && is_of(kind, entry.path());
     // A link that leads out of the folder could not be opened.
     if (is_file && (!entry.is_symlink(error) ||
                     is_inside(folder_, fs::weakly_canonical(entry.path(), error)))) {
-      found.push_back(name_of(entry.path()));
+      found.insert(name_of(entry.path()));
     }
   });
-  add_sorted(result, std::move(found));
-  std::vector<std::string> own;
+  std::set<std::string> own;
   for (const auto& file : fs::directory_iterator(own_folder(kind), error)) {
     if (is_of(kind, file.path())) {
-      own.push_back(std::string(kOwn) + file.path().stem().string());
+      own.insert(std::string(kOwn) + file.path().stem().string());
     }
   }
-  add_sorted(result, std::move(own));
+  result.insert(result.end(), found.begin(), found.end());
+  result.insert(result.end(), own.begin(), own.end());
   return result;
 }
 

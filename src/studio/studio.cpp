@@ -94,11 +94,10 @@ class Studio::Server {
   }
 
   int port() const { return port_; }
-  const std::string& token() const { return admission_.token(); }
   std::string address() const {
     const bool is_v6 = listen_.find(':') != std::string::npos;
     return fmt::format("http://{}:{}/?token={}", is_v6 ? "[" + listen_ + "]" : listen_, port_,
-                       token());
+                       admission_.token());
   }
   void serve() { http_.listen_after_bind(); }
   void stop() {
@@ -216,7 +215,7 @@ class Studio::Server {
 
   void add_work() {
     get("/api/events", [this](const Request&, Response& response) { stream_events(response); });
-    post("/api/plan", [this](const JsonReader& body, Response& response) {
+    post_job("/api/plan", [](const JsonReader& body) {
       PlanJob job;
       job.request = request_of(body);
       job.scene = scene_of(body);
@@ -225,7 +224,7 @@ class Studio::Server {
       job.seed = body.at("seed").count(UINT32_MAX);
       job.with_tree = body.at("tree").boolean();
       job.limit_scale = body.at("limit_scale").number(kMinLimitScale, 1.0);
-      with_tab(body, response, [&](Tab& tab) { tab.post(std::move(job)); });
+      return job;
     });
     post("/api/run", [this](const JsonReader& body, Response& response) {
       const RunJob job{request_of(body), body.at("replan").boolean(),
@@ -238,10 +237,9 @@ class Studio::Server {
         }
       });
     });
-    post("/api/follow", [this](const JsonReader& body, Response& response) {
-      const FollowJob job{request_of(body), scene_of(body), body.at("environment").value(),
-                          tip_path_in(body)};
-      with_tab(body, response, [&](Tab& tab) { tab.post(job); });
+    post_job("/api/follow", [](const JsonReader& body) {
+      return FollowJob{request_of(body), scene_of(body), body.at("environment").value(),
+                       tip_path_in(body)};
     });
     post("/api/drive", [this](const JsonReader& body, Response& response) {
       const std::vector<double> kpa = body.at("setpoint_kpa").numbers(std::string::npos, "kPa");
@@ -278,17 +276,14 @@ class Studio::Server {
       const std::uint64_t row = body.at("row").count(ExperimentFolder::kMaxRows);
       answer(response, {{"runs", ExperimentFolder(project_, body.at("folder").text()).runs(row)}});
     });
-    post("/api/plan/open", [this](const JsonReader& body, Response& response) {
-      const OpenJob job{request_of(body), body.at("folder").text(), body.at("run").text()};
-      with_tab(body, response, [&](Tab& tab) { tab.post(job); });
+    post_job("/api/plan/open", [](const JsonReader& body) {
+      return OpenJob{request_of(body), body.at("folder").text(), body.at("run").text()};
     });
-    post("/api/fit", [this](const JsonReader& body, Response& response) {
-      const FitJob job{request_of(body), scene_of(body)};
-      with_tab(body, response, [&](Tab& tab) { tab.post(job); });
+    post_job("/api/fit", [](const JsonReader& body) {
+      return FitJob{request_of(body), scene_of(body)};
     });
-    post("/api/measure", [this](const JsonReader& body, Response& response) {
-      const MeasureJob job{request_of(body), scene_of(body), body.at("recording").text()};
-      with_tab(body, response, [&](Tab& tab) { tab.post(job); });
+    post_job("/api/measure", [](const JsonReader& body) {
+      return MeasureJob{request_of(body), scene_of(body), body.at("recording").text()};
     });
   }
 
@@ -326,6 +321,15 @@ class Studio::Server {
       if (response.status == -1) {
         answer(response, Json::object());
       }
+    });
+  }
+
+  /// The job that `job_in` makes of the request is the tab's next one.
+  template <class JobIn>
+  void post_job(const char* path, JobIn job_in) {
+    post(path, [this, job_in](const JsonReader& body, Response& response) {
+      Job job = job_in(body);
+      with_tab(body, response, [&](Tab& tab) { tab.post(std::move(job)); });
     });
   }
 
@@ -372,9 +376,6 @@ Studio::Studio(const StudioSettings& settings) : server_(std::make_unique<Server
 Studio::~Studio() = default;
 int Studio::port() const {
   return server_->port();
-}
-const std::string& Studio::token() const {
-  return server_->token();
 }
 std::string Studio::address() const {
   return server_->address();
