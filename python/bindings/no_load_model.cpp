@@ -119,11 +119,8 @@ void bind_no_load_model(py::module_& module) {
   module.def(
       "tip_pose",
       [](const DoubleArray& backbone) {
-        if (backbone.ndim() != 2 || backbone.shape(1) != kPoseSize || backbone.shape(0) == 0) {
-          require_shape(backbone,
-                        {std::max<py::ssize_t>(1, backbone.size() / kPoseSize), kPoseSize},
-                        "backbone");
-        }
+        require_shape(backbone, {std::max<py::ssize_t>(1, backbone.size() / kPoseSize), kPoseSize},
+                      "backbone");
         const auto rows = backbone.unchecked<2>();
         const py::ssize_t last = backbone.shape(0) - 1;
         return Pose{rows(last, 0), rows(last, 1), rows(last, 2)};

@@ -36,9 +36,7 @@ void bind_state(py::module_& module) {
                state.setpoint_kpa =
                    pressures_from(*setpoint_kpa, pressure_kpa.size(), "setpoint_kpa");
              }
-             if (tracker_t) {
-               require_finite(*tracker_t, "tracker_t");
-             }
+             require_finite(tracker_t.value_or(0.0), "tracker_t");
              state.tracker_s = tracker_t;
              return state;
            }),
