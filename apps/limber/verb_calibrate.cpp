@@ -105,18 +105,13 @@ class CalibrateVerb final : public Verb {
   /// Flags that would be passed over are refused.
   static void exclude_unused(CLI::App& app) {
     CLI::Option* check = app.get_option("--check");
-    app.get_option("--tube")->needs(check);
-    for (const char* flag : {"--out", "--levels", "--confidence", "--recordings", "--plans"}) {
-      check->excludes(app.get_option(flag));
-    }
     CLI::Option* recordings = app.get_option("--recordings");
-    for (const char* flag :
-         {"--shape-runs", "--screen-runs", "--test-runs", "--audit-runs", "--folder", "--resume"}) {
-      check->excludes(app.get_option(flag));
-      recordings->excludes(app.get_option(flag));
-    }
-    for (const char* flag : {"--max-queries", "--time-limit-s", "--valves", "--no-valves"}) {
-      recordings->excludes(app.get_option(flag));
+    app.get_option("--tube")->needs(check);
+    check->excludes("--out", "--levels", "--confidence", "--recordings", "--plans");
+    recordings->excludes("--max-queries", "--time-limit-s", "--valves", "--no-valves");
+    for (CLI::Option* option : {check, recordings}) {
+      option->excludes("--shape-runs", "--screen-runs", "--test-runs", "--audit-runs", "--folder",
+                       "--resume");
     }
   }
 

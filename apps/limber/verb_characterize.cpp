@@ -107,9 +107,7 @@ class CharacterizeVerb final : public Verb {
             ->needs(mapping)
             ->excludes(csv, plot, valves);
     mapping->needs(commands);
-    for (auto* other : {csv, valves, recordings, commands}) {
-      steps->excludes(other);
-    }
+    steps->excludes(csv, valves, recordings, commands);
     app.add_option("--plots", plots_, "Folder for valves.svg: a motion that was not fitted to")
         ->needs(valves);
     app.add_option("--out", out_,
