@@ -146,10 +146,6 @@ inline Eigen::Map<Eigen::MatrixXf> batch_map(py::array_t<float>& array) {
   return {array.mutable_data(), k == 0 ? 0 : array.size() / k, k};
 }
 
-}  // namespace limber::python
-
-namespace limber::python {
-
 /// Has NumPy make the array of anything that it understands.
 template <class Array>
 class ArrayCaster {
