@@ -84,9 +84,7 @@ void no_load_gaps(const NoLoadSegment* segments, int n, const float* pressure_kp
       const Vector length =
           multiply_add(e, broadcast(-0.5F), broadcast(1.0F)) * broadcast(gap_length) * sinc;
       float* out = gap + kPoseSize * i * stride + q;
-      store(out, length * chord.cosine);
-      store(out + stride, length * chord.sine);
-      store(out + 2 * stride, half + half);
+      store_vector3(out, stride, {length * chord.cosine, length * chord.sine, half + half});
     }
   }
 }
@@ -98,15 +96,11 @@ void chain_segments(const NoLoadSegment* segments, int n, const float* gap, floa
     Vector x{};
     Vector y{};
     Vector theta{};
-    store(out, x);
-    store(out + stride, y);
-    store(out + 2 * stride, theta);
+    store_vector3(out, stride, {x, y, theta});
     Rotation heading = {broadcast(1.0F), Vector{}};
     for (int i = 0; i < n; ++i) {
       const float* in = gap + kPoseSize * i * stride + q;
-      const Vector dx = load(in);
-      const Vector dy = load(in + stride);
-      const Vector turn = load(in + 2 * stride);
+      const auto [dx, dy, turn] = load_vector3(in, stride);
       const Rotation rotation = rotation_of(turn);
       for (int g = 0; g < segments[i].gaps; ++g) {
         out += kPoseSize * stride;
@@ -114,9 +108,7 @@ void chain_segments(const NoLoadSegment* segments, int n, const float* gap, floa
         y = multiply_add(heading.sine, dx, multiply_add(heading.cosine, dy, y));
         theta += turn;
         heading = then(heading, rotation);
-        store(out, x);
-        store(out + stride, y);
-        store(out + 2 * stride, theta);
+        store_vector3(out, stride, {x, y, theta});
       }
     }
   }
@@ -145,21 +137,16 @@ void decode_gaps(int gaps, const float* gap, float* base, int stride) {
     Vector y{};
     Vector theta{};
     float* out = base + q;
-    store(out, x);
-    store(out + stride, y);
-    store(out + 2 * stride, theta);
+    store_vector3(out, stride, {x, y, theta});
     for (int g = 0; g < gaps; ++g) {
       const float* in = gap + kPoseSize * g * stride + q;
       const Rotation heading = rotation_of(theta);
-      const Vector dx = load(in);
-      const Vector dy = load(in + stride);
+      const auto [dx, dy, turn] = load_vector3(in, stride);
       x = multiply_add(heading.cosine, dx, multiply_add(-heading.sine, dy, x));
       y = multiply_add(heading.sine, dx, multiply_add(heading.cosine, dy, y));
-      theta += load(in + 2 * stride);
+      theta += turn;
       out += kPoseSize * stride;
-      store(out, x);
-      store(out + stride, y);
-      store(out + 2 * stride, theta);
+      store_vector3(out, stride, {x, y, theta});
     }
   }
 }
@@ -290,14 +277,10 @@ void bound_gaps(int gaps, const GapBound<float>* bounds, float* gap, int stride)
   for (int g = 0; g < gaps; ++g) {
     float* const row = gap + kPoseSize * g * stride;
     for (int q = 0; q < stride; q += kLanes) {
-      Vector x = load(row + q);
-      Vector y = load(row + stride + q);
-      Vector turn = load(row + 2 * stride + q);
+      auto [x, y, turn] = load_vector3(row + q, stride);
       if (any_outside(bounds[g], x, y, turn)) {
         bound_lanes(bounds[g], x, y, turn);
-        store(row + q, x);
-        store(row + stride + q, y);
-        store(row + 2 * stride + q, turn);
+        store_vector3(row + q, stride, {x, y, turn});
       }
     }
   }
