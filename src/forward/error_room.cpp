@@ -13,32 +13,26 @@ namespace limber {
 namespace {
 
 ErrorRoom default_room(const ForwardModel& model) {
+  ErrorRoom room;
   if (!model.has_network()) {
-    return {
-        0.0,
-        {},
-        std::nullopt,
-        true,
+    room.note =
         "the no-load model's error is not known, so no clearance is kept for it: its plans mostly "
-        "miss and may collide; --margin-m asks for a clearance"};
+        "miss and may collide; --margin-m asks for a clearance";
+    return room;
   }
   const std::optional<PredictionError>& error = model.compensation().prediction_error;
   if (!error) {
-    return {
-        kUnknownErrorM,
-        {kUnknownErrorM, 0.0},
-        std::nullopt,
-        true,
-        fmt::format(
-            "the model's error was not measured: {:.1f} cm of clearance are kept, and as much to "
-            "the goal's rim; limber train measures the error",
-            kUnknownErrorM * kCmPerM)};
+    room.margin_m = kUnknownErrorM;
+    room.goal_margin = {kUnknownErrorM, 0.0};
+    room.note = fmt::format(
+        "the model's error was not measured: {:.1f} cm of clearance are kept, and as much to "
+        "the goal's rim; limber train measures the error",
+        kUnknownErrorM * kCmPerM);
+    return room;
   }
-  return {error->off_path_m,
-          {error->end_position_m, error->end_orientation_rad.value_or(0.0)},
-          std::nullopt,
-          true,
-          ""};
+  room.margin_m = error->off_path_m;
+  room.goal_margin = {error->end_position_m, error->end_orientation_rad.value_or(0.0)};
+  return room;
 }
 
 /// The level that plans keep; none where they keep a margin instead.
@@ -82,11 +76,8 @@ ErrorRoom error_room(const ForwardModel& model, const AskedRoom& asked) {
   const TubeLevel* level = level_of(model, asked);
   ErrorRoom room =
       level == nullptr ? default_room(model) : room_of(*model.compensation().tube, *level);
-  if (asked.tube_level) {
-    room.margin_yields_to_start = false;
-  }
+  room.margin_yields_to_start = !asked.tube_level && !asked.margin_m;
   if (asked.margin_m) {
-    room.margin_yields_to_start = false;
     room.note.clear();
   }
   room.margin_m = asked.margin_m.value_or(room.margin_m);

@@ -11,18 +11,15 @@
 namespace limber {
 
 /// Columns of floats: column j begins at data + j·ld.
-struct ConstColumns {
-  const float* data;
+template <class Float>
+struct ColumnsOf {
+  Float* data;
   int ld;
-  const float* column(int j) const { return data + static_cast<std::ptrdiff_t>(j) * ld; }
-  ConstColumns from(int j) const { return {column(j), ld}; }
+  Float* column(int j) const { return data + static_cast<std::ptrdiff_t>(j) * ld; }
+  ColumnsOf from(int j) const { return {column(j), ld}; }
 };
-struct Columns {
-  float* data;
-  int ld;
-  float* column(int j) const { return data + static_cast<std::ptrdiff_t>(j) * ld; }
-  Columns from(int j) const { return {column(j), ld}; }
-};
+using ConstColumns = ColumnsOf<const float>;
+using Columns = ColumnsOf<float>;
 
 /// Queries and the addresses of their answers.
 struct QueryColumns {
