@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -57,30 +58,18 @@ int count_at(const Safetensors& content, const std::string& key, const std::stri
   return *number_in<int>(text);
 }
 
-BackboneLayout layout_at(const Safetensors& content, const std::string& where) {
-  const std::string text = text_at(content, "layout", where);
-  for (const BackboneLayout layout : {BackboneLayout::base_poses, BackboneLayout::gap_poses}) {
-    if (text == to_string(layout)) {
-      return layout;
+/// The one of two choices that the metadata name.
+template <class Choice>
+Choice choice_at(const Safetensors& content, const char* key, Choice first, Choice second,
+                 const char* (*name_of)(Choice), const std::string& where) {
+  const std::string text = text_at(content, key, where);
+  for (const Choice choice : {first, second}) {
+    if (text == name_of(choice)) {
+      return choice;
     }
   }
-  refuse(where,
-         fmt::format("metadata layout = '{}'; expected base_poses or gap_poses", shortened(text)));
-}
-
-// Older files, from before there was a choice, don't say; they have the paper's form.
-OutputForm output_form_at(const Safetensors& content, const std::string& where) {
-  if (content.metadata.count("output_form") == 0) {
-    return OutputForm::compensation;
-  }
-  const std::string text = text_at(content, "output_form", where);
-  for (const OutputForm form : {OutputForm::compensation, OutputForm::gated_change}) {
-    if (text == to_string(form)) {
-      return form;
-    }
-  }
-  refuse(where, fmt::format("metadata output_form = '{}'; expected compensation or gated_change",
-                            shortened(text)));
+  refuse(where, fmt::format("metadata {} = '{}'; expected {} or {}", key, shortened(text),
+                            name_of(first), name_of(second)));
 }
 
 // Models of before there was a choice don't.
@@ -115,19 +104,6 @@ void read_space_into(CompensationModel& model, const Safetensors& content,
   }
 }
 
-// Older models, from before set points alone were learnt from, don't say; they are of the one kind.
-bool learnt_from_setpoints_at(const Safetensors& content, const std::string& where) {
-  if (content.metadata.count(kLearntFromKey) == 0) {
-    return false;
-  }
-  const std::string text = text_at(content, kLearntFromKey, where);
-  if (text != commands_are(false) && text != commands_are(true)) {
-    refuse(where, fmt::format("metadata {} = '{}'; expected {} or {}", kLearntFromKey,
-                              shortened(text), commands_are(false), commands_are(true)));
-  }
-  return text == commands_are(true);
-}
-
 void require_described_arm(const CompensationModel& model, const std::string& where) {
   if (model.arm_description.empty()) {
     return;
@@ -144,36 +120,28 @@ void require_described_arm(const CompensationModel& model, const std::string& wh
   }
 }
 
-// Older models, from before valves were identified, and models of recordings without set points
-// have none.
-void read_valves_into(CompensationModel& model, const Safetensors& content,
-                      const std::string& where) {
-  const auto found = content.metadata.find(kValvesKey);
-  if (found == content.metadata.end()) {
-    return;
+void read_measured_into(CompensationModel& model, const Safetensors& content,
+                        const std::string& where) {
+  const auto reader_at = [&](const char* key) {
+    const auto found = content.metadata.find(key);
+    return found == content.metadata.end()
+               ? std::nullopt
+               : std::optional(YamlReader::from_text(found->second, where + ": metadata " + key));
+  };
+  // Older models, from before valves were identified, and models of recordings without set points
+  // have none.
+  if (const std::optional<YamlReader> reader = reader_at(kValvesKey)) {
+    const IdentifiedValves valves = read_valves(*reader);
+    require_no_valves_before(model, valves.parameters, where + ": metadata valves");
+    model.set_valves(valves);
   }
-  const std::string metadata = where + ": metadata valves";
-  const IdentifiedValves valves = read_valves(YamlReader::from_text(found->second, metadata));
-  require_no_valves_before(model, valves.parameters, metadata);
-  model.set_valves(valves);
-}
-
-// Older models, from before it was measured, and models of recordings too short for it have none.
-void read_prediction_error_into(CompensationModel& model, const Safetensors& content,
-                                const std::string& where) {
-  const auto found = content.metadata.find(kErrorKey);
-  if (found != content.metadata.end()) {
-    model.prediction_error = read_prediction_error(
-        YamlReader::from_text(found->second, where + ": metadata prediction_error"));
+  // Older models, from before it was measured, and models of recordings too short for it have none.
+  if (const std::optional<YamlReader> reader = reader_at(kErrorKey)) {
+    model.prediction_error = read_prediction_error(*reader);
   }
-}
-
-// Only models that were calibrated have one.
-void read_tube_into(CompensationModel& model, const Safetensors& content,
-                    const std::string& where) {
-  const auto found = content.metadata.find(kTubeKey);
-  if (found != content.metadata.end()) {
-    model.tube = read_tube(YamlReader::from_text(found->second, where + ": metadata tube"));
+  // Only models that were calibrated have one.
+  if (const std::optional<YamlReader> reader = reader_at(kTubeKey)) {
+    model.tube = read_tube(*reader);
   }
 }
 
@@ -299,12 +267,16 @@ CompensationModel read_model(const std::filesystem::path& path) {
   CompensationModel model;
   model.arm_name = text_at(content, "arm_name", where);
   model.arm_hash = text_at(content, "arm_hash", where);
-  const auto description = content.metadata.find("arm_description");
-  if (description != content.metadata.end()) {
-    model.arm_description = description->second;
+  if (content.metadata.count("arm_description") > 0) {
+    model.arm_description = content.metadata.at("arm_description");
   }
-  model.layout = layout_at(content, where);
-  model.form = output_form_at(content, where);
+  model.layout = choice_at(content, "layout", BackboneLayout::base_poses, BackboneLayout::gap_poses,
+                           to_string, where);
+  // Older files, from before there was a choice, don't say; they have the paper's form.
+  if (content.metadata.count("output_form") > 0) {
+    model.form = choice_at(content, "output_form", OutputForm::compensation,
+                           OutputForm::gated_change, to_string, where);
+  }
   model.reads_velocity = reads_velocity_at(content, where);
   model.segment_count = count_at(content, "segment_count", where);
   model.point_count = count_at(content, "point_count", where);
@@ -315,10 +287,12 @@ CompensationModel read_model(const std::filesystem::path& path) {
       model.training[key.substr(std::char_traits<char>::length(kTrainingPrefix))] = value;
     }
   }
-  model.learnt_from_setpoints = learnt_from_setpoints_at(content, where);
-  read_valves_into(model, content, where);
-  read_prediction_error_into(model, content, where);
-  read_tube_into(model, content, where);
+  // Older models, from before set points alone were learnt from, don't say; they are of one kind.
+  if (content.metadata.count(kLearntFromKey) > 0) {
+    model.learnt_from_setpoints =
+        choice_at(content, kLearntFromKey, false, true, commands_are, where);
+  }
+  read_measured_into(model, content, where);
   TensorReader tensors(content, where);
   model.layers = tensors.layers("layers.");
   while (tensors.has(member_prefix(model.more_members.size() + 1) + "0.weight")) {
