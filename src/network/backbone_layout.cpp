@@ -63,37 +63,20 @@ Eigen::MatrixXf NetworkLayout::no_load_input(
 
 namespace {
 
-Eigen::Vector3d gap_of(const Pose& from, const Pose& to) {
-  return numbers_of(between(from, to));
-}
-Eigen::Matrix<double, kSpaceGapSize, 1> gap_of(const SpacePose& from, const SpacePose& to) {
-  return gap_numbers_of(between(from, to));
-}
-
 /// What the two kinds of arms differ in.
 struct PlaneNumbers {
   static constexpr int kPose = kPoseSize;
   static constexpr int kGap = kPoseSize;
-  template <class Derived>
-  static Pose pose(const Eigen::MatrixBase<Derived>& numbers) {
-    return pose_of(numbers);
-  }
-  template <class Derived>
-  static Pose step(const Eigen::MatrixBase<Derived>& gap) {
-    return pose_of(gap);
-  }
+  static Pose pose(const auto& numbers) { return pose_of(numbers); }
+  static Pose step(const auto& gap) { return pose_of(gap); }
+  static auto gap(const Pose& step) { return numbers_of(step); }
 };
 struct SpaceNumbers {
   static constexpr int kPose = kSpacePoseSize;
   static constexpr int kGap = kSpaceGapSize;
-  template <class Derived>
-  static SpacePose pose(const Eigen::MatrixBase<Derived>& numbers) {
-    return space_pose_of(numbers);
-  }
-  template <class Derived>
-  static SpacePose step(const Eigen::MatrixBase<Derived>& gap) {
-    return step_of_gap(gap);
-  }
+  static SpacePose pose(const auto& numbers) { return space_pose_of(numbers); }
+  static SpacePose step(const auto& gap) { return step_of_gap(gap); }
+  static auto gap(const SpacePose& step) { return gap_numbers_of(step); }
 };
 
 template <class Numbers>
@@ -105,7 +88,8 @@ Eigen::MatrixXd gaps_in(const Eigen::Ref<const Eigen::MatrixXd>& base_poses) {
       return Numbers::pose(base_poses.col(j).segment<Numbers::kPose>(Numbers::kPose * plate));
     };
     for (Eigen::Index g = 0; g < count; ++g) {
-      gaps.col(j).segment<Numbers::kGap>(Numbers::kGap * g) = gap_of(pose(g), pose(g + 1));
+      gaps.col(j).segment<Numbers::kGap>(Numbers::kGap * g) =
+          Numbers::gap(between(pose(g), pose(g + 1)));
     }
   }
   return gaps;

@@ -1,7 +1,7 @@
 #include "limber/network/compensation_model.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -49,10 +49,8 @@ void validate_past_commands(const CompensationModel& model, const std::string& w
 
 void validate_normalisation(const std::string& where, const std::string& name,
                             const Normalisation& normalisation, Eigen::Index size) {
-  for (const auto& [part, values] :
-       {std::pair{"offset", &normalisation.offset}, std::pair{"scale", &normalisation.scale}}) {
-    require_vector(where, name + "." + part, *values, size);
-  }
+  require_vector(where, name + ".offset", normalisation.offset, size);
+  require_vector(where, name + ".scale", normalisation.scale, size);
   for (Eigen::Index i = 0; i < size; ++i) {
     if (!std::isfinite(1.0F / normalisation.scale[i])) {  // numbers are multiplied by it
       refuse(where, fmt::format("tensor {}.scale[{}] is {}; expected a scale other than 0, whose "
@@ -98,11 +96,8 @@ void validate_members(const std::string& where, const CompensationModel& model, 
     const std::vector<Layer>& layers = model.more_members[k];
     const std::string prefix = fmt::format("members.{}.layers.", k + 1);
     validate_layers(where, prefix, layers, sizes);
-    bool alike = layers.size() == model.layers.size();
-    for (std::size_t l = 0; alike && l < layers.size(); ++l) {
-      alike = layers[l].weight.rows() == model.layers[l].weight.rows();
-    }
-    if (!alike) {
+    const auto units = [](const Layer& layer) { return layer.weight.rows(); };
+    if (!std::ranges::equal(layers, model.layers, {}, units, units)) {
       refuse(where, fmt::format("tensors {}* have another shape than layers.*; "
                                 "the members of an ensemble are alike",
                                 prefix));

@@ -226,9 +226,7 @@ float NoveltyMeasure::novelty(const float* pressures_kpa, const float* backbone,
   float* distances = workspace.numbers.data();
   float* joint = distances + padded_rows_;
   float* headings = joint + 2 * padded(joint_size_, kLanes);
-  for (int i = 0; i < segment_count_; ++i) {
-    joint[i] = pressures_kpa[i];
-  }
+  std::copy_n(pressures_kpa, segment_count_, joint);
   write_gap_poses(backbone, point_count_ - 1, padded_gaps_, headings, joint + segment_count_);
   kernels_->query_layer(padded_rows_, joint_size_, weight_.data(), joint, bias_.data(), false,
                         distances);
@@ -245,9 +243,7 @@ float NoveltyMeasure::novelty(const float* pressures_kpa, const float* backbone,
   const float* joint = workspace.numbers.data() + padded_rows_;  // as `standing` left it
   float* before = workspace.numbers.data() + padded_rows_ + padded(joint_size_, kLanes);
   float* headings = before + padded(joint_size_, kLanes);
-  for (int i = 0; i < segment_count_; ++i) {
-    before[i] = before_kpa[i];
-  }
+  std::copy_n(before_kpa, segment_count_, before);
   write_gap_poses(backbone_before, point_count_ - 1, padded_gaps_, headings,
                   before + segment_count_);
   float worst = standing;

@@ -41,14 +41,13 @@ class OnnxGraph {
 
   void output(const std::string& name, Eigen::Index size) {
     describe(*graph_.add_output(), name, size);
-    graph_.mutable_node(graph_.node_size() - 1)->set_output(0, name);
+    last_node().set_output(0, name);
   }
 
   /// Element by element with a constant row.
   void combine(const char* operation, const std::string& name, const Eigen::VectorXf& values) {
     add_tensor(name, {values.size()}, values.data());
-    onnx::NodeProto& node = add_node(operation, name);
-    node.add_input(name);
+    apply(operation, name, {last_, name});
   }
 
   void layer(const std::string& name, const Layer& layer) {
@@ -56,18 +55,16 @@ class OnnxGraph {
     const RowMajor rows = layer.weight;
     add_tensor(name + ".weight", {rows.rows(), rows.cols()}, rows.data());
     add_tensor(name + ".bias", {layer.bias.size()}, layer.bias.data());
-    onnx::NodeProto& node = add_node("Gemm", name);
-    node.add_input(name + ".weight");
-    node.add_input(name + ".bias");
-    onnx::AttributeProto& transpose = *node.add_attribute();
+    apply("Gemm", name, {last_, name + ".weight", name + ".bias"});
+    onnx::AttributeProto& transpose = *last_node().add_attribute();
     transpose.set_name("transB");
     transpose.set_type(onnx::AttributeProto::INT);
     transpose.set_i(1);
   }
 
-  void relu(const std::string& name) { add_node("Relu", name); }
+  void relu(const std::string& name) { apply("Relu", name, {last_}); }
 
-  /// Any operation on one or two results, by their names; gives its own.
+  /// Any operation on results, by their names; gives its own.
   std::string apply(const char* operation, const std::string& name,
                     const std::vector<std::string>& inputs) {
     onnx::NodeProto& node = *graph_.add_node();
@@ -106,15 +103,7 @@ class OnnxGraph {
     type.mutable_shape()->add_dim()->set_dim_value(size);
   }
 
-  onnx::NodeProto& add_node(const char* operation, const std::string& name) {
-    onnx::NodeProto& node = *graph_.add_node();
-    node.set_op_type(operation);
-    node.set_name(name + "." + operation);
-    node.add_input(last_);
-    last_ = name + ".out";
-    node.add_output(last_);
-    return node;
-  }
+  onnx::NodeProto& last_node() { return *graph_.mutable_node(graph_.node_size() - 1); }
 
   void add_tensor(const std::string& name, const std::vector<Eigen::Index>& shape,
                   const float* values) {

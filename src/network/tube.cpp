@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "limber/common/error.hpp"
@@ -189,11 +191,8 @@ std::string to_text(const Tube& tube) {
 }
 
 std::string names_of_levels(const Tube& tube) {
-  std::string names;
-  for (const TubeLevel& level : tube.levels) {
-    names += fmt::format("{}{:.6g}", names.empty() ? "" : ", ", level.level);
-  }
-  return names;
+  return fmt::format("{:.6g}",
+                     fmt::join(tube.levels | std::views::transform(&TubeLevel::level), ", "));
 }
 
 }  // namespace limber
