@@ -154,10 +154,8 @@ IdentifiedValves CompensationModel::identified_valves() const {
 
 void CompensationModel::set_valves(const IdentifiedValves& identified) {
   require_no_valves_before(*this, identified.parameters, "valves");
-  valves.reset();
-  if (!identified.parameters.is_ideal()) {
-    valves = identified.parameters;
-  }
+  const ValveParameters& found = identified.parameters;
+  valves = found.is_ideal() ? std::nullopt : std::optional(found);
   valve_findings = identified.findings;
 }
 

@@ -21,11 +21,6 @@ inline Tensor matrix_tensor(const Eigen::MatrixXf& matrix) {
           {rows.data(), rows.data() + rows.size()}};
 }
 
-inline Tensor vector_tensor(const Eigen::VectorXf& vector) {
-  return {{static_cast<std::size_t>(vector.size())},
-          {vector.data(), vector.data() + vector.size()}};
-}
-
 inline std::string text_at(const Safetensors& content, const std::string& key,
                            const std::string& where) {
   const auto found = content.metadata.find(key);

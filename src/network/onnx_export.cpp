@@ -16,9 +16,11 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
+#include "limber/common/safetensors.hpp"
 #include "limber/common/version.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/network/packed_network.hpp"
+#include "model_tensors.hpp"
 
 namespace limber {
 
@@ -46,15 +48,13 @@ class OnnxGraph {
 
   /// Element by element with a constant row.
   void combine(const char* operation, const std::string& name, const Eigen::VectorXf& values) {
-    add_tensor(name, {values.size()}, values.data());
+    add_tensor(name, vector_tensor(values));
     apply(operation, name, {last_, name});
   }
 
   void layer(const std::string& name, const Layer& layer) {
-    using RowMajor = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    const RowMajor rows = layer.weight;
-    add_tensor(name + ".weight", {rows.rows(), rows.cols()}, rows.data());
-    add_tensor(name + ".bias", {layer.bias.size()}, layer.bias.data());
+    add_tensor(name + ".weight", matrix_tensor(layer.weight));
+    add_tensor(name + ".bias", vector_tensor(layer.bias));
     apply("Gemm", name, {last_, name + ".weight", name + ".bias"});
     onnx::AttributeProto& transpose = *last_node().add_attribute();
     transpose.set_name("transB");
@@ -105,17 +105,14 @@ class OnnxGraph {
 
   onnx::NodeProto& last_node() { return *graph_.mutable_node(graph_.node_size() - 1); }
 
-  void add_tensor(const std::string& name, const std::vector<Eigen::Index>& shape,
-                  const float* values) {
+  void add_tensor(const std::string& name, const Tensor& numbers) {
     onnx::TensorProto& tensor = *graph_.add_initializer();
     tensor.set_name(name);
     tensor.set_data_type(onnx::TensorProto::FLOAT);
-    Eigen::Index size = 1;
-    for (const Eigen::Index extent : shape) {
-      tensor.add_dims(extent);
-      size *= extent;
+    for (const std::size_t extent : numbers.shape) {
+      tensor.add_dims(static_cast<std::int64_t>(extent));
     }
-    tensor.mutable_float_data()->Add(values, values + size);
+    tensor.mutable_float_data()->Add(numbers.values.begin(), numbers.values.end());
   }
 
   onnx::GraphProto& graph_;

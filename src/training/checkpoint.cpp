@@ -23,10 +23,6 @@ constexpr const char* kSchema = "limber/checkpoint/5";
 constexpr double kMaxSeconds = 1e9;  // 30 years
 constexpr std::uint64_t kMaxSteps = 1'000'000'000'000;
 
-Tensor to_tensor(const Eigen::VectorXf& vector) {
-  return {{static_cast<std::size_t>(vector.size())}, {vector.begin(), vector.end()}};
-}
-
 std::string rival_name(std::size_t rival) {
   return fmt::format("rivals.{}", rival);
 }
@@ -209,16 +205,16 @@ class CheckpointReader {
 void write_checkpoint(const fs::path& path, const Checkpoint& checkpoint) {
   const TrainingState& state = checkpoint.state;
   Safetensors content;
-  content.tensors["parameters"] = to_tensor(state.parameters);
-  content.tensors["first_moment"] = to_tensor(state.optimiser.first_moment);
-  content.tensors["second_moment"] = to_tensor(state.optimiser.second_moment);
-  content.tensors["rotations"] = to_tensor(state.optimiser.rotations);
+  content.tensors["parameters"] = vector_tensor(state.parameters);
+  content.tensors["first_moment"] = vector_tensor(state.optimiser.first_moment);
+  content.tensors["second_moment"] = vector_tensor(state.optimiser.second_moment);
+  content.tensors["rotations"] = vector_tensor(state.optimiser.rotations);
   Json rivals = Json::array();
   for (std::size_t i = 0; i < state.rivals.size(); ++i) {
     const ValidatedEpoch& rival = state.rivals[i];
     rivals.push_back(
         {{"epoch", rival.epoch}, {"error_m", rival.error_m}, {"members_m", rival.members_m}});
-    content.tensors[rival_name(i)] = to_tensor(rival.weights);
+    content.tensors[rival_name(i)] = vector_tensor(rival.weights);
   }
   const Json numbers = {{"epochs_done", state.epochs_done},
                         {"step", state.optimiser.step},
