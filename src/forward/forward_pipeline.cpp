@@ -57,10 +57,8 @@ int padded(int count, int lanes) {
 
 ForwardPipeline::ForwardPipeline(const ArmDescription& arm, const CompensationModel* model,
                                  CpuLevel level)
-    : segments_(arm.segment_count()),
-      channels_(arm.channel_count()),
+    : channels_(arm.channel_count()),
       points_(arm.point_count()),
-      dimension_(arm.dimension),
       rows_(row_kernels(level)),
       gaps_(arm.is_spatial() ? rows_.in_space : rows_.in_plane),
       poses_(gaps_.pose_size * points_),
@@ -133,20 +131,20 @@ void ForwardPipeline::run_no_load(int count, const QueryColumns& queries, float*
 }
 
 void ForwardPipeline::no_load_rows(int stride, const float* pressure, float* gap) const {
-  if (dimension_ == Dimension::space) {
+  if (layout_.dimension() == Dimension::space) {
     rows_.no_load_space_gaps(
-        {segments_, channels_, in_space_.chambers.data(), in_space_.shape.data(),
+        {layout_.segment_count(), channels_, in_space_.chambers.data(), in_space_.shape.data(),
          in_space_.gap_length_m.data(), in_space_.gap_share.data()},
         pressure, gap, stride);
   } else {
-    rows_.no_load_gaps(no_load_.data(), segments_, pressure, gap, stride);
+    rows_.no_load_gaps(no_load_.data(), layout_.segment_count(), pressure, gap, stride);
   }
 }
 
 // Of the segments' gaps to all plates. `gap` has room for all gaps.
 void ForwardPipeline::chain_no_load(int stride, float* gap, float* base) const {
-  if (dimension_ == Dimension::plane) {
-    rows_.chain_segments(no_load_.data(), segments_, gap, base, stride);
+  if (layout_.dimension() == Dimension::plane) {
+    rows_.chain_segments(no_load_.data(), layout_.segment_count(), gap, base, stride);
     return;
   }
   // In place, from the tip: a gap never lies before its segment's.
@@ -218,13 +216,11 @@ void ForwardPipeline::run_few(int count, const QueryColumns& queries, float* scr
   rows_.gather(channels_, count, queries.current_kpa.data, queries.current_kpa.ld, pressure,
                stride);
   no_load_rows(stride, pressure, gap);
-  if (has_gap_poses) {
-    rows_.scatter(gaps_.gap_size * segments_, count, gap, stride, input + layout_.no_load_row(),
-                  ld);
-  } else {
+  if (!has_gap_poses) {
     chain_no_load(stride, gap, base);
-    rows_.scatter(poses_, count, base, stride, input + layout_.no_load_row(), ld);
   }
+  rows_.scatter(layout_.no_load_size(), count, has_gap_poses ? gap : base, stride,
+                input + layout_.no_load_row(), ld);
   const float* outputs = network_->evaluate_columns(count, input, ld, layers);
   for (int q = 0; q < count; ++q) {
     const float* const previous = input + q * ld + layout_.backbone_row();

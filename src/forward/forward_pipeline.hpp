@@ -65,10 +65,8 @@ class ForwardPipeline {
   void no_load_rows(int stride, const float* pressure, float* gap) const;
   void chain_no_load(int stride, float* gap, float* base) const;
 
-  int segments_;
   int channels_;
   int points_;
-  Dimension dimension_;
   const RowKernels& rows_;
   const GapKernels& gaps_;
   int poses_;  ///< numbers of all plates about the base
