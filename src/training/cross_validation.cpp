@@ -14,6 +14,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/random_stream.hpp"
+#include "limber/common/units.hpp"
 #include "limber/data/episode_slice.hpp"
 #include "limber/data/recording_inspection.hpp"
 #include "limber/training/run_errors.hpp"
@@ -195,8 +196,9 @@ class CrossValidator {
     const double share = double(frame_count(unseen)) / double(frame_count(parts_.moving));
     attempt.share += share;
     const auto add = [&](double& mean_cm, int frames) {
-      const double error_cm = tip_error_cm(model, unseen, frames, settings_.jobs);
-      mean_cm += share / attempt.share * (error_cm - mean_cm);
+      const double error_cm = kCmPerM * tip_error_m(model, unseen, frames, settings_.jobs);
+      // Not finite where a prediction is not, or nothing was tracked.
+      mean_cm += share / attempt.share * ((std::isfinite(error_cm) ? error_cm : kNever) - mean_cm);
     };
     add(way.one_step_cm, 1);
     add(way.window_32_cm, 32);
@@ -283,8 +285,7 @@ bool take_another_way(CrossValidation& found) {
 TrainingResult train_on_everything(const ArmDescription& arm, const std::vector<Episode>& episodes,
                                    const TrainingSettings& settings, const IdentifiedValves& valves,
                                    const CrossValidation& found, const TrainingHooks& hooks) {
-  TrainingData data;
-  data.training = episodes;
+  const TrainingData data{episodes, {}};
   TrainingResult result = train(arm, data, settings_of(found.best(), settings), hooks);
   if (result.best_epoch > 0) {
     result.model.set_valves(valves);

@@ -68,8 +68,6 @@ EnsembleErrors errors_of(const EnsembleForward& ensemble, const std::vector<Epis
     const TipErrorSeries one = tip_errors(mean[episode], episodes[episode]);
     append(series, one);
     const Dimension dimension = episodes[episode].dimension;
-    const Eigen::Index tip = mean[episode].cols() - pose_size(dimension);
-    const Eigen::Index numbers = position_size(dimension);
     for (std::size_t i = 0; i < one.position_cm.size(); ++i) {
       if (std::isnan(one.position_cm[i])) {
         continue;
@@ -77,9 +75,9 @@ EnsembleErrors errors_of(const EnsembleForward& ensemble, const std::vector<Epis
       const auto t = static_cast<Eigen::Index>(i) + 1;
       double square = 0.0;
       for (const std::vector<FrameMatrix>& member : members) {
-        square += static_cast<double>((member[episode].row(t).segment(tip, numbers) -
-                                       mean[episode].row(t).segment(tip, numbers))
-                                          .squaredNorm());
+        square += static_cast<double>(
+            (tip_place(member[episode], t, dimension) - tip_place(mean[episode], t, dimension))
+                .squaredNorm());
       }
       spread_cm.push_back(kCmPerM * std::sqrt(square / static_cast<double>(members.size())));
       error_cm.push_back(one.position_cm[i]);
@@ -92,13 +90,9 @@ EnsembleErrors errors_of(const EnsembleForward& ensemble, const std::vector<Epis
 
 EnsembleEvaluation evaluate_ensemble(const EnsembleForward& ensemble,
                                      const std::vector<Episode>& episodes, int jobs) {
-  EnsembleEvaluation result;
-  result.members = ensemble.member_count();
-  result.one_step = errors_of(ensemble, episodes, Restart::every_frame, jobs);
-  result.window_32 = errors_of(ensemble, episodes, Restart::every_32_frames, jobs);
-  result.per_motion = errors_of(ensemble, episodes, Restart::every_motion, jobs);
-  result.open_loop = errors_of(ensemble, episodes, Restart::at_the_start_only, jobs);
-  return result;
+  const auto errors = [&](Restart restart) { return errors_of(ensemble, episodes, restart, jobs); };
+  return {ensemble.member_count(), errors(Restart::every_frame), errors(Restart::every_32_frames),
+          errors(Restart::every_motion), errors(Restart::at_the_start_only)};
 }
 
 double rank_correlation(const std::vector<double>& a, const std::vector<double>& b) {

@@ -1,6 +1,5 @@
 #include "error_runs.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "limber/arm/plate_distance.hpp"
@@ -14,22 +13,6 @@ namespace {
 constexpr double kStillM = 1e-3;          // of any plate from frame to frame
 constexpr int kStillFrames = 4;           // in a row
 constexpr std::size_t kMinFromRest = 19;  // for a 95 % quantile
-
-/// Motions as they were recorded, including holds, cut if they are longer than `max_frames`.
-std::vector<RolloutPiece> cut_motions(const std::vector<Episode>& unseen, int max_frames) {
-  std::vector<RolloutPiece> pieces;
-  for (const RolloutPiece& motion : pieces_of_motions(unseen)) {
-    const Episode& episode = unseen[static_cast<std::size_t>(motion.episode)];
-    const int end = motion.first + motion.frames;
-    int first = motion.first;
-    while (first < end) {
-      const int frames = std::min(max_frames, end - first);
-      pieces.push_back({motion.episode, first, frames});
-      first = episode.next_tracked(first + frames, end);
-    }
-  }
-  return pieces;
-}
 
 /// Whether anything is commanded to move: standing still is easily predicted.
 /// @param noise  of commands, as a share of half their range
@@ -71,7 +54,8 @@ std::vector<RolloutPiece> error_runs(const ArmDescription& arm,
   }
   std::vector<RolloutPiece> moving;
   std::vector<RolloutPiece> from_rest;
-  for (const RolloutPiece& piece : cut_motions(unseen, max_frames)) {
+  // Motions as they were recorded, including holds, cut if they are long.
+  for (const RolloutPiece& piece : cut_pieces(pieces_of_motions(unseen), unseen, max_frames)) {
     const Episode& episode = unseen[static_cast<std::size_t>(piece.episode)];
     if (moves(arm, episode, piece, noise[static_cast<std::size_t>(piece.episode)])) {
       moving.push_back(piece);

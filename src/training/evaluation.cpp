@@ -88,12 +88,7 @@ namespace {
 
 /// Frames that count: those tracked after the first of their episode, which is given.
 std::int64_t counted_frames(const std::vector<Episode>& episodes) {
-  std::int64_t frames = 0;
-  for (const Episode& episode : episodes) {
-    for (int t = 1; t < episode.frame_count(); ++t) {
-      frames += episode.was_tracked(t) ? 1 : 0;
-    }
-  }
+  const std::int64_t frames = measured_frames(episodes, pieces_of_every_frame(episodes));
   if (frames == 0) {
     throw InputError(
         "the recording can't be used for evaluation: the arm was tracked in none of the frames "

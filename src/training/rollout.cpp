@@ -1,14 +1,13 @@
 #include "rollout.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <functional>
 #include <limits>
 #include <span>
 
 #include "kernels/job_arena.hpp"
 #include "limber/arm/space_pose.hpp"
 #include "limber/common/interrupt.hpp"
-#include "limber/common/units.hpp"
 
 namespace limber {
 
@@ -84,18 +83,27 @@ int before_start(const Episode& episode, int first) {
 }
 
 std::vector<RolloutPiece> pieces_of_length(const std::vector<Episode>& episodes, int frames) {
-  std::vector<RolloutPiece> pieces;
-  for (int index = 0; index < static_cast<int>(episodes.size()); ++index) {
-    const Episode& episode = episodes[static_cast<std::size_t>(index)];
-    const int last = episode.frame_count() - 1;
-    int first = episode.next_tracked(0, last);
-    while (first < last) {
-      const int count = std::min(frames, last - first);
-      pieces.push_back({index, first, count});
-      first = episode.next_tracked(first + count, last);
+  std::vector<RolloutPiece> whole;
+  for (const Episode& episode : episodes) {
+    whole.push_back({static_cast<int>(whole.size()), 0, episode.frame_count() - 1});
+  }
+  return cut_pieces(whole, episodes, frames);
+}
+
+std::vector<RolloutPiece> cut_pieces(const std::vector<RolloutPiece>& pieces,
+                                     const std::vector<Episode>& episodes, int frames) {
+  std::vector<RolloutPiece> parts;
+  for (const RolloutPiece& piece : pieces) {
+    const Episode& episode = episodes[static_cast<std::size_t>(piece.episode)];
+    const int end = piece.first + piece.frames;
+    int first = episode.next_tracked(piece.first, end);
+    while (first < end) {
+      const int count = std::min(frames, end - first);
+      parts.push_back({piece.episode, first, count});
+      first = episode.next_tracked(first + count, end);
     }
   }
-  return pieces;
+  return parts;
 }
 
 std::vector<RolloutPiece> pieces_of_motions(const std::vector<Episode>& episodes) {
@@ -148,9 +156,7 @@ std::vector<FrameMatrix> roll_out(const ForwardModel& model, const std::vector<E
                                   std::vector<RolloutPiece> pieces, int jobs,
                                   OnInterrupt on_interrupt) {
   std::vector<FrameMatrix> predicted = nothing_predicted(episodes);
-  std::stable_sort(pieces.begin(), pieces.end(), [](const RolloutPiece& a, const RolloutPiece& b) {
-    return a.frames > b.frames;
-  });
+  std::ranges::stable_sort(pieces, std::greater{}, &RolloutPiece::frames);
   std::vector<Eigen::MatrixXf> commands;  // as the model is told them, a frame in each column
   for (const Episode& episode : episodes) {
     commands.push_back(model.told_commands(episode.pressure_kpa.transpose()));
@@ -242,12 +248,10 @@ double mean_tip_error_m(const std::vector<FrameMatrix>& predicted,
   for (const RolloutPiece& piece : pieces) {
     const auto index = static_cast<std::size_t>(piece.episode);
     const Episode& episode = episodes[index];
-    const Eigen::Index tip = episode.backbone.cols() - pose_size(episode.dimension);
-    const Eigen::Index numbers = position_size(episode.dimension);
     for (int t = piece.first + 1; t <= piece.first + piece.frames; ++t) {
       if (episode.was_tracked(t)) {
-        const auto error = predicted[index].row(t).segment(tip, numbers) -
-                           episode.backbone.row(t).segment(tip, numbers);
+        const auto error = tip_place(predicted[index], t, episode.dimension) -
+                           tip_place(episode.backbone, t, episode.dimension);
         sum += static_cast<double>(error.norm());
       }
     }
@@ -260,12 +264,6 @@ double tip_error_m(const ForwardModel& model, const std::vector<Episode>& episod
                    int jobs) {
   const std::vector<RolloutPiece> pieces = pieces_of_length(episodes, frames);
   return mean_tip_error_m(roll_out(model, episodes, pieces, jobs), episodes, pieces);
-}
-
-double tip_error_cm(const ForwardModel& model, const std::vector<Episode>& episodes, int frames,
-                    int jobs) {
-  const double error = kCmPerM * tip_error_m(model, episodes, frames, jobs);
-  return std::isfinite(error) ? error : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace limber

@@ -27,6 +27,10 @@ std::vector<RolloutPiece> pieces_of_length(const std::vector<Episode>& episodes,
 /// after that in which the arm was tracked.
 std::vector<RolloutPiece> pieces_of_motions(const std::vector<Episode>& episodes);
 
+/// The same pieces in parts of up to `frames` frames. A part begins at a frame in which the arm was
+/// tracked, too.
+std::vector<RolloutPiece> cut_pieces(const std::vector<RolloutPiece>& pieces,
+                                     const std::vector<Episode>& episodes, int frames);
 std::vector<RolloutPiece> pieces_for(const std::vector<Episode>& episodes, Restart restart);
 
 /// The frame that tells how the arm moves in frame `first`; itself where nobody saw that.
@@ -69,6 +73,12 @@ RolloutErrors errors_at_every_restart(
     const std::vector<Episode>& episodes,
     const std::function<std::vector<FrameMatrix>(Restart)>& predict);
 
+/// Where the tip is in frame `t`: x and y, in space z.
+inline auto tip_place(const FrameMatrix& backbones, Eigen::Index t, Dimension dimension) {
+  return backbones.row(t).segment(backbones.cols() - pose_size(dimension),
+                                  position_size(dimension));
+}
+
 /// Angle between the tip's headings in frame `t`; NaN where nobody measured them (`lifted`).
 double heading_apart_rad(const FrameMatrix& predicted, const Episode& recorded, Eigen::Index t);
 
@@ -85,8 +95,5 @@ double mean_tip_error_m(const std::vector<FrameMatrix>& predicted,
 /// The same of `model` rolled out over pieces of `frames` frames.
 double tip_error_m(const ForwardModel& model, const std::vector<Episode>& episodes, int frames,
                    int jobs);
-/// That in cm; infinite where a prediction is not finite, or nothing was tracked.
-double tip_error_cm(const ForwardModel& model, const std::vector<Episode>& episodes, int frames,
-                    int jobs);
 
 }  // namespace limber

@@ -9,6 +9,7 @@
 #include "limber/arm/space_pose.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/common/units.hpp"
+#include "rollout.hpp"
 
 namespace limber {
 
@@ -80,21 +81,21 @@ double heading_apart_rad(const FrameMatrix& predicted, const Episode& recorded, 
 TipErrorSeries tip_errors(const FrameMatrix& predicted, const Episode& episode) {
   TipErrorSeries errors;
   const FrameMatrix& recorded = episode.backbone;
-  const Eigen::Index tip = recorded.cols() - pose_size(episode.dimension);
-  const Eigen::Index numbers = position_size(episode.dimension);
+  const Dimension dimension = episode.dimension;
   for (int t = 1; t < episode.frame_count(); ++t) {
     const Eigen::VectorXd difference =
-        (predicted.row(t).segment(tip, numbers) - recorded.row(t).segment(tip, numbers))
+        (tip_place(predicted, t, dimension) - tip_place(recorded, t, dimension))
             .transpose()
             .cast<double>();
     const bool tracked =
-        episode.was_tracked(t) && predicted.row(t).tail(recorded.cols() - tip).allFinite();
+        episode.was_tracked(t) && predicted.row(t).tail(pose_size(dimension)).allFinite();
     const double nan = std::numeric_limits<double>::quiet_NaN();
     errors.position_cm.push_back(tracked ? kCmPerM * difference.norm() : nan);
     errors.orientation_rad.push_back(tracked ? heading_apart_rad(predicted, episode, t) : nan);
     errors.plates_cm.push_back(tracked ? kCmPerM * plates_m(predicted, episode, t) : nan);
     errors.motion.push_back(episode.motion_index[static_cast<std::size_t>(t)]);
-    const auto step = (recorded.row(t) - recorded.row(t - 1)).segment(tip, numbers).cast<double>();
+    const auto step =
+        (tip_place(recorded, t, dimension) - tip_place(recorded, t - 1, dimension)).cast<double>();
     errors.moving.push_back(episode.was_tracked(t - 1) && step.norm() >= kMovingTip_m);
   }
   return errors;
