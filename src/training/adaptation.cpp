@@ -65,12 +65,11 @@ Halves split(const std::vector<Episode>& episodes) {
 int moving_frames(const Episode& episode) {
   int count = 0;
   for (int t = 1; t < episode.frame_count(); ++t) {
-    count += episode.was_tracked(t) && episode.was_tracked(t - 1) &&
-                     largest_place_distance_m(
-                         places_at(episode.backbone, t, episode.dimension),
-                         places_at(episode.backbone, t - 1, episode.dimension)) > kMovedM
-                 ? 1
-                 : 0;
+    if (episode.was_tracked(t) && episode.was_tracked(t - 1) &&
+        largest_place_distance_m(places_at(episode.backbone, t, episode.dimension),
+                                 places_at(episode.backbone, t - 1, episode.dimension)) > kMovedM) {
+      ++count;
+    }
   }
   return count;
 }
@@ -153,15 +152,12 @@ class Adapter {
   /// Weights trained further. What validates only says which epoch is the best.
   CompensationModel trained_on(const CompensationModel& start, const std::vector<Episode>& training,
                                const std::vector<Episode>& validation) const {
-    TrainingData data;
-    data.training = training;
-    data.validation = validation;
+    const TrainingData data{training, validation};
     TrainingSettings settings = fine_tuning_of(best_preset());
     settings.seed = settings_.seed;
     settings.jobs = settings_.jobs;
     settings.validation_interval = 5;
-    TrainingHooks hooks;
-    hooks.should_stop = interrupt_requested;
+    const TrainingHooks hooks{.should_stop = interrupt_requested};
     TrainingResult result = fine_tune(arm_, data, settings, start, hooks);
     if (result.status == TrainingStatus::interrupted) {
       throw Interrupted("stopped while weights were trained");

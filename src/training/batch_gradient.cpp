@@ -45,20 +45,19 @@ BatchGradient::BatchGradient(const TrainingTables& tables, const ParameterLayout
   }
 }
 
-void BatchGradient::compute_chunk(int chunk, std::span<const int> starts,
+void BatchGradient::compute_chunk(std::size_t chunk, std::span<const int> starts,
                                   const Eigen::VectorXf& parameters) {
   const FlushedSubnormals flushed;
   const auto thread = static_cast<std::size_t>(tbb::this_task_arena::current_thread_index());
-  const auto index = static_cast<std::size_t>(chunk);
-  const std::size_t first = index * static_cast<std::size_t>(windows_per_chunk_);
+  const std::size_t first = chunk * static_cast<std::size_t>(windows_per_chunk_);
   const std::size_t count =
       std::min(starts.size() - first, static_cast<std::size_t>(windows_per_chunk_));
   WindowGradient<float>& workspace = workspaces_[thread];
   workspace.load(tables_.frames, starts.subspan(first, count));
   for (std::size_t network = 0; network < networks_; ++network) {
     const Eigen::Index offset = static_cast<Eigen::Index>(network) * parameters_;
-    losses_[index * networks_ + network] = workspace.forward(parameters.data() + offset);
-    workspace.backward(parameters.data() + offset, gradients_[index].data() + offset);
+    losses_[chunk * networks_ + network] = workspace.forward(parameters.data() + offset);
+    workspace.backward(parameters.data() + offset, gradients_[chunk].data() + offset);
   }
 }
 
@@ -79,8 +78,7 @@ std::span<const double> BatchGradient::compute(std::span<const int> starts,
   const std::size_t chunks = (starts.size() + per_chunk - 1) / per_chunk;
   assert(chunks >= 1 && chunks <= gradients_.size());
   arena_.for_each(
-      chunks,
-      [&](std::size_t chunk) { compute_chunk(static_cast<int>(chunk), starts, parameters); },
+      chunks, [&](std::size_t chunk) { compute_chunk(chunk, starts, parameters); },
       tbb::simple_partitioner());
   gradient.resize(gradients_.front().size());
   const auto size = static_cast<std::size_t>(gradient.size());

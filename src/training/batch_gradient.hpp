@@ -28,7 +28,8 @@ class BatchGradient {
                                   Eigen::VectorXf& gradient);
 
  private:
-  void compute_chunk(int chunk, std::span<const int> starts, const Eigen::VectorXf& parameters);
+  void compute_chunk(std::size_t chunk, std::span<const int> starts,
+                     const Eigen::VectorXf& parameters);
 
   /// Sum over the chunks of their numbers `first`, first + 1, …
   void add_chunks(std::size_t first, std::size_t count, std::size_t chunks,

@@ -250,9 +250,7 @@ EpochLoss EpochTrainer::train_slice(const TrainingStage& stage,
   const bool summed = settings_.reduction == LossReduction::sum_over_batch;
   for (std::size_t first = 0; first < starts.size(); first += batch) {
     if (should_stop && should_stop()) {
-      EpochLoss stopped;
-      stopped.stopped = true;
-      return stopped;
+      return {.stopped = true};
     }
     const std::size_t count = std::min(batch, starts.size() - first);
     const std::span<const double> losses =

@@ -33,15 +33,11 @@ Scalar FrameError<Scalar>::compute(int stride, const Scalar* state, const Scalar
   const WindowKernels<Scalar>& kernels = window_kernels<Scalar>();
   assert(stride % kernels.lanes == 0);
   const int size = static_cast<int>(weight_.size());
-  if (is_chained() && dimension_ == Dimension::space) {
-    return kernels.space_chained_error(size / kSpacePoseSize, stride, weight_.data(), scale_.data(),
-                                       offset_.data(), state, target, window_weight, gradient,
-                                       scratch_.data());
-  }
   if (is_chained()) {
-    return kernels.chained_error(size / kPoseSize, stride, weight_.data(), scale_.data(),
-                                 offset_.data(), state, target, window_weight, gradient,
-                                 scratch_.data());
+    const auto chained_error =
+        dimension_ == Dimension::space ? kernels.space_chained_error : kernels.chained_error;
+    return chained_error(size / pose_size(dimension_), stride, weight_.data(), scale_.data(),
+                         offset_.data(), state, target, window_weight, gradient, scratch_.data());
   }
   return kernels.entry_error(size, stride, weight_.data(), state, target, window_weight, gradient);
 }

@@ -33,19 +33,12 @@ GapBounds gap_bounds_of(const std::vector<Episode>& episodes) {
   require_alike(episodes);
   const Eigen::Index gaps = episodes.front().point_count() - 1;
   const bool in_space = episodes.front().dimension == Dimension::space;
-  GapBounds bounds;
-  bounds.max_bend_rad.resize(in_space ? gaps : 0);
-  for (Eigen::VectorXf* numbers :
-       {&bounds.min_length_m, &bounds.max_length_m, &bounds.min_turn_rad, &bounds.max_turn_rad}) {
-    numbers->resize(gaps);
-  }
-  std::vector<float> lengths;
-  std::vector<float> turns;
-  std::vector<float> bends;
+  const Eigen::VectorXf none = Eigen::VectorXf::Zero(gaps);
+  GapBounds bounds{none, none, none, none, Eigen::VectorXf::Zero(in_space ? gaps : 0)};
   for (Eigen::Index g = 0; g < gaps; ++g) {
-    lengths.clear();
-    turns.clear();
-    bends.clear();
+    std::vector<float> lengths;
+    std::vector<float> turns;
+    std::vector<float> bends;
     for (const Episode& episode : episodes) {
       for (int t = 0; t < episode.frame_count(); ++t) {
         if (episode.was_tracked(t) && in_space) {

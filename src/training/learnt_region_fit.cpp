@@ -97,15 +97,17 @@ Eigen::MatrixXd joint_vectors(const std::vector<Episode>& episodes) {
   return joint;
 }
 
-/// Ranges of measured pressures and set points of one episode, added to those of `region`.
-void widen_pressures(LearntRegion& region, const Episode& episode) {
-  for (int t = 0; t < episode.frame_count(); ++t) {
-    if (!episode.was_tracked(t)) {
-      continue;
-    }
-    for (const FrameMatrix* kpa : {&episode.pressure_kpa, &episode.setpoint_kpa}) {
-      region.low_kpa = region.low_kpa.cwiseMin(kpa->row(t).transpose());
-      region.high_kpa = region.high_kpa.cwiseMax(kpa->row(t).transpose());
+/// Ranges of measured pressures and set points, added to those of `region`.
+void widen_pressures(LearntRegion& region, const std::vector<Episode>& episodes) {
+  for (const Episode& episode : episodes) {
+    for (int t = 0; t < episode.frame_count(); ++t) {
+      if (!episode.was_tracked(t)) {
+        continue;
+      }
+      for (const FrameMatrix* kpa : {&episode.pressure_kpa, &episode.setpoint_kpa}) {
+        region.low_kpa = region.low_kpa.cwiseMin(kpa->row(t).transpose());
+        region.high_kpa = region.high_kpa.cwiseMax(kpa->row(t).transpose());
+      }
     }
   }
 }
@@ -222,11 +224,6 @@ Eigen::VectorXd at_least_noise(Eigen::VectorXd spread, Eigen::Index segments) {
   return spread;
 }
 
-/// Deviation of each number.
-Eigen::VectorXd spread_of(const Eigen::MatrixXd& centred, Eigen::Index segments) {
-  return at_least_noise(centred.rowwise().norm() / std::sqrt(double(centred.cols())), segments);
-}
-
 /// Widens the changes over a frame, from number `first` on, to those of the episodes in
 /// kHeldShare of the frames: of each number, and then, by one factor, of all numbers at once.
 void widen_changes(LearntRegion& region, const std::vector<Episode>& episodes, Eigen::Index first) {
@@ -268,7 +265,9 @@ LearntRegion learnt_region_of(const std::vector<Episode>& episodes) {
   const Eigen::Index segments = episodes.front().pressure_kpa.cols();
   const Eigen::VectorXd mean = joint.rowwise().mean();
   Eigen::MatrixXd standard = joint.colwise() - mean;
-  const Eigen::VectorXd spread = spread_of(standard, segments);
+  // Deviation of each number.
+  const Eigen::VectorXd spread =
+      at_least_noise(standard.rowwise().norm() / std::sqrt(double(standard.cols())), segments);
   standard = spread.cwiseInverse().asDiagonal() * standard;
   const Eigen::MatrixXd covariance =
       standard * standard.transpose() / static_cast<double>(standard.cols());
@@ -281,9 +280,7 @@ LearntRegion learnt_region_of(const std::vector<Episode>& episodes) {
   region.joint_scale = spread.cwiseInverse().cast<float>();
   region.axes = solver.eigenvectors().rightCols(kept).rowwise().reverse().transpose().cast<float>();
   forget_ranges(region, segments);
-  for (const Episode& episode : episodes) {
-    widen_pressures(region, episode);
-  }
+  widen_pressures(region, episodes);
   widen_rates(region, episodes);
   const Eigen::MatrixXd along = along_axes(region, joint);
   widen_axes(region, along, needed_widening(along));
@@ -296,9 +293,7 @@ LearntRegion learnt_region_of(const std::vector<Episode>& episodes) {
 }
 
 LearntRegion widened_by(LearntRegion region, const std::vector<Episode>& episodes) {
-  for (const Episode& episode : episodes) {
-    widen_pressures(region, episode);
-  }
+  widen_pressures(region, episodes);
   widen_rates(region, episodes);
   widen_axes(region, along_axes(region, joint_vectors(episodes)), kAxisWidening);
   widen_changes(region, episodes, 0);

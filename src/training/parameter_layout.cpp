@@ -17,13 +17,6 @@ constexpr double kFirstArmSpread = 0.3;
 // Added to the variance of the arms' vectors: a direction that none of them uses stays one.
 constexpr double kLeastArmSpread = 1e-6;
 
-/// What e does to a hidden layer's units, 2·out × k.
-auto modulation_of(const ParameterLayout& layout, int layer, const Eigen::VectorXf& parameters) {
-  return Eigen::Map<const Eigen::MatrixXf>(parameters.data() + layout.modulation_offset(layer),
-                                           Eigen::Index{2} * layout.outputs(layer),
-                                           layout.arms().size);
-}
-
 void append_rows(const Eigen::MatrixXd& rows, Eigen::MatrixXf& matrix) {
   matrix.conservativeResize(matrix.rows() + rows.rows(), rows.cols());
   matrix.bottomRows(rows.rows()) = rows.cast<float>();
@@ -127,8 +120,12 @@ void make_family(const ParameterLayout& layout, const Eigen::VectorXf& parameter
   ArmFamily family;
   family.arms = root.matrixL().solve(centred).cast<float>();
   for (int layer = 0; layer + 1 < layout.layer_count(); ++layer) {
-    const Eigen::MatrixXd share = modulation_of(layout, layer, parameters).cast<double>();
     const Eigen::Index units = layout.outputs(layer);
+    // What e does to the layer's units.
+    const Eigen::MatrixXd share =
+        Eigen::Map<const Eigen::MatrixXf>(parameters.data() + layout.modulation_offset(layer),
+                                          2 * units, size)
+            .cast<double>();
     const auto log_gains = share.topRows(units);
     const auto shifts = share.bottomRows(units);
     const Eigen::VectorXd of_middle = log_gains * mean;

@@ -14,6 +14,7 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/safetensors.hpp"
+#include "limber/common/seconds_since.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/network/gemm_kernels.hpp"
 
@@ -25,10 +26,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr long kPeakRounds = 20'000;   // some 50 µs
 constexpr double kPeakSeconds = 0.03;  // a few of a scheduler's slices
-
-double seconds_since(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 /// Multiply-adds per second of all threads together, each in registers only.
 double peak_gmac_per_s(int threads) {
@@ -149,8 +146,7 @@ void write_training_tables(const std::filesystem::path& path, const ArmDescripti
     const EpochTrainer trainer(arm, data, own, nullptr);
     const TrainingTables& tables = trainer.tables();
     const std::vector<int> starts = trainer.shuffled_starts(stage);
-    content.tensors[fmt::format("starts.{}", k)] = {{starts.size()},
-                                                    {starts.begin(), starts.end()}};
+    content.tensors[fmt::format("starts.{}", k)] = vector_tensor(starts);
     if (k > 0) {
       continue;
     }

@@ -12,6 +12,7 @@
 #include "checkpoint.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/seconds_since.hpp"
 #include "limber/common/units.hpp"
 #include "limber/training/arm_fit.hpp"
 #include "limber/training/episode_slices.hpp"
@@ -68,8 +69,7 @@ TrainingRun::TrainingRun(const ArmDescription& arm, const TrainingData& data,
 }
 
 double TrainingRun::elapsed_s() const {
-  return elapsed_before_s_ +
-         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  return elapsed_before_s_ + seconds_since(begin_);
 }
 
 void TrainingRun::validate(LearningCurvePoint& point) {

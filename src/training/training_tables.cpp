@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include <fmt/format.h>
 
@@ -84,9 +85,8 @@ RawFrames gather(const ArmDescription& arm, const std::vector<Episode>& episodes
     raw.poses.middleCols(range.first, range.count) = episodes[index].backbone.transpose();
   }
   for (Eigen::Index column = 0; column < count; ++column) {
-    Eigen::VectorXf unloaded(poses);
-    no_load.poses(raw.pressure_kpa.col(column).head(arm.channel_count()), unloaded);
-    raw.no_load_poses.col(column) = unloaded;
+    no_load.poses(raw.pressure_kpa.col(column).head(arm.channel_count()),
+                  raw.no_load_poses.col(column));
   }
   raw.no_load = layout.encode(raw.no_load_poses);
   raw.state = layout.encode(raw.poses);
@@ -334,11 +334,7 @@ std::vector<int> window_starts(std::span<const EpisodeRange> episodes,
         ++start;
         continue;
       }
-      bool useful = false;
-      for (int frame = start + 1; frame <= start + window_frames && !useful; ++frame) {
-        useful = is_tracked(frame);
-      }
-      if (useful) {
+      if (std::ranges::any_of(std::views::iota(start + 1, start + window_frames + 1), is_tracked)) {
         starts.push_back(start);
       }
       start += window_frames;
