@@ -1,6 +1,7 @@
 #include "limber/driver/driver_protocol.hpp"
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -132,7 +133,12 @@ std::vector<PressureLimits> limits(const JsonReader& root, int count) {
   return result;
 }
 
-void add_limits(const std::vector<PressureLimits>& limits, Json& json) {
+/// @param json  with what is of one side alone
+std::string hello_line(Json json, int chambers, const std::vector<PressureLimits>& limits) {
+  if (chambers > 0) {
+    json["dimension"] = 3;
+    json["chambers"] = chambers;
+  }
   Json pairs = Json::array();
   bool symmetric = true;
   for (const PressureLimits& one : limits) {
@@ -143,13 +149,7 @@ void add_limits(const std::vector<PressureLimits>& limits, Json& json) {
   if (!symmetric) {
     json["limits_kpa"] = std::move(pairs);
   }
-}
-
-void add_chambers(int chambers, Json& json) {
-  if (chambers > 0) {
-    json["dimension"] = 3;
-    json["chambers"] = chambers;
-  }
+  return json.dump();
 }
 
 std::string optional_text(const JsonReader& root, const char* key) {
@@ -190,9 +190,7 @@ std::string to_line(const HostHello& hello) {
   Json json = {{"type", "hello"},        {"protocol", kDriverProtocol},
                {"arm", hello.arm},       {"segments", hello.segments},
                {"points", hello.points}, {"rate_hz", hello.rate_hz}};
-  add_chambers(hello.chambers, json);
-  add_limits(hello.limit_kpa, json);
-  return json.dump();
+  return hello_line(std::move(json), hello.chambers, hello.limit_kpa);
 }
 
 std::string to_line(const DriverHello& hello) {
@@ -200,9 +198,7 @@ std::string to_line(const DriverHello& hello) {
                {"driver", hello.driver},   {"device", hello.device},
                {"rate_hz", hello.rate_hz}, {"segments", hello.segments},
                {"tracked", hello.tracked}, {"real_time", hello.real_time}};
-  add_chambers(hello.chambers, json);
-  add_limits(hello.limit_kpa, json);
-  return json.dump();
+  return hello_line(std::move(json), hello.chambers, hello.limit_kpa);
 }
 
 std::string set_line(std::int64_t seq, double time_s, const Pressures& setpoint_kpa) {

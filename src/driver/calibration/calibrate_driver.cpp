@@ -234,13 +234,8 @@ DriverCalibration calibrate_driver(const ArmDescription& arm,
   CalibrationRig rig;
   rig.command = [&](const Pressures& setpoint_kpa) {
     throw_if_interrupted();
-    CalibrationFrame frame;
-    frame.setpoint_kpa = setpoint_kpa;
-    frame.state = driver.command(setpoint_kpa);
-    const DriverExchange& exchange = driver.timing().last;
-    frame.sent_s = exchange.sent_s;
-    frame.received_s = exchange.received_s;
-    frame.bodies = exchange.bodies;
+    const ArmState& state = driver.command(setpoint_kpa);
+    CalibrationFrame frame{driver.timing().last, setpoint_kpa, state};
     jumps.watch(frame);
     return frame;
   };

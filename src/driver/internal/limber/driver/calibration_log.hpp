@@ -7,18 +7,15 @@
 #include <vector>
 
 #include "limber/arm/arm_description.hpp"
-#include "limber/driver/wire_calibration.hpp"
+#include "limber/driver/process_driver.hpp"
 #include "limber/run/arm_driver.hpp"
 
 namespace limber {
 
 /// One request and its answer, as they are on the wire: nothing is put in order yet.
-struct CalibrationFrame {
-  double sent_s = 0.0;              ///< the request, on limber's clock
-  double received_s = 0.0;          ///< the answer
-  Pressures setpoint_kpa;           ///< of the wire's channels
-  ArmState state;                   ///< its time is the driver's
-  std::optional<BodyPoses> bodies;  ///< in place of the state's backbone, of a tracker in 3D
+struct CalibrationFrame : DriverExchange {
+  Pressures setpoint_kpa;  ///< of the wire's channels
+  ArmState state;          ///< its time is the driver's; bodies stand in place of its backbone
 };
 
 /// (x, y, z) of each body, z = 0 where it is not seen; none where nothing was.
