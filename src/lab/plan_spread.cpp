@@ -62,14 +62,11 @@ SpreadAt spread_of_plate(const Rollouts& rollouts, int frame, int plate) {
 
 /// Of the plates from `first` to `last` the one that is farthest apart.
 SpreadAt spread_of(const Rollouts& rollouts, int frame, int first, int last) {
-  SpreadAt widest = spread_of_plate(rollouts, frame, first);
-  for (int plate = first + 1; plate <= last; ++plate) {
-    const SpreadAt next = spread_of_plate(rollouts, frame, plate);
-    if (next.largest_distance_m > widest.largest_distance_m) {
-      widest = next;
-    }
+  std::vector<SpreadAt> spreads;
+  for (int plate = first; plate <= last; ++plate) {
+    spreads.push_back(spread_of_plate(rollouts, frame, plate));
   }
-  return widest;
+  return *std::ranges::max_element(spreads, {}, &SpreadAt::largest_distance_m);
 }
 
 /// Smallest clearance of the motion through the rollout's frames.
@@ -84,18 +81,15 @@ double clearance_m(const CollisionChecker& checker, const Eigen::MatrixXf& rollo
 PlanSpread::Closest closest_approach(const Plan& plan, const Rollouts& rollouts,
                                      const CollisionChecker& checker) {
   PlanSpread::Closest closest;
-  int frame = 0;
-  Clearance nearest = checker.clearance(plan.frames.front().backbone);
-  for (std::size_t k = 1; k < plan.frames.size(); ++k) {
-    const Clearance here = checker.clearance(plan.frames[k].backbone);
-    if (here.value_m < nearest.value_m) {
-      nearest = here;
-      frame = static_cast<int>(k);
-    }
+  std::vector<Clearance> planned;
+  for (const PlanFrame& frame : plan.frames) {
+    planned.push_back(checker.clearance(frame.backbone));
   }
-  closest.gap = nearest.gap;
-  closest.obstacle = nearest.obstacle;
-  closest.at = spread_of(rollouts, frame, nearest.gap, nearest.gap + 1);
+  const auto nearest = std::ranges::min_element(planned, {}, &Clearance::value_m);
+  closest.gap = nearest->gap;
+  closest.obstacle = nearest->obstacle;
+  closest.at = spread_of(rollouts, static_cast<int>(nearest - planned.begin()), nearest->gap,
+                         nearest->gap + 1);
   std::vector<double> clearances;
   for (const Eigen::MatrixXf& rollout : rollouts) {
     clearances.push_back(clearance_m(checker, rollout));

@@ -12,7 +12,6 @@ namespace limber {
 ArmPhysics::ArmPhysics(const ArmDescription& arm, const VirtualArmParameters& parameters,
                        double time_step_s)
     : parameters_(parameters),
-      time_step_s_(time_step_s),
       gravity_m_per_s2_(gravity_m_per_s2(parameters)),
       links_(chain_links(arm, parameters)),
       side_law_(parameters_, time_step_s),
@@ -55,13 +54,8 @@ void ArmPhysics::rest(VirtualArmState& state) const {
   }
 }
 
-void ArmPhysics::save(VirtualArmState& state) const {
-  chain_.get_state(state.position, state.velocity, state.warm_start);
-}
-
 void ArmPhysics::restore(const VirtualArmState& state) {
-  chain_.set_state(state.position, state.velocity, state.warm_start,
-                   static_cast<double>(state.step) * time_step_s_);
+  chain_.restore(state);
   kinematics_.update(chain_.position(), chain_.velocity());
 }
 

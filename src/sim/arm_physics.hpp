@@ -25,7 +25,7 @@ class ArmPhysics {
   /// @return what went wrong; empty if nothing did
   [[nodiscard]] std::string step(VirtualArmState& state);
 
-  void save(VirtualArmState& state) const;
+  void save(VirtualArmState& state) const { chain_.save(state); }
   void restore(const VirtualArmState& state);
   /// Writes the simulator's part of a new state at rest: straight and vented.
   void rest(VirtualArmState& state) const;
@@ -50,7 +50,6 @@ class ArmPhysics {
   SpringSlider torsion_slider(const ChainLink& link, double rate_rad_per_s) const;
 
   VirtualArmParameters parameters_;
-  double time_step_s_;
   Eigen::Vector3d gravity_m_per_s2_;
   std::vector<ChainLink> links_;
   std::vector<Side> sides_;  // left and right of each gap

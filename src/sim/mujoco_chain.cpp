@@ -94,21 +94,18 @@ MujocoChain::MujocoChain(const ArmDescription& arm, const VirtualArmParameters& 
   data_.reset(mj_makeData(model_.get()));
 }
 
-void MujocoChain::get_state(std::vector<double>& position, std::vector<double>& velocity,
-                            std::vector<double>& warm_start) const {
-  position.assign(data_->qpos, data_->qpos + size());
-  velocity.assign(data_->qvel, data_->qvel + size());
-  warm_start.assign(data_->qacc_warmstart, data_->qacc_warmstart + size());
+void MujocoChain::save(VirtualArmState& state) const {
+  state.position.assign(data_->qpos, data_->qpos + size());
+  state.velocity.assign(data_->qvel, data_->qvel + size());
+  state.warm_start.assign(data_->qacc_warmstart, data_->qacc_warmstart + size());
 }
 
-void MujocoChain::set_state(const std::vector<double>& position,
-                            const std::vector<double>& velocity,
-                            const std::vector<double>& warm_start, double time_s) {
+void MujocoChain::restore(const VirtualArmState& state) {
   mj_resetData(model_.get(), data_.get());
-  std::copy(position.begin(), position.end(), data_->qpos);
-  std::copy(velocity.begin(), velocity.end(), data_->qvel);
-  std::copy(warm_start.begin(), warm_start.end(), data_->qacc_warmstart);
-  data_->time = time_s;
+  std::ranges::copy(state.position, data_->qpos);
+  std::ranges::copy(state.velocity, data_->qvel);
+  std::ranges::copy(state.warm_start, data_->qacc_warmstart);
+  data_->time = static_cast<double>(state.step) * time_step_s_;
 }
 
 double MujocoChain::kinetic_energy_j() const {

@@ -10,6 +10,7 @@
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/backbone.hpp"
 #include "limber/sim/mjcf.hpp"
+#include "limber/sim/virtual_arm.hpp"
 
 namespace limber {
 
@@ -29,12 +30,9 @@ class MujocoChain {
   int size() const { return model_->nv; }
   const double* position() const { return data_->qpos; }
   const double* velocity() const { return data_->qvel; }
-  /// Everything that changes with time but the time itself, to be set again.
-  void get_state(std::vector<double>& position, std::vector<double>& velocity,
-                 std::vector<double>& warm_start) const;
-  /// Overwrites the state; sizes are `size()` each.
-  void set_state(const std::vector<double>& position, const std::vector<double>& velocity,
-                 const std::vector<double>& warm_start, double time_s);
+  /// The joints' part of the state; sizes are `size()` each.
+  void save(VirtualArmState& state) const;
+  void restore(const VirtualArmState& state);
 
   /// Of the last step's mass matrix, at this velocity; with the joints' armature.
   double kinetic_energy_j() const;

@@ -21,7 +21,6 @@ SpacePhysics::SpacePhysics(const ArmDescription& arm, const VirtualArmParameters
                            double time_step_s)
     : parameters_(parameters),
       gravity_m_per_s2_(parameters.gravity_m_per_s2 * arm.gravity),
-      time_step_s_(time_step_s),
       links_(space_chain_links(arm, parameters)),
       channels_(static_cast<std::size_t>(arm.channel_count())),
       side_law_(parameters, time_step_s),
@@ -73,15 +72,6 @@ void SpacePhysics::rest(VirtualArmState& state) const {
   state.flow_kpa_per_s.resize(channels_);
   state.braid_anchor_m.resize(chambers_.size());
   state.creep_m.resize(chambers_.size());
-}
-
-void SpacePhysics::save(VirtualArmState& state) const {
-  chain_.get_state(state.position, state.velocity, state.warm_start);
-}
-
-void SpacePhysics::restore(const VirtualArmState& state) {
-  chain_.set_state(state.position, state.velocity, state.warm_start,
-                   static_cast<double>(state.step) * time_step_s_);
 }
 
 std::string SpacePhysics::step(VirtualArmState& state) {

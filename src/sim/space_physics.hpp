@@ -23,8 +23,8 @@ class SpacePhysics {
 
   /// These four as ArmPhysics has them.
   [[nodiscard]] std::string step(VirtualArmState& state);
-  void save(VirtualArmState& state) const;
-  void restore(const VirtualArmState& state);
+  void save(VirtualArmState& state) const { chain_.save(state); }
+  void restore(const VirtualArmState& state) { chain_.restore(state); }
   void rest(VirtualArmState& state) const;
 
   /// m×7.
@@ -52,7 +52,6 @@ class SpacePhysics {
 
   VirtualArmParameters parameters_;
   Eigen::Vector3d gravity_m_per_s2_;
-  double time_step_s_;
   std::vector<SpaceLink> links_;
   std::vector<ChamberInGap> chambers_;  // of each gap in turn
   std::size_t channels_ = 0;

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <fstream>
-#include <numeric>
+#include <ranges>
 #include <utility>
 
 #include <fmt/format.h>
@@ -209,9 +209,8 @@ std::vector<std::size_t> missing_units(const Campaign& campaign, CampaignFolder&
     }
   }
   std::ranges::sort(missing);
-  std::vector<std::size_t> order(missing.size());
-  std::ranges::transform(missing, order.begin(), [](const auto& item) { return item.second; });
-  return order;
+  const auto order = std::views::values(missing);
+  return {order.begin(), order.end()};
 }
 
 }  // namespace limber
