@@ -1,10 +1,8 @@
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "limber/common/error.hpp"
@@ -191,8 +189,11 @@ std::string to_text(const Tube& tube) {
 }
 
 std::string names_of_levels(const Tube& tube) {
-  return fmt::format("{:.6g}",
-                     fmt::join(tube.levels | std::views::transform(&TubeLevel::level), ", "));
+  std::string names;
+  for (const TubeLevel& level : tube.levels) {
+    names += fmt::format("{}{:.6g}", names.empty() ? "" : ", ", level.level);
+  }
+  return names;
 }
 
 }  // namespace limber

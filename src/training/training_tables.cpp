@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 #include <fmt/format.h>
 
@@ -334,7 +333,11 @@ std::vector<int> window_starts(std::span<const EpisodeRange> episodes,
         ++start;
         continue;
       }
-      if (std::ranges::any_of(std::views::iota(start + 1, start + window_frames + 1), is_tracked)) {
+      bool useful = false;
+      for (int frame = start + 1; frame <= start + window_frames && !useful; ++frame) {
+        useful = is_tracked(frame);
+      }
+      if (useful) {
         starts.push_back(start);
       }
       start += window_frames;
