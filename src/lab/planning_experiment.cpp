@@ -6,7 +6,6 @@
 #include <iterator>
 #include <map>
 #include <optional>
-#include <ranges>
 #include <set>
 #include <tuple>
 
@@ -210,8 +209,11 @@ class Experiment {
     for (const Task& task : tasks) {
       plans[{task.environment, task.key.model, task.key.planner, task.key.seed}].push_back(task);
     }
-    const auto lists = std::views::values(plans);
-    return {lists.begin(), lists.end()};
+    std::vector<std::vector<Task>> lists;
+    for (const auto& [key, of_plan] : plans) {
+      lists.push_back(of_plan);
+    }
+    return lists;
   }
 
   void run_tasks() {

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <ranges>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -163,7 +164,8 @@ void require_headings_along(const std::string& log, const std::vector<bool>& tra
     return arm.segment_of_gap(tracks.plates[std::size_t(i)]) ==
            arm.segment_of_gap(tracks.plates[std::size_t(i + 1)] - 1);
   };
-  const auto gaps = std::views::iota(Eigen::Index{0}, Eigen::Index(tracks.point_count() - 1));
+  std::vector<Eigen::Index> gaps(std::size_t(tracks.point_count() - 1));
+  std::iota(gaps.begin(), gaps.end(), Eigen::Index{0});
   const bool has_arcs = std::ranges::any_of(gaps, is_arc);
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (const Eigen::Index i : gaps) {

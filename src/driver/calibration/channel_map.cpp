@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -62,7 +61,7 @@ void require_motion(const CalibrationPulse& pulse, const PulsePoses& poses,
                     const std::vector<double>& turns, double noise_rad) {
   const double min_rad =
       std::max(kMinTurnRad, kNoiseFactor * noise_rad / std::sqrt(poses.held.count));
-  const double largest = std::ranges::max(turns | std::views::transform(magnitude));
+  const double largest = std::abs(*std::ranges::max_element(turns, {}, magnitude));
   if (largest < min_rad) {
     throw CalibrationRefused(fmt::format(
         "channel {} at {:.3g} kPa moved nothing: no segment turned by more than {:.4f} rad. Check "

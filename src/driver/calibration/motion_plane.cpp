@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <string>
 #include <utility>
 #include <vector>
@@ -184,9 +183,11 @@ class MotionPlaneFit {
   Eigen::Vector3d common_axis() const {
     CommonDirection axis;
     double largest_rad = 0.0;
-    for (const SeenMotion& motion : std::views::join(motions_)) {
-      axis.add(motion.turn);
-      largest_rad = std::max(largest_rad, motion.turn.norm());
+    for (const std::vector<SeenMotion>& of_pulse : motions_) {
+      for (const SeenMotion& motion : of_pulse) {
+        axis.add(motion.turn);
+        largest_rad = std::max(largest_rad, motion.turn.norm());
+      }
     }
     const double interval =
         axis.length() > 0.0 ? 2.0 * kDegPerRad * turn_noise_rad_ / axis.length() : kNotAtAllDegrees;
@@ -246,8 +247,10 @@ class MotionPlaneFit {
   /// The way that bodies move is across the axis about which they turn.
   void require_motion_across(const Eigen::Vector3d& normal) const {
     CommonDirection way;
-    for (const SeenMotion& motion : std::views::join(motions_)) {
-      way.add(motion.moved);
+    for (const std::vector<SeenMotion>& of_pulse : motions_) {
+      for (const SeenMotion& motion : of_pulse) {
+        way.add(motion.moved);
+      }
     }
     const double noise = kAxisNoiseFactor * kDegPerRad * moved_noise_ / way.length();
     if (!(noise <= kMaxAxisOffDegrees)) {
@@ -285,8 +288,10 @@ class MotionPlaneFit {
 
   double largest_tilt_rad(const Eigen::Vector3d& normal) const {
     double largest_rad = 0.0;
-    for (const SeenMotion& motion : std::views::join(motions_)) {
-      largest_rad = std::max(largest_rad, motion.turn.cross(normal).norm());
+    for (const std::vector<SeenMotion>& of_pulse : motions_) {
+      for (const SeenMotion& motion : of_pulse) {
+        largest_rad = std::max(largest_rad, motion.turn.cross(normal).norm());
+      }
     }
     return largest_rad;
   }

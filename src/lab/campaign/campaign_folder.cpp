@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <ranges>
 #include <utility>
 
 #include <fmt/format.h>
@@ -209,8 +208,11 @@ std::vector<std::size_t> missing_units(const Campaign& campaign, CampaignFolder&
     }
   }
   std::ranges::sort(missing);
-  const auto order = std::views::values(missing);
-  return {order.begin(), order.end()};
+  std::vector<std::size_t> order;
+  for (const auto& [cost, unit] : missing) {
+    order.push_back(unit);
+  }
+  return order;
 }
 
 }  // namespace limber

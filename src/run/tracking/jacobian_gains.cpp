@@ -1,8 +1,9 @@
 #include <algorithm>
 #include <array>
-#include <ranges>
+#include <iterator>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -37,7 +38,8 @@ void read_gain(const std::string& text, JacobianGains& gains) {
   const std::string name = text.substr(0, equals);
   const auto field = std::ranges::find(kGainFields, name, &GainField::name);
   if (field == kGainFields.end()) {
-    const auto names = kGainFields | std::views::transform(&GainField::name);
+    std::vector<std::string_view> names;
+    std::ranges::transform(kGainFields, std::back_inserter(names), &GainField::name);
     throw InputError(
         fmt::format("controller: '{}': no such gain; expected {}", text, fmt::join(names, ", ")));
   }
