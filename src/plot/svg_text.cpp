@@ -20,8 +20,8 @@ constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
 constexpr std::array<std::pair<char, std::string_view>, 5> kEscapes = {
     {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}}};
 
-/// Bytes of the character that starts `text`, or 0 if XML has no such one: it is no UTF-8, or U+FFFE
-/// or U+FFFF.
+/// Bytes of the character that starts `text`, or 0 if XML has no such one: it is no UTF-8, or
+/// U+FFFE or U+FFFF.
 std::size_t character_length(std::string_view text) {
   constexpr std::size_t kLongest = 4;
   const bool is_none = find_invalid_utf8(text.substr(0, kLongest)) == 0 ||

@@ -99,8 +99,8 @@ constexpr double kScreenConfidence = 0.5;  // a screen only says what is worth t
 constexpr int kMaxTests = 3;               // of a level; they share its confidence
 constexpr double kPassesTest = 0.8;        // how likely a factor that is tested is to hold
 constexpr const char* kTooFewPlans =
-    "so wide a tube leaves too few environments with a plan; a model with smaller errors is needed, "
-    "or a larger budget";
+    "so wide a tube leaves too few environments with a plan; a model with smaller errors is "
+    "needed, or a larger budget";
 constexpr double kAuditConfidence = 0.99;  // that an audit contradicts
 
 /// What has to be the same for runs of two starts to be one calibration.

@@ -47,8 +47,8 @@ void require_usable(const CalibrationSettings& settings);
 void require_usable_levels(const std::vector<double>& levels, double confidence);
 
 /// docs/tube.md, Calibration: a shape, a screen that says which factors to test on plans made with
-/// them, tests and an audit, each in environments of its own. Writes evidence.json and evidence.html
-/// into the folder.
+/// them, tests and an audit, each in environments of its own. Writes evidence.json and
+/// evidence.html into the folder.
 CalibrationResult calibrate_tube(const CalibrationSettings& settings);
 
 /// A tube from plans and the runs that executed them, with what they can promise (docs/tube.md).
