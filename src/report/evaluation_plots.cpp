@@ -124,8 +124,8 @@ constexpr std::size_t kShownEpisodes = 3;
 /// Which frames an error is a mean over.
 constexpr const char* kFramesCounted =
     "every frame after the first of its episode in which the arm was tracked; a frame that a "
-    "rollout was given as its start is no prediction, and one that rests on no tracked frame counts "
-    "for nothing";
+    "rollout was given as its start is no prediction, and one that rests on no tracked frame "
+    "counts for nothing";
 
 constexpr std::array<std::pair<const char*, Restart>, 4> kHorizons = {
     {{"one_step", Restart::every_frame},
