@@ -27,10 +27,6 @@ void read_plan_file(const Input& input) {
   require_plan_of(plan, three_segments(), input.file);
 }
 
-std::vector<std::string> plan_seeds() {
-  return {source_file("tests/data/closed_loop/hard_051.plan.json")};
-}
-
 const TrialKey& trial_key() {
   static const TrialKey key = {"a", "e1", "a", "h1", "no_load", "", "default", "open", "", 7};
   return key;
@@ -54,6 +50,16 @@ Plan still_plan() {
   plan.hold_frame_count = 2;
   plan.certified = CertifiedFigures{0.01, 0.0, true};
   return plan;
+}
+
+/// The second is small enough for libFuzzer, which cuts longer ones off (soak.sh). It has no
+/// certificate, so that it may be changed.
+std::vector<std::string> plan_seeds() {
+  Plan plan = still_plan();
+  plan.certified.reset();
+  const auto file = scratch_folder() / "seed.plan.json";
+  write_plan(file, plan);
+  return {source_file("tests/data/closed_loop/hard_051.plan.json"), read_file(file)};
 }
 
 /// The folder of an experiment with one trial that has a plan and was executed.
