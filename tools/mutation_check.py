@@ -23,6 +23,8 @@ import shutil
 import subprocess
 import sys
 
+from source_copy import copy_sources
+
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 MODULES = ("arm", "world", "forward", "certificate", "driver", "run", "planning")  # drawn from; fast tests first
 PROGRAMS = ("common", "arm", "world", "forward", "certificate", "planning", "run", "driver", "sim")  # low to high
@@ -163,7 +165,7 @@ class Tree:
     def __init__(self, work, jobs, programs):
         self.source, self.build, self.jobs, self.programs = work / "source", work / "build", jobs, programs
         self.times_s = {}
-        self.sync()
+        copy_sources(ROOT, self.source)
         alone = ["unshare", "--pid", "--fork", "--kill-child", "--mount-proc"]
         self.alone = alone if shutil.which(alone[0]) and self.run([*alone, "true"]).returncode == 0 else []
         if not (self.build / "build.ninja").exists():
@@ -175,16 +177,6 @@ class Tree:
             module, links = line.split(":")
             self.below[module] = set().union(*(({m} | self.below.get(m, set())) for m in links.split())) \
                 if links.split() else set()
-
-    def sync(self):
-        """Takes back every change, and takes over what is new."""
-        listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard", "-z"], cwd=ROOT, check=True,
-                                capture_output=True, text=True).stdout.split("\0")
-        for name in filter(None, listed):
-            mine, copy = ROOT / name, self.source / name
-            if mine.is_file() and not (copy.is_file() and copy.read_bytes() == mine.read_bytes()):
-                copy.parent.mkdir(parents=True, exist_ok=True)
-                shutil.copy(mine, copy)
 
     def run(self, command, **options):
         return subprocess.run(command, cwd=self.source, capture_output=True, text=True, errors="replace", **options)
