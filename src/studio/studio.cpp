@@ -94,10 +94,11 @@ class Studio::Server {
   }
 
   int port() const { return port_; }
+  const std::string& token() const { return admission_.token(); }
   std::string address() const {
     const bool is_v6 = listen_.find(':') != std::string::npos;
     return fmt::format("http://{}:{}/?token={}", is_v6 ? "[" + listen_ + "]" : listen_, port_,
-                       admission_.token());
+                       token());
   }
   void serve() { http_.listen_after_bind(); }
   void stop() {
@@ -376,6 +377,9 @@ Studio::Studio(const StudioSettings& settings) : server_(std::make_unique<Server
 Studio::~Studio() = default;
 int Studio::port() const {
   return server_->port();
+}
+const std::string& Studio::token() const {
+  return server_->token();
 }
 std::string Studio::address() const {
   return server_->address();

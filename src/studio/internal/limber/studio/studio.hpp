@@ -31,6 +31,7 @@ class Studio {
   ~Studio();
 
   int port() const;
+  const std::string& token() const;
   /// Where the page is, token included.
   std::string address() const;
 
