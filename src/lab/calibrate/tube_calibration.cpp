@@ -259,8 +259,10 @@ class Calibration {
     level.audit_outside = runs.outside(level.factor);
     settings_.say(fmt::format("level {}: audit: {} of {} runs outside", level.level,
                               level.audit_outside, level.audit_runs));
-    if (share_at_least(level.audit_outside, level.audit_runs, kAuditConfidence) >
-        1.0 - level.level) {
+    if (level.audit_runs < settings_.audit_runs) {
+      fail(level.level, kTooFewPlans);
+    } else if (share_at_least(level.audit_outside, level.audit_runs, kAuditConfidence) >
+               1.0 - level.level) {
       fail(level.level, fmt::format("its audit contradicts it: {} of {} runs are outside",
                                     level.audit_outside, level.audit_runs));
     }

@@ -27,7 +27,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kBlock = 40;           // environments per file
-constexpr int kHopelessBlocks = 4;   // without runs in a tenth of their environments
+constexpr int kHopeless = 160;       // environments, without runs in a tenth of them
 constexpr double kInterval = 0.975;  // one side of a 95 % interval
 
 /// The same name has the same seed, whatever the order of the phases.
@@ -165,7 +165,7 @@ class PhaseRunner {
  private:
   bool is_hopeless(int blocks, int executed) const {
     constexpr int kOneIn = 10;
-    return blocks >= kHopelessBlocks && executed * kOneIn < blocks * block_size_;
+    return blocks * block_size_ >= kHopeless && executed * kOneIn < blocks * block_size_;
   }
 
   void require_may_fall_short(int blocks, int executed) const {
