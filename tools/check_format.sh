@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Checks that every C++ file is as clang-format 14 and .clang-format want it, and that no line of one
-# is longer than 100 characters (comments and texts are wrapped by hand), nor uses what clang 14 can't compile; --fix
-# rewrites what can be.
+# is longer than 100 characters (comments and texts are wrapped by hand); --fix rewrites what can be.
+# Last, that no source uses what clang 14 can't compile.
 set -euo pipefail
 cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.."
 program=$(command -v clang-format-14 || command -v clang-format) || {

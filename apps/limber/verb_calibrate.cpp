@@ -40,7 +40,7 @@ class CalibrateVerb final : public Verb {
         ->needs(recordings);
     app.add_option("--shape-runs", settings_.scale_runs, "Runs that give the tube its shape")
         ->capture_default_str();
-    app.add_option("--screen-runs", settings_.screen_runs, "Runs that screen each factor")
+    app.add_option("--screen-runs", settings_.screen_runs, "Runs that say which factors to test")
         ->capture_default_str();
     app.add_option("--test-runs", settings_.test_runs, "Runs that test a level's factor")
         ->capture_default_str();

@@ -258,7 +258,7 @@ class FamilyVerb final : public Verb {
   static constexpr double kHeldBackShare = 0.03;
   static constexpr double kNoiseRadPerM = 10.0;  // of markers 14 cm apart
   static constexpr int kTubeRuns = 400;
-  static constexpr int kRunsBeforeTest = 200;  // that shape the tube, and that screen each factor
+  static constexpr int kRunsBeforeTest = 200;  // that shape the tube; that say what to test
 
   std::string arm_ = "three_segment";
   std::string out_;

@@ -137,15 +137,13 @@ class Calibration {
   CalibrationResult run() {
     find_shape();
     const TubeRuns screen = run_phase("screen", settings_.screen_runs, first_factor_);
-    std::vector<TubeLevel> levels;
     for (const double level : settings_.levels) {
       if (screen.executed() < settings_.screen_runs) {
         fail(level, kTooFewPlans);
       } else if (const std::optional<TubeLevel> found = find_level(level, screen)) {
-        levels.push_back(*found);
+        shape_.levels.push_back(*found);
       }
     }
-    shape_.levels = levels;
     result_.model = settings_.runs.model;
     result_.model.tube.reset();
     if (!shape_.levels.empty()) {
@@ -206,8 +204,8 @@ class Calibration {
     const TubeRuns runs = run_phase("shape", settings_.scale_runs, 0.0);
     expected_error_m_ = runs.expected_error_m();
     const std::vector<GrowingErrors> motions = runs.errors();
-    const auto& [growth, tube] = narrowest_tube(motions, settings_.runs.arm.length_m());
-    shape_ = tube_shape(errors_of(motions, growth), tube.growth);
+    const auto& [candidate, tube] = narrowest_tube(motions, settings_.runs.arm.length_m());
+    shape_ = tube_shape(errors_of(motions, candidate), tube.growth);
     shape_.source = "virtual arm";
     first_factor_ = tube.levels.front().factor;
   }
