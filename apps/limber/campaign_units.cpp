@@ -55,7 +55,7 @@ class Redirected {
     ::close(file);
   }
   ~Redirected() {
-    std::fflush(nullptr);
+    flush();
     ::dup2(kept_, stream_);
     ::close(kept_);
   }
@@ -63,8 +63,14 @@ class Redirected {
   Redirected& operator=(const Redirected&) = delete;
 
  private:
-  static int flushed_copy(int stream) {
+  /// What one unit could not write is no fault of the next one.
+  static void flush() {
     std::fflush(nullptr);
+    std::clearerr(stdout);
+    std::clearerr(stderr);
+  }
+  static int flushed_copy(int stream) {
+    flush();
     return ::fcntl(stream, F_DUPFD_CLOEXEC, 0);
   }
   int stream_;
@@ -120,11 +126,6 @@ Flags arm_parameters(const CampaignUnit& unit) {
     }
   }
   return parameters;
-}
-
-std::string arm_of(const CampaignUnit& unit) {
-  const FlagValues* arm = values_in(unit.flags, kArm);
-  return arm != nullptr ? arm->front() : "three_segment";
 }
 
 const char* out_name(const Campaign& campaign, const CampaignUnit& unit) {

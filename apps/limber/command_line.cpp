@@ -218,12 +218,21 @@ int report(int code, const std::string& message) {
   return code;
 }
 
+constexpr const char* kOutputFault = "standard output can't be written";
+
+bool is_output_written() {
+  return std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+}
+
 /// What CLI11 says: help and version unchanged, errors made printable.
 int report(const CLI::App& app, const CLI::ParseError& error) {
   std::ostringstream out;
   std::ostringstream complaint;
   const int code = app.exit(error, out, complaint);
-  fmt::print("{}", out.str());
+  const std::string help = out.str();
+  if (std::fwrite(help.data(), 1, help.size(), stdout) != help.size() || !is_output_written()) {
+    return report(kExitFault, kOutputFault);
+  }
   print_to_stderr(printable(complaint.str()));
   return code == 0 ? kExitDone : kExitBadInput;
 }
@@ -244,8 +253,8 @@ int run_caught(Verb& verb, const CLI::App& command, const CommonFlags& flags) {
   try {
     require_distinct_files(command);
     const int code = verb.run(flags);
-    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-      throw SystemFault("standard output can't be written");
+    if (!is_output_written()) {
+      throw SystemFault(kOutputFault);
     }
     return code;
   } catch (const InputError& error) {

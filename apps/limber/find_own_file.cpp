@@ -14,22 +14,10 @@ namespace limber {
 
 namespace {
 
-/// The file given, or limber's own file of this name in `folder`; empty if there is none.
-std::string own_file(const std::string& name_or_path, const char* folder, const char* ending) {
-  namespace fs = std::filesystem;
-  std::error_code error;  // of a name that is too long, or in a folder that is closed to us
-  if (fs::is_regular_file(name_or_path, error)) {
-    return name_or_path;
-  }
-  const fs::path own = data_folder() / folder / (name_or_path + ending);
-  const bool is_own = name_or_path.find('/') == std::string::npos && fs::exists(own, error);
-  return is_own ? own.string() : "";
-}
-
 /// @throws InputError if there is none.
 std::string find_own_file(const std::string& name_or_path, const char* folder, const char* ending,
                           const char* complaint) {
-  const std::string found = own_file(name_or_path, folder, ending);
+  const std::string found = own_file(name_or_path, folder, ending).string();
   if (found.empty()) {
     throw InputError(fmt::format(fmt::runtime(complaint), name_or_path));
   }
@@ -84,8 +72,8 @@ std::string find_any_file(const std::string& name_or_path) {
   for (const auto& [folder, ending] :
        {std::pair{"arms", ".yaml"}, std::pair{"environments", ".yaml"},
         std::pair{"families", ".safetensors"}}) {
-    if (std::string found = own_file(name_or_path, folder, ending); !found.empty()) {
-      return found;
+    if (const auto found = own_file(name_or_path, folder, ending); !found.empty()) {
+      return found.string();
     }
   }
   return name_or_path;  // what reads it says what is wrong

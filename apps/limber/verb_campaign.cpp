@@ -118,6 +118,9 @@ class CampaignVerb final : public Verb {
     work.list = [&] {
       folder.prepare(flags.force);
       std::vector<std::size_t> units = missing_units(campaign, folder);
+      if (!flags.force) {
+        folder.require_none_finished_otherwise(units);
+      }
       std::erase_if(units, [&](std::size_t unit) { return unit % step != first; });
       say(flags, "{} units to do", units.size());
       if (!shares && !units.empty()) {

@@ -223,7 +223,7 @@ class FamilyVerb final : public Verb {
         say(flags, "no tube: {}", failure);
       }
       return std::move(result.model);
-    } catch (const InputError& error) {
+    } catch (const TooFewPlans& error) {
       say(flags, "no tube: {}", error.what());
       return family;
     }

@@ -85,7 +85,7 @@ class ImproveVerb final : public Verb {
       int code = kExitDone;
       try {
         code = step(*make_collect_verb(), collect_words(model, plans, seed),
-                    fs::exists(plans + ".parts"), here, flags, found);
+                    fs::exists(plans + ".parts") || fs::exists(plans), here, flags, found);
       } catch (const InputError&) {
         forget_if_nothing_was_made(folder);
         throw;
@@ -129,7 +129,7 @@ class ImproveVerb final : public Verb {
   }
 
   /// Refuses what would mix two runs, or replace what this one does not own.
-  void begin(const fs::path& folder, const CommonFlags& flags) const {
+  void begin(const fs::path& folder, const CommonFlags& flags) {
     const fs::path made_of = folder / "improve.json";
     const fs::path result = result_of(folder);
     if (resume_ && fs::exists(made_of)) {
@@ -139,6 +139,7 @@ class ImproveVerb final : public Verb {
             "--force to make all rounds again",
             made_of.string()));
       }
+      goes_on_ = true;
       return;
     }
     if (fs::exists(made_of) && !flags.force) {
@@ -147,8 +148,13 @@ class ImproveVerb final : public Verb {
     }
     refuse_to_overwrite(result, flags.force);
     for (int round = 1; fs::exists(folder_of(folder, round)); ++round) {
+      const fs::path here = folder_of(folder, round);
       for (const char* verb : {"collect", "train"}) {
-        fs::remove(kept(folder_of(folder, round), verb));
+        fs::remove(kept(here, verb));
+      }
+      if (flags.force) {  // else a later --resume would go on with what another run left
+        fs::remove_all(here / "plans.h5.parts");
+        fs::remove(here / "model.safetensors.checkpoint");
       }
     }
     fs::create_directories(folder);
@@ -212,7 +218,7 @@ class ImproveVerb final : public Verb {
   int step(Verb& verb, Words words, bool has_begun, const fs::path& folder,
            const CommonFlags& flags, Json& found) const {
     const fs::path done = kept(folder, verb.name());
-    if (resume_ && fs::exists(done)) {
+    if (goes_on_ && fs::exists(done)) {
       found[verb.name()] = read_json_object(done);
       return kExitDone;
     }
@@ -222,10 +228,10 @@ class ImproveVerb final : public Verb {
     command.add_option("--seed", own.seed);
     verb.add_flags(command);
     append(words, {"--arm", arm_});
-    if (resume_ && has_begun) {
+    if (goes_on_ && has_begun) {
       words.emplace_back("--resume");
     }
-    own.force = flags.force || resume_;  // what a step made that was stopped right before its end
+    own.force = flags.force || goes_on_;  // what a step made that was stopped right before its end
     std::reverse(words.begin(), words.end());  // as CLI11 takes them
     try {
       command.parse(words);
@@ -252,6 +258,7 @@ class ImproveVerb final : public Verb {
   bool simulated_ = false;
   std::string out_ = "improved";
   bool resume_ = false;
+  bool goes_on_ = false;  // with the run that it found
 };
 
 }  // namespace

@@ -116,7 +116,7 @@ CsvCell CsvReader::read_quoted_cell() {
         break;
       }
       ++position_;
-    } else if (c == '\n') {
+    } else if (c == '\n' || (c == '\r' && text_.substr(position_ + 1, 1) != "\n")) {
       ++next_line_;
       line_begin_ = position_ + 1;
     }

@@ -31,4 +31,14 @@ fs::path data_folder() {
       "limber's arms/ and environments/ were not found in:{}; set LIMBER_DATA_DIR", tried));
 }
 
+fs::path own_file(const std::string& name_or_path, const char* folder, const char* ending) {
+  std::error_code error;  // of a name that is too long, or in a folder that is closed to us
+  if (fs::is_regular_file(name_or_path, error)) {
+    return name_or_path;
+  }
+  const fs::path own = data_folder() / folder / (name_or_path + ending);
+  const bool is_own = name_or_path.find('/') == std::string::npos && fs::exists(own, error);
+  return is_own ? own : fs::path();
+}
+
 }  // namespace limber

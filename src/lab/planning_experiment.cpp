@@ -342,6 +342,14 @@ void require_usable(const ExperimentSettings& settings) {
       throw InputError(fmt::format("two environments are called {}; rename a file", item.id));
     }
   }
+  for (const std::string& name : names) {
+    if (names.contains(name + "_all")) {
+      throw InputError(fmt::format(
+          "environments {0} and {0}_all: a picture of the first would have the second's name; "
+          "rename a file",
+          name));
+    }
+  }
   if (!settings.parts.empty() && settings.parts.size() != settings.environments.size()) {
     throw InputError(fmt::format("--join: {} folders for {} environments; expected one for each",
                                  settings.parts.size(), settings.environments.size()));

@@ -41,6 +41,39 @@ void write_shape(const ArmPhysics& physics, BackboneD& backbone) {
   }
 }
 
+/// @throws InputError if a part of the state is not as long as the arm's own.
+void require_same_sizes(const VirtualArmState& state, const VirtualArmState& own,
+                        const std::string& arm) {
+  const auto require = [&](std::size_t found, std::size_t expected, const char* what) {
+    if (found != expected) {
+      throw InputError(fmt::format("virtual arm: {} of {} numbers in the state; arm '{}' has {}",
+                                   what, found, arm, expected));
+    }
+  };
+  using Numbers = std::vector<double> VirtualArmState::*;
+  for (const auto& [what, numbers] : std::initializer_list<std::pair<const char*, Numbers>>{
+           {"position", &VirtualArmState::position},
+           {"velocity", &VirtualArmState::velocity},
+           {"warm_start", &VirtualArmState::warm_start},
+           {"pressure_kpa", &VirtualArmState::pressure_kpa},
+           {"flow_kpa_per_s", &VirtualArmState::flow_kpa_per_s},
+           {"setpoint_kpa", &VirtualArmState::setpoint_kpa},
+           {"braid_anchor_m", &VirtualArmState::braid_anchor_m},
+           {"creep_m", &VirtualArmState::creep_m},
+           {"table_anchor_m", &VirtualArmState::table_anchor_m},
+           {"table_anchor_rad", &VirtualArmState::table_anchor_rad},
+           {"joint_anchor_rad", &VirtualArmState::joint_anchor_rad}}) {
+    require((state.*numbers).size(), (own.*numbers).size(), what);
+  }
+  for (const PendingSetpoint& pending : state.pending_setpoints) {
+    require(pending.setpoint_kpa.size(), own.setpoint_kpa.size(), "pending_setpoints");
+  }
+  if (state.delayed.size() != own.delayed.size()) {
+    throw InputError(fmt::format("virtual arm: {} delayed frames in the state; arm '{}' has {}",
+                                 state.delayed.size(), arm, own.delayed.size()));
+  }
+}
+
 }  // namespace
 
 class VirtualArm::Simulation {
@@ -111,16 +144,7 @@ class VirtualArm::Simulation {
   }
 
   void restore(const VirtualArmState& state) {
-    const VirtualArmState own = save();
-    if (state.position.size() != own.position.size() ||
-        state.pressure_kpa.size() != own.pressure_kpa.size() ||
-        state.delayed.size() != own.delayed.size()) {
-      throw InputError(
-          fmt::format("virtual arm: a state of {} joints, {} segments "
-                      "and {} delayed frames; arm '{}' has {}, {} and {}",
-                      state.position.size(), state.pressure_kpa.size(), state.delayed.size(),
-                      arm_.name, own.position.size(), own.pressure_kpa.size(), own.delayed.size()));
-    }
+    require_same_sizes(state, save(), arm_.name);
     state_ = state;
     become_later();
     ask(*this, [&](auto& physics) { physics.restore(state); });

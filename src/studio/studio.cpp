@@ -80,7 +80,7 @@ class Studio::Server {
     bind(settings);
     admission_.set_port(port_);
     if (settings.driver) {
-      driver_ = settings.driver->command;
+      driver_ = settings.driver;
       const auto send = [this](const std::string& kind, const std::string& json) {
         tabs_.send_to_all(kind, json);
       };
@@ -180,8 +180,9 @@ class Studio::Server {
                         {"recordings", project_.names(ProjectItem::recording)},
                         {"first_arm", first_arm_},
                         {"first_model", first_model_},
-                        {"driver", driver_},
-                        {"driver_arm", driver_.empty() ? "" : first_arm_}});
+                        {"driver", driver_ ? driver_->command : ""},
+                        {"driver_arm", driver_ ? first_arm_ : ""},
+                        {"driver_limit_scale", driver_ ? driver_->limit_scale : 1.0}});
     });
     get("/api/arm", [this](const Request& request, Response& response) {
       const ArmDescription arm = arm_named(request.get_param_value("name"));
@@ -366,7 +367,7 @@ class Studio::Server {
   std::string first_arm_;
   std::string first_model_;
   int port_ = 0;
-  std::string driver_;  // its command
+  std::optional<ProcessDriverSettings> driver_;  // none: no arm
   std::atomic<bool> stopping_ = false;
   Tabs tabs_;
   std::optional<ArmStation> station_;

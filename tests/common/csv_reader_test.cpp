@@ -1,5 +1,6 @@
 #include "limber/common/csv_reader.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "limber/common/error.hpp"
@@ -65,6 +66,16 @@ TEST(CsvReader, KnowsLineAndColumnAfterQuotedLineEnds) {
   EXPECT_THAT([&] { reader.number(row[0], "a length in metres"); },
               ThrowsMessage<InputError>(
                   "a.csv:3:3: 'x' found; expected a length in metres, a plain finite number"));
+}
+
+TEST(CsvReader, CountsEveryKindOfLineEndInQuotes) {
+  for (const char* end : {"\n", "\r", "\r\n"}) {
+    CsvReader reader(fmt::format("\"a{0}b\"{0}1\n", end), "a.csv");
+    std::vector<CsvCell> row;
+    ASSERT_TRUE(reader.next(row));
+    ASSERT_TRUE(reader.next(row));
+    EXPECT_EQ(reader.line(), 3U) << testing::PrintToString(end);
+  }
 }
 
 TEST(CsvReader, RefusesAnOpenQuoteAndUtf16) {

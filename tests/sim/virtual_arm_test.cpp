@@ -193,7 +193,11 @@ TEST(VirtualArm, RefusesAnotherArmsState) {
   VirtualArm three(sample_arm(3));
   const VirtualArm two(sample_arm(2));
   EXPECT_THAT([&] { three.restore(two.save()); },
-              ThrowsMessage<InputError>(AllOf(HasSubstr("2 segments"), HasSubstr("'sample3'"))));
+              ThrowsMessage<InputError>(AllOf(HasSubstr("position"), HasSubstr("'sample3'"))));
+  VirtualArmState short_of_one = three.save();
+  short_of_one.table_anchor_rad.pop_back();
+  EXPECT_THAT([&] { three.restore(short_of_one); },
+              ThrowsMessage<InputError>(HasSubstr("table_anchor_rad")));
 }
 
 TEST(VirtualArm, RefusesSetPointsBeyondLimitsBeforeAnythingMoves) {

@@ -43,6 +43,7 @@ export type Project = {
   first_model: string;
   driver: string; // its command; empty: none
   driver_arm: string;
+  driver_limit_scale: number; // the most that a run may ask for
 };
 export type Tube = {
   level: number;

@@ -71,7 +71,7 @@ export class ArmPanel {
     const scales = scaleChoice('Share of the pressure limits that the arm may use', this.limitScale, (scale) => {
       this.limitScale = scale;
       app.refresh();
-    });
+    }, app.project.driver_limit_scale);
     const isBeyond = needed > this.limitScale + 1e-3;
     return [
       h('p', {}, h('strong', {}, 'Armed.'), ' Play moves it; Space, Escape and VENT vent it at once.'),

@@ -114,10 +114,11 @@ export function planPanel(planner: LivePlanner, unit: string, simple: boolean): 
   return h('div', { class: 'status' }, h('strong', {}, 'Not planned yet'));
 }
 
-/** Shares of the arm's pressure limits. */
-export function scaleChoice(label: string, chosen: number, change: (scale: number) => void): HTMLSelectElement {
+/** Shares of the arm's pressure limits, up to the one that the studio was started with. */
+export function scaleChoice(label: string, chosen: number, change: (scale: number) => void, highest = 1): HTMLSelectElement {
+  const scales = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9].filter((scale) => scale < highest);
   const select = h('select', { 'aria-label': label },
-    ...[0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1].map((scale) =>
+    ...[...scales, highest].map((scale) =>
       h('option', { value: scale, selected: scale === chosen }, `${Math.round(100 * scale)} %`)));
   select.addEventListener('change', () => change(Number(select.value)));
   return select;

@@ -170,7 +170,7 @@ class PhaseRunner {
 
   void require_may_fall_short(int blocks, int executed) const {
     if (!phase_.may_fall_short) {
-      throw InputError(fmt::format(
+      throw TooFewPlans(fmt::format(
           "phase '{}': {} runs of {} environments; too few have a plan to calibrate anything. A "
           "tube of factor {:.3g} may be too wide for them, or the budget too small",
           phase_.name, executed, blocks * block_size_, phase_.factor));

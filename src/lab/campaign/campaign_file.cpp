@@ -175,6 +175,13 @@ CpuLevel cpu_of(const YamlReader& value) {
   value.refuse(fmt::format("'{}' found; expected baseline, avx2 or avx512", value.text()));
 }
 
+/// Whether units have the seed that the file gives them.
+bool names_seed(const Campaign& campaign) {
+  return values_in(campaign.flags, "seed") != nullptr ||
+         std::ranges::find(campaign.factors, "seed", &CampaignFactor::name) !=
+             campaign.factors.end();
+}
+
 bool asks_closed_loop(const std::string& name, const FlagValues& values) {
   const char* asking = name == "replan" ? "true" : name == "controller" ? "replan" : nullptr;
   return asking != nullptr && std::ranges::find(values, asking) != values.end();
@@ -243,6 +250,9 @@ Campaign read_campaign(const fs::path& path) {
     }
   }
   read_design(root, campaign);
+  if (campaign.repeat > 1 && names_seed(campaign)) {
+    root.at("repeat").refuse("found beside the flag seed, with which each repetition is the same");
+  }
   for (const CampaignFactor& factor : campaign.factors) {
     std::erase_if(campaign.flags, [&](const auto& flag) { return flag.first == factor.name; });
   }

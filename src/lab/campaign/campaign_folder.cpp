@@ -11,6 +11,7 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/cpu_level.hpp"
+#include "limber/common/data_folder.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/json_reader.hpp"
 #include "limber/common/utf8.hpp"
@@ -26,6 +27,8 @@ namespace fs = std::filesystem;
 constexpr std::size_t kFan = 1000;                        // entries of a folder
 constexpr std::size_t kIdentityDigits = 16;               // of a marker's name
 constexpr std::streamoff kEnd = std::streamoff{1} << 16;  // bytes of a file's beginning and end
+constexpr const char* kArm = "arm";                       // flags
+constexpr const char* kEnvironments = "environments";
 constexpr const char* kCampaignFile = "campaign.json";
 constexpr const char* kCheckpoint = "model.safetensors.checkpoint";
 
@@ -41,6 +44,21 @@ std::string fingerprint_of(const fs::path& path) {
   file.seekg(-std::min<std::streamoff>(kEnd, static_cast<std::streamoff>(size)), std::ios::end);
   file.read(ends.data() + kEnd, kEnd);
   return content_hash(fmt::format("{} {}", size, ends));
+}
+
+/// What a verb reads for a flag's value: a file, or limber's own of that name; else empty.
+fs::path file_of(const std::string& flag, const std::string& value) {
+  if (flag == kArm) {
+    return own_file(value, "arms", ".yaml");
+  }
+  if (flag == kEnvironments) {
+    return own_file(value, "environments", ".yaml");
+  }
+  if (flag == "model" || flag == "from") {
+    return own_file(value, "families", ".safetensors");
+  }
+  std::error_code error;
+  return fs::is_regular_file(value, error) ? fs::path(value) : fs::path();
 }
 
 /// Of names and contents, of those files alone that an experiment reads (environments_in).
@@ -133,6 +151,21 @@ UnitState CampaignFolder::state(const CampaignUnit& unit) {
   return fs::exists(marker(unit, "started")) ? UnitState::started : UnitState::waiting;
 }
 
+void CampaignFolder::require_none_finished_otherwise(
+    const std::vector<std::size_t>& missing) const {
+  for (const std::size_t index : missing) {
+    std::error_code error;  // there is none yet
+    for (const fs::directory_entry& entry : fs::directory_iterator(unit_folder(index), error)) {
+      if (entry.path().filename().string().starts_with("done_")) {
+        throw InputError(fmt::format(
+            "{}: was finished with other input files, or by another version of limber; give those, "
+            "or --force to make it again",
+            unit_folder(index).string()));
+      }
+    }
+  }
+}
+
 void CampaignFolder::begin(const CampaignUnit& unit) {
   const fs::path folder = unit_folder(unit.index);
   const bool goes_on = campaign_.verb == "train" && fs::exists(folder / kCheckpoint) &&
@@ -171,12 +204,17 @@ fs::path CampaignFolder::marker(const CampaignUnit& unit, const char* state) {
 
 std::string CampaignFolder::identity(const CampaignUnit& unit) {
   Json inputs = Json::object();
-  for (const auto& [name, values] : unit.flags) {
-    for (const std::string& value : values) {
-      if (const std::string& found = fingerprint(name, value); !found.empty()) {
-        inputs[value] = found;
-      }
+  const auto add = [&](const std::string& flag, const std::string& value) {
+    if (const std::string& found = fingerprint(flag, value); !found.empty()) {
+      inputs[value] = found;
     }
+  };
+  for (const auto& [name, values] : unit.flags) {
+    std::ranges::for_each(values, [&](const std::string& value) { add(name, value); });
+  }
+  add(kArm, arm_of(unit));
+  if (campaign_.verb == "experiment" && values_in(unit.flags, kEnvironments) == nullptr) {
+    add(kEnvironments, (data_folder() / "environments").string());
   }
   const Json json = {{"verb", campaign_.verb},
                      {"cpu", to_string(campaign_.cpu)},
@@ -189,11 +227,11 @@ std::string CampaignFolder::identity(const CampaignUnit& unit) {
 const std::string& CampaignFolder::fingerprint(const std::string& flag, const std::string& path) {
   const auto [found, is_new] = fingerprints_.try_emplace({flag, path});
   std::error_code error;
-  if (is_new && fs::is_regular_file(path, error)) {
-    found->second = fingerprint_of(path);
+  if (const fs::path file = is_new ? file_of(flag, path) : fs::path(); !file.empty()) {
+    found->second = fingerprint_of(file);
   }
   // Values of other flags may be called like a folder by chance, such as the campaign's own.
-  if (is_new && flag == "environments" && fs::is_directory(path, error)) {
+  if (is_new && flag == kEnvironments && fs::is_directory(path, error)) {
     found->second = fingerprint_of_environments(path);
   }
   return found->second;

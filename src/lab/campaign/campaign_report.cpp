@@ -182,6 +182,22 @@ void for_each_done(const Campaign& campaign, CampaignFolder& folder, Use use) {
   }
 }
 
+std::string joined_name(std::size_t part) {
+  return fmt::format("recording_{:03}.h5", part);
+}
+
+/// Those of fewer or more units: beside the new ones they would be learnt from twice, or instead.
+void remove_joined_before(const fs::path& folder, const std::vector<fs::path>& joined) {
+  const auto remove = [&](const std::string& name) {
+    const fs::path path = folder / name;
+    return std::ranges::find(joined, path) == joined.end() && fs::remove(path);
+  };
+  remove("recording.h5");
+  for (std::size_t part = joined.size() > 1 ? joined.size() : 0; remove(joined_name(part));
+       ++part) {
+  }
+}
+
 }  // namespace
 
 std::size_t write_campaign_table(const Campaign& campaign, CampaignFolder& folder) {
@@ -251,10 +267,11 @@ std::vector<fs::path> join_campaign_recordings(const Campaign& campaign, Campaig
   });
   std::vector<fs::path> joined;
   for (std::size_t i = 0; i < files.size() && !files[i].empty(); ++i) {
-    joined.push_back(folder.path() / (files.size() == 1 ? std::string("recording.h5")
-                                                        : fmt::format("recording_{:03}.h5", i)));
+    joined.push_back(folder.path() /
+                     (files.size() == 1 ? std::string("recording.h5") : joined_name(i)));
     join_recordings(joined.back(), files[i], campaign.seed);
   }
+  remove_joined_before(folder.path(), joined);
   return joined;
 }
 

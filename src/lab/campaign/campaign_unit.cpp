@@ -155,6 +155,11 @@ CampaignUnit campaign_unit(const Campaign& campaign, std::size_t index) {
   return unit;
 }
 
+std::string arm_of(const CampaignUnit& unit) {
+  const FlagValues* arm = values_in(unit.flags, "arm");
+  return arm != nullptr ? arm->front() : "three_segment";
+}
+
 const char* cost_unit(const std::string& verb) {
   if (verb == "collect") {
     return "seconds of arm time";

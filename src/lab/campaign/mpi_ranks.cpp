@@ -73,8 +73,9 @@ void answer(Queue& queue, int others, const std::atomic<bool>& own_done) {
       std::this_thread::sleep_for(others > 0 ? std::chrono::microseconds(kLook) : kEndLook);
       continue;
     }
-    MPI_Recv(nullptr, 0, MPI_BYTE, status.MPI_SOURCE, kAsk, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-    const long long unit = queue.next();
+    int stops = 0;
+    MPI_Recv(&stops, 1, MPI_INT, status.MPI_SOURCE, kAsk, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+    const long long unit = stops != 0 ? kNoMore : queue.next();
     MPI_Send(&unit, 1, MPI_LONG_LONG, status.MPI_SOURCE, kAnswer, MPI_COMM_WORLD);
     others -= unit == kNoMore ? 1 : 0;
   }
@@ -90,7 +91,8 @@ void work_as_asked(const RankWork& work, Busy& busy, Waits& waits) {
   while (true) {
     const Clock::time_point begin = Clock::now();
     long long unit = kNoMore;
-    MPI_Send(nullptr, 0, MPI_BYTE, 0, kAsk, MPI_COMM_WORLD);
+    const int stops = work.should_stop() ? 1 : 0;  // this rank alone: the others go on
+    MPI_Send(&stops, 1, MPI_INT, 0, kAsk, MPI_COMM_WORLD);
     MPI_Recv(&unit, 1, MPI_LONG_LONG, 0, kAnswer, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
     if (unit == kNoMore) {
       return;

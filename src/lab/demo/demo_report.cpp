@@ -98,13 +98,14 @@ void what_was_done(ReportPage& page, const DemoResults& results) {
                       training.curve.size(), training.wall_time_s, training.best_epoch),
           "Evaluate: both models on the test, from one "
           "step ahead to the whole episode uncorrected.",
-          fmt::format("Plan and execute: {} environments, {} plans of each model, {:.3g} "
+          fmt::format("Plan and execute: {} environments, {} {} of each model, {:.3g} "
                       "s each; every plan run open loop on the arm. Plans of the network "
                       "keep {:.1f} mm from obstacles and end {:.1f} mm inside the goal's "
                       "rim, the network's error in 95 % of the runs it had not seen; where the "
                       "goal's tolerance leaves no room for that, they aim at its centre. The "
                       "no-load model's error is not known, so its plans keep no distance.",
                       results.environments.size(), results.recipe.plans_per_environment,
+                      results.recipe.plans_per_environment == 1 ? "plan" : "plans",
                       results.recipe.planning_time_limit_s, 10.0 * kCmPerM * room.margin_m,
                       10.0 * kCmPerM * room.goal_margin.position_m),
       });

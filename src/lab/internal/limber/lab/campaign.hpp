@@ -68,6 +68,9 @@ struct CampaignUnit {
 /// @pre index < unit_count
 CampaignUnit campaign_unit(const Campaign& campaign, std::size_t index);
 
+/// The arm file or name that it is given, or the verbs' default.
+std::string arm_of(const CampaignUnit& unit);
+
 /// "seconds of arm time": what the costs of a verb's units count.
 const char* cost_unit(const std::string& verb);
 

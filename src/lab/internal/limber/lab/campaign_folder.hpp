@@ -37,6 +37,10 @@ class CampaignFolder {
   std::filesystem::path unit_folder(std::size_t index) const;
   UnitState state(const CampaignUnit& unit);
 
+  /// @throws InputError where one of these units was finished with other inputs or by another
+  /// version: `begin` would erase what it left.
+  void require_none_finished_otherwise(const std::vector<std::size_t>& missing) const;
+
   /// An empty folder, but that a training goes on from its checkpoint. The folder stays the same,
   /// which the caller may have locked.
   void begin(const CampaignUnit& unit);
@@ -51,7 +55,8 @@ class CampaignFolder {
   std::filesystem::path marker(const CampaignUnit& unit, const char* state);
   /// Of everything that decides what comes out: command, version, input files.
   std::string identity(const CampaignUnit& unit);
-  /// Of the file that a flag names, or of the environments in the folder.
+  /// Of the file that a flag names, of limber's own of that name, or of the environments in the
+  /// folder.
   const std::string& fingerprint(const std::string& flag, const std::string& path);
 
   std::filesystem::path folder_;

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "limber/common/error.hpp"
 #include "limber/lab/tube_runs.hpp"
 
 namespace limber {
@@ -29,6 +30,12 @@ struct CalibrationSettings {
   std::function<void(const std::string&)> say = [](const std::string&) {};
 };
 
+/// So few environments have a plan that nothing can be calibrated.
+class TooFewPlans : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 struct CalibrationResult {
   /// Carries the tube, with every level that passed its test; none if none did.
   CompensationModel model;
@@ -48,7 +55,7 @@ void require_usable_levels(const std::vector<double>& levels, double confidence)
 
 /// docs/tube.md, Calibration: a shape, a screen that says which factors to test on plans made with
 /// them, tests and an audit, each in environments of its own. Writes evidence.json and
-/// evidence.html into the folder.
+/// evidence.html into the folder. @throws TooFewPlans
 CalibrationResult calibrate_tube(const CalibrationSettings& settings);
 
 /// A tube from plans and the runs that executed them, with what they can promise (docs/tube.md).
