@@ -96,6 +96,8 @@ class ReplanFlags {
   void add_settings_to(CLI::App& app);
 
   bool is_asked_for() const { return replan_; }
+  /// Whether --motion-queries, --adapt or --no-adapt is given.
+  bool has_settings() const { return motion_queries_ || adapt_flag_->count() > 0; }
   /// Whether --adapt is given.
   bool says_adapt() const { return adapt_flag_->count() > 0 && settings_.adapts; }
   ClosedLoopSettings& settings() { return settings_; }

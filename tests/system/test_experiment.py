@@ -198,6 +198,12 @@ class Experiment(InFolder):
         log = (self.folder / "out" / "planner_arena" / "a.log").read_text(encoding="utf-8")
         self.assertIn("\n2 runs per planner\n", log)
 
+    def test_two_environments_whose_pictures_would_be_one_are_refused(self):
+        self.write("environments/a_all.yaml", json.dumps(PILLAR))
+        error = self.run_limber("experiment", *ARM, "--model", "m.safetensors", "--environments", "environments",
+                                "--max-iterations", 10, "--out", "bad", code=2).stderr
+        self.assertIn("environments a and a_all", error)
+
     def test_an_environment_whose_name_is_not_utf8_is_named(self):
         folder = os.fsencode(self.folder / "environments")
         with open(os.path.join(folder, b"\xff.yaml"), "w", encoding="utf-8") as file:

@@ -141,7 +141,8 @@ class Messages(InFolder):
         self.assertEqual(train.returncode, 0)
 
     def test_a_result_that_cannot_be_printed_is_a_fault(self):
-        self.assertEqual(self.shell(">/dev/full", "doctor").returncode, 3)
+        for command in (("doctor",), ("execute", "--help"), ("--version",)):
+            self.assertEqual(self.shell(">/dev/full", *command).returncode, 3, command)
 
 
 def catches(process, number):

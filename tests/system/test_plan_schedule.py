@@ -67,6 +67,12 @@ class PlanSchedule(InFolder):
         (self.folder / "rounds/round_2/train.json").unlink()
         self.improve("--rounds", 2, "--resume")
         self.assertEqual(model.read_bytes(), first)
+        # Stopped between the recording's end and its note: the arm is not moved again.
+        recording = self.folder / "rounds/round_2/plans.h5"
+        (self.folder / "rounds/round_2/collect.json").unlink()
+        before = recording.stat().st_mtime_ns
+        self.improve("--rounds", 2, "--resume")
+        self.assertEqual(recording.stat().st_mtime_ns, before)
         self.assertIn("another model, data or settings",
                       self.run_limber("improve", *ARM, "--model", "m.safetensors", "--data", "t.h5", "--plans", 5,
                                       "--resume", "--out", "rounds", code=2).stderr)
@@ -75,6 +81,8 @@ class PlanSchedule(InFolder):
         plans, model = self.folder / "out/round_1/plans.h5", self.folder / "out/model.safetensors"
         plans.parent.mkdir(parents=True)
         plans.write_bytes((self.folder / "t.h5").read_bytes())
+        command = ("improve", *ARM, "--out", "out", "--model", "m.safetensors", "--data", "t.h5")
+        self.assertIn("plans.h5: exists already", self.run_limber(*command, "--resume", code=2).stderr)
         model.write_bytes((self.folder / "m.safetensors").read_bytes())
         before = plans.read_bytes(), model.read_bytes()
         for inputs, told in ((("m.safetensors", "t.h5"), "exists already"),

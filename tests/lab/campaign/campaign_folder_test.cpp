@@ -1,5 +1,7 @@
 #include "limber/lab/campaign_folder.hpp"
 
+#include <cstdlib>
+
 #include <gmock/gmock.h>
 
 #include "limber/common/atomic_file.hpp"
@@ -99,6 +101,36 @@ TEST_F(CampaignFolderTest, OtherEnvironmentsInAFolderAreAnotherUnit) {
   write_file_atomically(places / "a.yaml", "one");
   write_file_atomically(places / "b.yaml", "one");
   EXPECT_EQ(CampaignFolder(path_, campaign_).state(unit(0)), UnitState::waiting);
+}
+
+// limber's own arms are named, not given as files; a changed one is another unit all the same.
+TEST_F(CampaignFolderTest, AChangedArmOfLimbersOwnIsAnotherUnit) {
+  std::filesystem::create_directories(temporary_.path() / "arms");
+  const std::filesystem::path arm =
+      temporary_.path() / "arms" / "three_segment.yaml";  // the default
+  write_file_atomically(arm, "one");
+  ::setenv("LIMBER_DATA_DIR", temporary_.path().c_str(), 1);
+  CampaignFolder folder(path_, campaign_);
+  folder.begin(unit(0));
+  folder.finish(unit(0), {}, 0.5);
+  EXPECT_EQ(CampaignFolder(path_, campaign_).state(unit(0)), UnitState::done);
+  write_file_atomically(arm, "two");
+  EXPECT_EQ(CampaignFolder(path_, campaign_).state(unit(0)), UnitState::waiting);
+  ::unsetenv("LIMBER_DATA_DIR");
+}
+
+TEST_F(CampaignFolderTest, FindsWhatAnotherRunFinishedBeforeItIsErased) {
+  const std::filesystem::path data = temporary_.path() / "data.h5";
+  write_file_atomically(data, "one");
+  campaign_.flags.push_back({"data", {data.string()}});
+  CampaignFolder folder(path_, campaign_);
+  folder.begin(unit(1));
+  folder.finish(unit(1), {}, 0.5);
+  EXPECT_NO_THROW(folder.require_none_finished_otherwise(missing_units(campaign_, folder)));
+  std::filesystem::remove(data);
+  CampaignFolder changed(path_, campaign_);
+  EXPECT_THAT([&] { changed.require_none_finished_otherwise(missing_units(campaign_, changed)); },
+              ThrowsMessage<InputError>(HasSubstr("001: was finished with other input files")));
 }
 
 TEST_F(CampaignFolderTest, NoFolderHasMoreThanAThousandEntries) {

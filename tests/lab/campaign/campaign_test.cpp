@@ -153,6 +153,8 @@ TEST_F(CampaignFile, RefusesWhatWouldDependOnAClockOrOnOtherUnits) {
   refusal("verb: collect\ncpu: sse2\n", "'sse2' found; expected baseline, avx2 or avx512");
   refusal("verb: collect\ngrid: {data: {files: nowhere/*.h5}}\n", "'nowhere/*.h5': no such files");
   refusal("verb: collect\nrepeat: 0\n", "repeat");
+  refusal("verb: collect\nflags: {seed: 5}\nrepeat: 2\n", "each repetition is the same");
+  refusal("verb: collect\ngrid: {seed: [1, 2]}\nrepeat: 2\n", "each repetition is the same");
   refusal("verb: train\nflags: {epochs: 3, ensemble: []}\n",
           "c.yaml:3: flags.ensemble: an empty list found");
   refusal("verb: train\nflags: {epochs: 3}\ngrid: {hidden: [[60], []]}\n", "an empty list found");
