@@ -148,8 +148,8 @@ class ExperimentVerb final : public Verb {
     forest_.require_use();
     if (replan_.has_settings() && !runs_.replans()) {
       throw InputError(
-          "--motion-queries, --adapt and --no-adapt are of closed loop: add --replan, or leave them "
-          "out");
+          "--motion-queries, --adapt and --no-adapt are of closed loop: add --replan, or leave "
+          "them out");
     }
     settings_.arm = load_asked_arm(arm_, "limber experiment");
     if (environments_.empty()) {
