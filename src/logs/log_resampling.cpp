@@ -24,6 +24,8 @@ constexpr double kMovingCommand = 0.01;    // the same where only noisy measurem
 // Numbers of frames are whole in double: 45 million years at 20 Hz.
 constexpr double kMaxFrameNumber = 1e15;
 constexpr int kStillFrames = 4;  // before a motion begins, where only measurements are
+// Between set points along a path, 4 or more per second; steps are held longer.
+constexpr double kSlowestPath_s = 0.3;
 
 /// The rows around a moment.
 struct Bracket {
@@ -154,10 +156,40 @@ std::vector<bool> moving_frames(const FrameMatrix& values, const ArmDescription&
   return moves;
 }
 
+/// Frames that set points stand still before a motion begins. Along a path they stand for some frames
+/// after each change, and the motion goes on: one has to be given twice. Steps, which change as
+/// often to another side, are motions of their own.
+int still_frames_of(const FrameMatrix& setpoints, double frame_period_s) {
+  std::vector<double> apart;  // frames from one change to the next
+  std::size_t onward = 0;     // of those, to the same side
+  Eigen::RowVectorXf before;
+  Eigen::Index last = 0;
+  for (Eigen::Index t = 1; t < setpoints.rows(); ++t) {
+    if (setpoints.row(t) == setpoints.row(t - 1)) {
+      continue;
+    }
+    const Eigen::RowVectorXf change = setpoints.row(t) - setpoints.row(t - 1);
+    if (before.size() > 0) {
+      apart.push_back(double(t - last));
+      onward += change.dot(before) > 0.0F ? 1 : 0;
+    }
+    before = change;
+    last = t;
+  }
+  if (2 * onward <= apart.size()) {
+    return 1;
+  }
+  const double usual = median(std::move(apart));
+  return usual * frame_period_s > kSlowestPath_s ? 1 : static_cast<int>(2.0 * usual) - 1;
+}
+
 /// Numbers of motions: a motion begins where something moves that stood still.
 std::vector<int> number_motions(const FrameMatrix& values, const ArmDescription& arm,
-                                double min_change, int still_frames) {
-  const std::vector<bool> moves = moving_frames(values, arm, min_change);
+                                bool are_setpoints) {
+  const std::vector<bool> moves =
+      moving_frames(values, arm, are_setpoints ? kMovingSetpoint : kMovingCommand);
+  const int still_frames =
+      are_setpoints ? still_frames_of(values, arm.frame_period_s()) : kStillFrames;
   std::vector<int> motions = {0};
   int still = still_frames;
   for (std::size_t t = 1; t < moves.size(); ++t) {
@@ -277,9 +309,7 @@ class Resampler {
         episode.motion_index.push_back(number);
       }
     } else {
-      episode.motion_index = number_motions(episode.setpoint_kpa, arm_,
-                                            has_setpoints ? kMovingSetpoint : kMovingCommand,
-                                            has_setpoints ? 1 : kStillFrames);
+      episode.motion_index = number_motions(episode.setpoint_kpa, arm_, has_setpoints);
     }
     return episode;
   }

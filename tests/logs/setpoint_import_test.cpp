@@ -1,6 +1,8 @@
 // Logs in which nothing was measured: set points alone, in force until the next row.
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <vector>
 
 #include <gmock/gmock.h>
 
@@ -19,6 +21,9 @@ class SetpointImport : public CsvImport {
   std::string setpoints_mapping() const {
     return replaced(mapping(), "  columns:", "  setpoints:");
   }
+
+  /// The frames' motions in a log of 40 s whose rows are the truth's at `given_s`(time).
+  std::vector<int> motions_of(const std::function<double(double)>& given_s);
 
   /// The set point of the last row at or before a time.
   double in_force(double time_s, Eigen::Index segment) const {
@@ -139,6 +144,37 @@ TEST_F(SetpointImport, OfDefaultColumnsIsToldByTheirNames) {
   }
   expect_held(import(named, without_commands).recording);
   EXPECT_FALSE(import(log(), without_commands).recording.setpoints_only());
+}
+
+std::vector<int> SetpointImport::motions_of(const std::function<double(double)>& given_s) {
+  const std::string text = LogTruth::table(header(), 4000, 100.0, [&](double t) {
+    return truth_.pressure_cells(given_s(t)) + pose_cells(given_s(t));
+  });
+  return import(text, setpoints_mapping()).recording.episodes.front().motion_index;
+}
+
+// Four of a second, every ten seconds: slower than the frames, set points stand for some of them.
+TEST_F(SetpointImport, AMotionGoesOnWhileSetPointsDo) {
+  for (const double period_s : {0.1, 0.15}) {
+    const std::vector<int> motions = motions_of([&](double t) {
+      const double begin_s = 10.0 * std::floor(t / 10.0);
+      return begin_s + period_s * std::floor(std::min(t - begin_s, 1.0) / period_s + 1e-9);
+    });
+    EXPECT_EQ(motions.back(), 4) << period_s;
+    EXPECT_EQ(motions[199], 1) << period_s;
+    EXPECT_EQ(motions[200], 2) << period_s;
+  }
+}
+
+// As often, but to another side each time.
+TEST_F(SetpointImport, EachStepIsAMotionHoweverShortItIsHeld) {
+  constexpr double kHeld_s = 0.2;
+  const std::vector<int> motions = motions_of([&](double t) {
+    const double begin_s = 10.0 * std::floor(t / 10.0);
+    return begin_s + 3.0 * std::min(std::floor((t - begin_s) / kHeld_s + 1e-9), 2.0);
+  });
+  EXPECT_EQ(motions.back(), 11) << "three in ten seconds, and the first begins the log";
+  EXPECT_EQ(motions[8], motions[4] + 1);
 }
 
 // Written where they change alone, in rows of which frames pass over some.
