@@ -160,7 +160,7 @@ class CrossValidator {
   struct Attempt {
     WayTried way;  ///< errors are means over the folds so far
     RunErrors errors;
-    double share = 0.0;  ///< of all frames that judge, in those folds
+    std::array<double, 3> shares{};  ///< of all frames that judge, in each of its errors
   };
 
   /// A network for each fold that is left, as long as none diverges. @returns whether none did
@@ -194,15 +194,17 @@ class CrossValidator {
     }
     const ForwardModel model(arm_, std::move(trained.model));
     const double share = double(frame_count(unseen)) / double(frame_count(parts_.moving));
-    attempt.share += share;
-    const auto add = [&](double& mean_cm, int frames) {
+    const auto add = [&](double& mean_cm, double& shares, int frames) {
+      if (measured_frames(unseen, pieces_of_length(unseen, frames)) == 0) {
+        return;  // a tracker slower than the arm sees no frame right behind another
+      }
+      shares += share;
       const double error_cm = kCmPerM * tip_error_m(model, unseen, frames, settings_.jobs);
-      // Not finite where a prediction is not, or nothing was tracked.
-      mean_cm += share / attempt.share * ((std::isfinite(error_cm) ? error_cm : kNever) - mean_cm);
+      mean_cm += share / shares * ((std::isfinite(error_cm) ? error_cm : kNever) - mean_cm);
     };
-    add(way.one_step_cm, 1);
-    add(way.window_32_cm, 32);
-    add(way.window_600_cm, 600);
+    add(way.one_step_cm, attempt.shares[0], 1);
+    add(way.window_32_cm, attempt.shares[1], 32);
+    add(way.window_600_cm, attempt.shares[2], 600);
     throw_if_interrupted();
   }
 

@@ -102,6 +102,9 @@ CrossValidation read_cross_validation(const std::string& text, const std::string
 }
 
 std::string to_text(const CrossValidation& found) {
+  const auto in_cm = [](double error_cm) {
+    return error_cm > 0.0 ? fmt::format("{:.2f}", error_cm) : std::string("not measured");
+  };
   std::string text = fmt::format(
       "on {} parts that the networks had not seen (one step, 32, up to 600 frames)", found.folds);
   for (std::size_t i = 0; i < found.tried.size(); ++i) {
@@ -112,8 +115,8 @@ std::string to_text(const CrossValidation& found) {
                             ? " (worse on the first part)"
                             : "");
     text += std::isfinite(tried.score_cm())
-                ? fmt::format(": {:.2f}, {:.2f}, {:.2f} cm", tried.one_step_cm, tried.window_32_cm,
-                              tried.window_600_cm)
+                ? fmt::format(": {}, {}, {} cm", in_cm(tried.one_step_cm),
+                              in_cm(tried.window_32_cm), in_cm(tried.window_600_cm))
                 : ": diverged";
     text += static_cast<int>(i) == found.chosen ? ", chosen" : "";
   }

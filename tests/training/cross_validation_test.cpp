@@ -1,5 +1,8 @@
 #include "limber/training/cross_validation.hpp"
 
+#include <cmath>
+#include <limits>
+
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -76,6 +79,24 @@ TEST(CrossValidation, WhatRestsJudgesNoNetwork) {
     EXPECT_GT(with_rest.tried[i].window_600_cm, 0.7 * found.tried[i].window_600_cm);
   }
   EXPECT_FALSE(is_little(little.arm, {at_rest(little.arm), at_rest(little.arm)}));
+}
+
+// As a tracker records that is slower than the arm: no step ahead has an end that was seen.
+TEST(CrossValidation, WhatNothingWasMeasuredForDecidesNothing) {
+  Little little;
+  for (Episode& episode : little.episodes) {
+    for (int t = 0; t < episode.frame_count(); ++t) {
+      episode.tracked.push_back(t % 2 == 0 ? 1 : 0);
+    }
+  }
+  const CrossValidation found = little.found();
+  EXPECT_EQ(found.best().folds, kFolds);
+  EXPECT_EQ(found.best().one_step_cm, 0.0);
+  EXPECT_GT(found.best().window_32_cm, 0.0);
+  EXPECT_NEAR(found.best().score_cm(),
+              std::sqrt(found.best().window_32_cm * found.best().window_600_cm), 1e-9);
+  EXPECT_THAT(to_text(found), HasSubstr(": not measured, "));
+  EXPECT_EQ(read_cross_validation(to_json(found).dump(), "f.json"), found);
 }
 
 TEST(CrossValidation, OneLongEpisodeIsCutIntoFolds) {

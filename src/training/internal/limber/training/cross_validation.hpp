@@ -17,7 +17,7 @@ inline constexpr int kFolds = 4;
 
 /// A way to learn, and what it is worth: mean errors at the tip on episodes that the networks had
 /// not seen, one step ahead, and over rollouts of 32 and of up to 600 frames. Infinite where one of
-/// them diverged.
+/// them diverged; 0 where the arm was tracked too rarely to measure it.
 struct WayTried {
   int epochs = 0;
   std::vector<int> hidden_units;
@@ -26,8 +26,18 @@ struct WayTried {
   double one_step_cm = 0.0;
   double window_32_cm = 0.0;
   double window_600_cm = 0.0;
-  /// What decides: the mean, as of factors.
-  double score_cm() const { return std::cbrt(one_step_cm * window_32_cm * window_600_cm); }
+  /// What decides: the mean, as of factors, of those that were measured; 0 if none was.
+  double score_cm() const {
+    double product = 1.0;
+    int measured = 0;
+    for (const double error_cm : {one_step_cm, window_32_cm, window_600_cm}) {
+      if (error_cm > 0.0) {
+        product *= error_cm;
+        ++measured;
+      }
+    }
+    return measured > 0 ? std::pow(product, 1.0 / measured) : 0.0;
+  }
   bool operator==(const WayTried&) const = default;
 };
 
