@@ -62,14 +62,17 @@ Halves split(const std::vector<Episode>& episodes) {
   return halves;
 }
 
+/// Frames between tracked ones in which the arm moved: a tracker may be slower than the arm.
 int moving_frames(const Episode& episode) {
+  const auto place = [&](int t) { return places_at(episode.backbone, t, episode.dimension); };
   int count = 0;
-  for (int t = 1; t < episode.frame_count(); ++t) {
-    if (episode.was_tracked(t) && episode.was_tracked(t - 1) &&
-        largest_place_distance_m(places_at(episode.backbone, t, episode.dimension),
-                                 places_at(episode.backbone, t - 1, episode.dimension)) > kMovedM) {
-      ++count;
+  int before = -1;
+  for (const int t : tracked_frames(episode)) {
+    const int frames = t - before;
+    if (before >= 0 && largest_place_distance_m(place(t), place(before)) > kMovedM * frames) {
+      count += frames;
     }
+    before = t;
   }
   return count;
 }

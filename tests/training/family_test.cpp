@@ -125,6 +125,20 @@ TEST_F(FamilyOfPlays, ARestTellsNothing) {
   EXPECT_TRUE(adapt(arm(), family(), {rest}).tells_too_little());
 }
 
+TEST_F(FamilyOfPlays, AMotionIsAsLongWhereEverySecondFrameWasTracked) {
+  AdaptationSettings settings;
+  settings.measures_errors = false;
+  std::vector<Episode> minute = motions_of(20.0F, 12, 500);
+  const double moving_s = adapt(arm(), family(), minute, settings).moving_s;
+  for (int t = 0; t < minute.front().frame_count(); ++t) {
+    minute.front().tracked.push_back(t % 2 == 0 ? 1 : 0);
+  }
+  constexpr double kFrameOfEachMotion_s = 12 * 0.05;  // its ends lie between tracked frames
+  EXPECT_GT(moving_s, Adaptation::kLeastMovingS);
+  EXPECT_NEAR(adapt(arm(), family(), minute, settings).moving_s, moving_s,
+              2.0 * kFrameOfEachMotion_s);
+}
+
 TEST_F(FamilyOfPlays, AdaptIsTheSameForAnyNumberOfThreads) {
   const std::vector<Episode> minute = motions_of(30.0F, 12, 500);
   AdaptationSettings settings;
