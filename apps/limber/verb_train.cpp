@@ -133,7 +133,7 @@ class TrainVerb final : public Verb {
       result.model.learnt =
           learnt_region_of(data, start && start->learnt ? &*start->learnt : nullptr);
     }
-    if (family_) {
+    if (result.model.family) {  // --family-size 0 tells no arms apart
       result.model.family->traits = fit_traits(arm, data.physics, *result.model.family);
     }
     record_origin(result.model, reader.all_sources(), settings, choice);

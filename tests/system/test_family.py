@@ -159,6 +159,9 @@ class Family(WithFiles):
         refused = self.run_limber("train", *ARM, "--from", "five.safetensors", "--data", "minute.h5",
                                   "--out", "y.safetensors", code=2).stderr
         self.assertIn("limber adapt --model five.safetensors", refused)
+        self.run_limber("train", *ARM, "--family", "--family-size", 0, *data, "--epochs", 3, "--out",
+                        "alike.safetensors")
+        self.assertIsNone(self.run_json("inspect", "alike.safetensors")["family"])
 
     def test_more_frames_than_fit_are_read_in_slices(self):
         for shard in (0, 1):
