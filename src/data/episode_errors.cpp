@@ -164,8 +164,13 @@ struct TurnCorrelation {
   double pooled = 0.0;  ///< of all of them at once: what moved most counts most
 };
 
+/// Over the tracked frames; NaN where they are fewer than two.
 TurnCorrelation correlation_of(const ArmDescription& arm, const FrameMatrix& expected,
                                const Episode& episode) {
+  const std::vector<int> tracked = tracked_frames(episode);
+  if (tracked.size() < 2) {
+    return {std::nan(""), std::nan("")};
+  }
   double sum = 0.0;
   int moved = 0;
   double product = 0.0;
@@ -175,7 +180,7 @@ TurnCorrelation correlation_of(const ArmDescription& arm, const FrameMatrix& exp
   for (const Segment& segment : arm.segments) {
     const Eigen::Index end = column + kPoseSize * segment.gaps;
     const auto turn = [&](const FrameMatrix& poses) {
-      const Eigen::VectorXd own = (poses.col(end) - poses.col(column)).cast<double>();
+      const Eigen::VectorXd own = (poses(tracked, end) - poses(tracked, column)).cast<double>();
       return Eigen::VectorXd(own.array() - own.mean());
     };
     const Eigen::VectorXd seen = turn(episode.backbone);
@@ -200,7 +205,7 @@ TurnCorrelation correlation_of(const ArmDescription& arm, const FrameMatrix& exp
 void mark_unrelated(const std::vector<TurnCorrelation>& correlations, EpisodeErrors& errors) {
   std::vector<double> means;
   for (std::size_t i = 0; i < correlations.size(); ++i) {
-    if (errors.episodes[i].moves) {
+    if (errors.episodes[i].moves && std::isfinite(correlations[i].mean)) {
       means.push_back(correlations[i].mean);
     }
   }

@@ -253,6 +253,31 @@ TEST(EpisodeErrors, NameOneThatDoesNothingOfWhatItWasToldAmongLargeErrors) {
   EXPECT_THAT(errors.outliers(), ::testing::ElementsAre(17));
 }
 
+// A tracker that was lost late: what was filled in then is a guess.
+TEST(EpisodeErrors, FramesThatWereNotSeenAreNotComparedWithWhatWasTold) {
+  constexpr int kSeen = 2 * kHoldFrames;
+  const ArmDescription arm = sample_arm(3);
+  std::vector<Episode> episodes = episodes_of(some_model(), arm, 40, 2e-3);
+  const int lost = episodes[20].frame_count() - kSeen;
+  Episode other = episodes[20];
+  other.pressure_kpa *= -1.0F;
+  episodes[20].backbone.bottomRows(lost) = predict(some_model(), arm, other).bottomRows(lost);
+  for (std::size_t i = 0; i < episodes.size(); ++i) {
+    FrameMatrix& backbone = episodes[i].backbone;
+    backbone.col(backbone.cols() - 2).array() += 0.3F + 0.1F * std::sin(float(i));  // [m]
+  }
+  EXPECT_THAT(episode_errors(arm, episodes).outliers(), ::testing::ElementsAre(20));
+  episodes[20].tracked.assign(std::size_t(kSeen), 1);
+  episodes[20].tracked.resize(std::size_t(kSeen + lost), 0);
+  const EpisodeErrors errors = episode_errors(arm, episodes);
+  EXPECT_THAT(errors.outliers(), ::testing::IsEmpty());
+  EXPECT_GT(errors.episodes[20].correlation, 0.9);
+  EXPECT_GT(errors.episodes[20].tip_cm, errors.median_cm);
+  episodes[20].tracked.assign(std::size_t(kSeen + lost), 0);
+  episodes[20].tracked[0] = 1;
+  EXPECT_TRUE(std::isnan(episode_errors(arm, episodes).episodes[20].correlation));
+}
+
 // Logs that begin with rest: the errors of half of the episodes are next to none.
 TEST(EpisodeErrors, OfEpisodesThatRestSayNothingOfWhatIsUsual) {
   const ArmDescription arm = sample_arm(3);
