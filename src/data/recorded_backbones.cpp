@@ -174,9 +174,10 @@ void require_motion(const Episode& episode, const ArmDescription& arm, const std
   if (!(spread_m < kStill * arm.length_m())) {
     return;
   }
+  const std::vector<int> tracked = tracked_frames(episode);
   for (Eigen::Index i = 0; i < episode.pressure_kpa.cols(); ++i) {
-    const double range = double(episode.pressure_kpa.col(i).maxCoeff()) -
-                         double(episode.pressure_kpa.col(i).minCoeff());
+    const Eigen::VectorXf commands = episode.pressure_kpa(tracked, i);
+    const double range = double(commands.maxCoeff()) - double(commands.minCoeff());
     const double limit = arm.limits_of_channel(static_cast<int>(i)).half_width_kpa();
     if (range > kMovingCommand * limit) {
       throw InputError(fmt::format(
