@@ -22,7 +22,6 @@ namespace {
 constexpr hsize_t kMaxCount = 1U << 28;  // frames of an episode; above it, the file is damaged
 
 constexpr hsize_t kSmallData = hsize_t{1} << 26U;  // bytes; up to here other filters may do better
-constexpr hsize_t kMaxChunk = hsize_t{1} << 22U;   // numbers; HDF5 holds whole chunks in memory
 
 std::string text_of(const Shape& shape) {
   return shape.empty() ? "a single value" : fmt::format("{}", fmt::join(shape, " × "));

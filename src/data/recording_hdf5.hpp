@@ -17,6 +17,9 @@ namespace limber {
 /// Deflate makes data at most 1032 times smaller; what is smaller than this was never written.
 inline constexpr std::uintmax_t kMaxCompression = 1100;
 
+/// Numbers of a chunk: HDF5 holds whole ones in memory. Readers refuse larger ones.
+inline constexpr hsize_t kMaxChunk = hsize_t{1} << 22U;
+
 inline constexpr std::size_t kLongestText = std::size_t{1} << 26U;  // bytes of a recording's text
 
 /// What `validate` says of names, sizes and rate: known before any episode is read.

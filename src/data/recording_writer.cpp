@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <functional>
 #include <new>
+#include <numeric>
 #include <optional>
 
 #include <fmt/format.h>
@@ -90,7 +92,9 @@ void write_number(const H5::H5Object& object, const char* name, const H5::PredTy
 void write_data_set(const H5::Group& group, const std::string& name, const char* unit,
                     const H5::PredType& type, const void* data, const Shape& shape) {
   Shape chunk = shape;
-  chunk[0] = std::min(chunk[0], kChunkFrames);
+  const hsize_t per_frame =
+      std::reduce(shape.begin() + 1, shape.end(), hsize_t{1}, std::multiplies{});
+  chunk[0] = std::min({chunk[0], kChunkFrames, std::max(kMaxChunk / per_frame, hsize_t{1})});
   const H5::DataSpace space(static_cast<int>(shape.size()), shape.data());
   H5::DataSet data_set = group.createDataSet(name, type, space, compressed(chunk));
   data_set.write(data, type);

@@ -122,6 +122,13 @@ TEST_F(RecordingFile, KeepsLongTexts) {
   }
 }
 
+// Readers refuse chunks of over 4 million numbers.
+TEST_F(RecordingFile, IsReadOfAnArmOfVeryManyPointsToo) {
+  const Recording written = test_recording(1, 1024, 2, 1400);
+  write_recording(path_, written);
+  EXPECT_TRUE(read_recording(path_).episodes[0].backbone == written.episodes[0].backbone);
+}
+
 TEST_F(RecordingFile, IsTheSameToTheByteWhenWrittenLater) {
   const std::string before = read_file(path_);
   std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // HDF5 stamps whole seconds
