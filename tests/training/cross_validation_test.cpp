@@ -129,6 +129,19 @@ TEST(CrossValidation, AfterTheChosenWayDivergedTheBestOfTheOthersIsTakenWithoutA
   EXPECT_FALSE(take_another_way(found)) << "both did";
 }
 
+TEST(CrossValidation, AWayThatWasLeftAfterOneFoldIsTakenLast) {
+  CrossValidation found;
+  found.folds = kFolds;
+  found.tried = {{300, {200}, Optimiser::soap, kFolds, 0.1, 1.0, 1.5},
+                 {300, {200}, Optimiser::adam, 1, 0.1, 1.0, 1.6},
+                 {300, {100}, Optimiser::adam, kFolds, 0.2, 2.0, 3.0}};
+  EXPECT_TRUE(take_another_way(found));
+  EXPECT_EQ(found.chosen, 2);
+  EXPECT_TRUE(take_another_way(found));
+  EXPECT_EQ(found.chosen, 1);
+  EXPECT_FALSE(take_another_way(found));
+}
+
 TEST(CrossValidation, ItsFileSaysTheSame) {
   CrossValidation found = found_once();
   found.tried.back().window_600_cm = std::numeric_limits<double>::infinity();

@@ -83,8 +83,8 @@ CrossValidation cross_validate(const ArmDescription& arm, const std::vector<Epis
                                const TrainingSettings& settings, const IdentifiedValves& valves,
                                const TrainingHooks& hooks = {});
 
-/// After the chosen way diverged on everything: chooses the best of the others, whose networks then
-/// carry no error. @returns false where none is left.
+/// After the chosen way diverged on everything: chooses the best of the others, of those with all
+/// folds if there are some. Their networks carry no error. @returns false where none is left.
 [[nodiscard]] bool take_another_way(CrossValidation& found);
 
 /// One network that learns from all `episodes`, in the way that `found` says; it carries its valves
