@@ -28,13 +28,14 @@ bool moves(const ArmDescription& arm, const Episode& episode, const RolloutPiece
   return false;
 }
 
-/// Whether the arm had come to rest in frame `frame`, as it has before a plan.
+/// Whether the arm was seen to have come to rest in frame `frame`, as it has before a plan.
 bool stands_still(const Episode& episode, int frame) {
   if (frame < kStillFrames) {
     return false;
   }
   for (int k = frame - kStillFrames; k < frame; ++k) {
-    if (largest_place_distance_m(places_at(episode.backbone, k + 1, episode.dimension),
+    if (!episode.was_tracked(k) || !episode.was_tracked(k + 1) ||
+        largest_place_distance_m(places_at(episode.backbone, k + 1, episode.dimension),
                                  places_at(episode.backbone, k, episode.dimension)) > kStillM) {
       return false;
     }

@@ -146,6 +146,15 @@ TEST(UnseenError, MotionsFromRestCountAloneWhereTheyAreEnough) {
   EXPECT_EQ(alone->runs, 19);  // nobody knows whether the arm stood before the first frame
   EXPECT_LE(both->runs, 20) << "of the hasty ones at most the first";
   EXPECT_EQ(measure_prediction_error(arm, model, {hasty})->runs, 20);
+  Episode guessed = hasty;  // to have stood still before each motion
+  guessed.tracked.assign(161, 1);
+  for (int first = 8; first < 160; first += 8) {
+    for (int t = first - 4; t < first; ++t) {
+      guessed.tracked[static_cast<std::size_t>(t)] = 0;
+      guessed.backbone.row(t) = guessed.backbone.row(first);
+    }
+  }
+  EXPECT_EQ(measure_prediction_error(arm, model, {calm, guessed})->runs, alone->runs);
 }
 
 TEST(UnseenError, IsNoneWhereNothingWasSeen) {
