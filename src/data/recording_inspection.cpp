@@ -50,8 +50,15 @@ class EpisodeInspector {
       look_at_pressures(t);
       if (t > 0) {
         look_at_time(t);
-        look_at_motion(t);
-        look_for_frozen_backbones(t);
+        if (episode_.was_tracked(t) && episode_.was_tracked(t - 1)) {
+          look_at_motion(t);
+          look_for_frozen_backbones(t);
+        } else {
+          equal_frames_ = 0;
+        }
+        if (episode_.was_tracked(t)) {
+          look_at_base(t);
+        }
       }
     }
   }
@@ -93,14 +100,13 @@ class EpisodeInspector {
     }
   }
 
-  /// In space: rotations are quaternions of either sign, and the base says nothing of its start.
+  /// In space: rotations are quaternions of either sign.
   void look_at_motion_in_space(int t) {
     const double step_s = episode_.time_s[t] - episode_.time_s[t - 1];
     for (int i = 0; i < recording_.point_count; ++i) {
       look_at_step(t, i, (episode_.position_m(t, i) - episode_.position_m(t - 1, i)).norm(),
                    step_s);
     }
-    look_at_base(t, (episode_.position_m(t, 0) - episode_.position_m(0, 0)).norm());
   }
 
   void look_at_step(int t, int plate, double distance_m, double step_s) {
@@ -111,14 +117,15 @@ class EpisodeInspector {
     }
   }
 
-  /// @param base_m  how far it is from where it was at the start
-  void look_at_base(int t, double base_m) {
+  void look_at_base(int t) {
+    const double base_m = (episode_.position_m(t, 0) - episode_.position_m(0, 0)).norm();
     if (base_m > kBaseStandsStill_m) {
       suspicions_.add("a base that has moved since the episode's start", index_, t,
                       fmt::format("{:.3f} m away", base_m));
     }
   }
 
+  /// Between two tracked frames: those that were filled in are guesses.
   void look_at_motion(int t) {
     if (recording_.dimension == Dimension::space) {
       look_at_motion_in_space(t);
@@ -135,14 +142,10 @@ class EpisodeInspector {
         suspicions_.add("a heading that jumps by more than half a turn (wrapped?)", index_, t,
                         fmt::format("{}: {:.2f} rad in {:.3f} s", plate_name(i), turn_rad, step_s));
       }
-      if (i == 0) {
-        const auto first = episode_.backbone.row(0).head<2>();
-        look_at_base(t, (now.row(0).head<2>() - first).norm());
-      }
     }
   }
 
-  /// A tracker that hangs repeats its last frame to the bit.
+  /// A tracker that hangs repeats its last frame to the bit. So does what is filled in.
   void look_for_frozen_backbones(int t) {
     const bool same = episode_.backbone.row(t) == episode_.backbone.row(t - 1);
     equal_frames_ = same ? equal_frames_ + 1 : 0;

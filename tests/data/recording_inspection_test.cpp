@@ -188,6 +188,19 @@ TEST(RecordingInspection, FindsATrackerThatHangs) {
   EXPECT_THAT(hung.what, HasSubstr("stands still to the bit"));
 }
 
+TEST(RecordingInspection, SuspectsNothingOfWhatWasFilledIn) {
+  Recording recording = corner_recording({0, 1, 0, -1, 0, 1});
+  Episode& episode = recording.episodes[0];
+  for (int t = 4; t < 15; ++t) {  // over the second motion's begin
+    episode.backbone.row(t) = episode.backbone.row(3);
+    episode.tracked[static_cast<std::size_t>(t)] = 0;
+  }
+  episode.backbone.row(30).array() += 0.4F;
+  episode.tracked[30] = 0;
+  const ArmDescription arm = one_segment_arm();
+  EXPECT_THAT(inspect(recording, &arm, "a.h5").suspicions, IsEmpty());
+}
+
 TEST(RecordingInspection, FindsCommandsThatNeverChange) {
   const Suspicion constant = only_suspicion([](Episode& e) {
     e.pressure_kpa.setConstant(55.0F);
