@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iterator>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -284,6 +285,8 @@ TrainingResult train_as_found(const CommonFlags& flags, const ArmDescription& ar
   while (result.status == TrainingStatus::diverged && take_another_way(found)) {
     say(flags, "{}; so it learns by {} instead, whose error is not known", result.message,
         to_string(found.best().optimiser));
+    std::error_code ignored;
+    fs::remove(settings.checkpoint, ignored);  // of the way that diverged: --resume would refuse it
     write_folds(found, settings.checkpoint);
     settings.resume = false;
     result = train_on_everything(arm, episodes, settings, valves, found);
