@@ -14,6 +14,7 @@
 #include "limber/common/random_stream.hpp"
 #include "limber/data/episode_slice.hpp"
 #include "limber/data/mirrored_episode.hpp"
+#include "rollout.hpp"
 #include "shuffle.hpp"
 #include "training_run.hpp"
 
@@ -28,15 +29,49 @@ constexpr std::uint64_t kUnseenStream = 0x756e7365656e;
 constexpr double kTooMuch = 0.4;
 constexpr int kMinUnseenFrames = 20;  // of an episode's end: less says nothing about a prediction
 
-/// Moves whole episodes from `from` to `to`, in an order sampled by (seed, stream), until `frames`
-/// would be exceeded: one at least goes, and one at least stays. Gives the numbers of those that
-/// went. @pre two episodes or more
+/// The last tracked frame that has another at most `frames` before it; −1 if there is none.
+int last_measured_frame(const Episode& episode, int frames) {
+  const std::vector<int> tracked = tracked_frames(episode);
+  for (std::size_t i = tracked.size(); i > 1; --i) {
+    if (tracked[i - 1] - tracked[i - 2] <= frames) {
+      return tracked[i - 1];
+    }
+  }
+  return -1;
+}
+
+/// Whether an error can be measured over it.
+bool tells_an_error(const Episode& episode) {
+  return last_measured_frame(episode, kValidationFrames) >= 0;
+}
+
+/// Frames of an episode of which something may be held back; of others 0.
+int telling_frames(const Episode& episode) {
+  return tells_an_error(episode) ? episode.frame_count() : 0;
+}
+
+std::int64_t telling_frames(const std::vector<Episode>& episodes) {
+  std::int64_t frames = 0;
+  for (const Episode& episode : episodes) {
+    frames += telling_frames(episode);
+  }
+  return frames;
+}
+
+std::vector<Episode>::iterator longest_telling(std::vector<Episode>& episodes) {
+  return std::ranges::max_element(episodes, {}, [](const Episode& e) { return telling_frames(e); });
+}
+
+/// Moves whole episodes that tell an error from `from` to `to`, in an order sampled by (seed,
+/// stream), until `frames` would be exceeded: one at least goes, and one at least stays. Gives the
+/// numbers of those that went. @pre two of them or more
 std::vector<int> hold_back(std::vector<Episode>& from, std::vector<Episode>& to, double frames,
                            std::uint64_t seed, std::uint64_t stream) {
   std::vector<std::size_t> order(from.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   RandomStream random(seed, stream);
   shuffle(random, order);
+  std::erase_if(order, [&](std::size_t i) { return !tells_an_error(from[i]); });
   std::int64_t held = 0;
   std::vector<bool> is_held(from.size(), false);
   for (std::size_t i = 0; i + 1 < order.size(); ++i) {
@@ -59,10 +94,13 @@ std::vector<int> hold_back(std::vector<Episode>& from, std::vector<Episode>& to,
   return numbers;
 }
 
-/// Moves the last `frames` of an episode.
+/// Moves the last `frames` of an episode, up to the last in which an error can be measured; what is
+/// behind them was not tracked, and goes. Where it was tracked for less, half of that moves.
 void hold_back_end(Episode& from, int frames, std::vector<Episode>& to) {
-  const int kept = from.frame_count() - frames;
-  to.push_back(slice(from, kept, frames));
+  const int last = last_measured_frame(from, frames - 1);
+  const int end = last < 0 ? from.frame_count() : last + 1;
+  const int kept = end > frames ? end - frames : end / 2;
+  to.push_back(slice(from, kept, end - kept));
   from = slice(from, 0, kept);
 }
 
@@ -78,11 +116,18 @@ TrainingData hold_back_validation(std::vector<Episode> episodes, double fraction
   }
   TrainingData data;
   data.training = std::move(episodes);
-  const double all = static_cast<double>(frame_count(data.training));
+  const auto telling = std::ranges::count_if(data.training, tells_an_error);
+  if (telling == 0) {
+    throw InputError(fmt::format(
+        "no frame of {} episodes was tracked behind another: no error can be measured to choose "
+        "the best epoch by; look at them with limber inspect, or give others with --validation",
+        data.training.size()));
+  }
+  const double all = static_cast<double>(telling_frames(data.training));
   const double frames = fraction * all;
   const int wanted = static_cast<int>(std::lround(frames));
-  const auto longest = std::ranges::max_element(data.training, {}, &Episode::frame_count);
-  const bool is_alone = data.training.size() == 1;
+  const auto longest = longest_telling(data.training);
+  const bool is_alone = telling == 1;
   if (is_alone && (wanted < 1 || wanted >= longest->frame_count())) {
     throw InputError(fmt::format(
         "{} frames are too few to hold some of them back for validation; give more with --data, "
@@ -109,19 +154,20 @@ void hold_back_unseen(TrainingData& data, double fraction, std::uint64_t seed) {
   if (fraction == 0.0) {
     return;
   }
-  const double frames =
-      fraction * static_cast<double>(frame_count(data.training) + frame_count(data.validation));
+  const std::int64_t all = telling_frames(data.training) + telling_frames(data.validation);
+  const double frames = fraction * static_cast<double>(all);
   const int wanted = static_cast<int>(std::lround(frames));
-  const auto longest = std::ranges::max_element(data.training, {}, &Episode::frame_count);
-  if (longest == data.training.end()) {
+  const auto telling = std::ranges::count_if(data.training, tells_an_error);
+  if (telling == 0) {
     return;
   }
+  const auto longest = longest_telling(data.training);
   // With few long episodes, whole ones would take too much away from training.
   if (longest->frame_count() > 2 * wanted) {
     if (wanted >= kMinUnseenFrames) {
       hold_back_end(*longest, wanted, data.unseen);
     }
-  } else if (data.training.size() > 1) {
+  } else if (telling > 1) {
     hold_back(data.training, data.unseen, frames, seed, kUnseenStream);
   }
 }

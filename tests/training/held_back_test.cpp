@@ -1,6 +1,7 @@
 #include "limber/training/trainer.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 #include <gmock/gmock.h>
 
@@ -67,6 +68,47 @@ TEST(HoldBackValidation, TakesTheEndOfATakeThatIsMostOfWhatThereIs) {
     EXPECT_EQ(data.validation[0].frame_count(), 84);
     EXPECT_EQ(data.training[0].frame_count() + data.training[1].frame_count(), 842 - 84);
   }
+}
+
+TEST(HoldBackValidation, PassesOverEpisodesThatWereNeverTracked) {
+  const ArmDescription arm = three_segment_arm();
+  std::vector<Episode> episodes;
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    episodes.push_back(toy_episode(arm, 3, 20, seed));
+    episodes.back().tracked.assign(61, static_cast<std::uint8_t>(seed % 2));
+  }
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    TrainingData data = hold_back_validation(episodes, 0.2, seed);
+    ASSERT_EQ(data.held_back.size(), 1U);
+    EXPECT_EQ(data.held_back[0] % 2, 1);
+    hold_back_unseen(data, 0.2, seed);
+    ASSERT_EQ(data.unseen.size(), 1U);
+    EXPECT_EQ(data.unseen[0].untracked_count(), 0);
+  }
+  for (Episode& episode : episodes) {
+    episode.tracked.assign(61, 0);
+    episode.tracked[30] = 1;
+  }
+  EXPECT_THAT([&] { hold_back_validation(episodes, 0.2, 1); },
+              ThrowsMessage<InputError>(HasSubstr("no frame of 10 episodes was tracked behind")));
+}
+
+TEST(HoldBackValidation, TakesAnEndThatWasTracked) {
+  Episode whole = toy_episode(three_segment_arm(), 20, 20, 1);  // 401 frames
+  whole.tracked.assign(300, 1);
+  whole.tracked.resize(401, 0);
+  whole.tracked.back() = 1;  // for a single frame again
+  TrainingData data = hold_back_validation({whole}, 0.1, 1);
+  hold_back_unseen(data, 0.1, 1);
+  ASSERT_EQ(data.validation.size(), 1U);
+  ASSERT_EQ(data.unseen.size(), 1U);
+  EXPECT_TRUE(data.validation[0].backbone == whole.backbone.middleRows(260, 40));
+  EXPECT_TRUE(data.unseen[0].backbone == whole.backbone.middleRows(230, 30));
+  EXPECT_EQ(data.training[0].frame_count(), 230);
+  std::fill(whole.tracked.begin() + 20, whole.tracked.end(), std::uint8_t{0});
+  data = hold_back_validation({whole}, 0.1, 1);
+  EXPECT_EQ(data.training[0].untracked_count(), 0);
+  EXPECT_EQ(data.validation[0].untracked_count(), 0);
 }
 
 TEST(HoldBackUnseen, LeavesTheChoiceOfValidationAsItIs) {

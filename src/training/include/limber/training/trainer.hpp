@@ -51,15 +51,16 @@ struct TrainingData {
 
 /// Holds back whole episodes for validation, chosen by `seed`: about `fraction` of the frames, at
 /// least one episode. Where the longest has over 40 % of all frames, and twice what is wanted, its
-/// end alone is held back.
-/// @throws InputError if nothing would be left to learn from.
+/// end alone is held back, up to the last tracked frame. Episodes in which no tracked frame is
+/// behind another measure no error: they stay, and do not count.
+/// @throws InputError if nothing would be left to learn from, or measures an error.
 TrainingData hold_back_validation(std::vector<Episode> episodes, double fraction,
                                   std::uint64_t seed);
 
 /// Then holds back for `data.unseen` about `fraction` of the frames of training and validation:
 /// whole training episodes, chosen by `seed`, of which one stays; or the end of the longest one,
-/// if that is more than twice as long. Nothing if that is too short. Validation episodes stay as
-/// they are. Call it after `hold_back_validation`, or before validation episodes come from
+/// if that is more than twice as long; of those that measure an error. Nothing if that is too short.
+/// Validation episodes stay as they are. Call it after `hold_back_validation`, or before validation episodes come from
 /// elsewhere.
 void hold_back_unseen(TrainingData& data, double fraction, std::uint64_t seed);
 
