@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include <fmt/format.h>
 #include <Eigen/Eigenvalues>
@@ -20,6 +21,7 @@
 #include "limber/training/trainer.hpp"
 #include "limber/training/unseen_error.hpp"
 #include "rollout.hpp"
+#include "training_tables.hpp"
 
 namespace limber {
 
@@ -35,7 +37,7 @@ constexpr double kWorthIt = 0.9;
 constexpr double kMovedM = 0.001;  // in a frame: less is a tracker's noise, or rest
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Of all episodes together, the end.
+/// Of all episodes together, the end; nothing where what is left could not be fitted to.
 struct Halves {
   std::vector<Episode> seen;
   std::vector<Episode> held_back;
@@ -59,7 +61,16 @@ Halves split(const std::vector<Episode>& episodes) {
     }
     left -= taken;
   }
-  return halves;
+  return can_be_fitted_to(halves.seen) ? halves : Halves{episodes, {}};
+}
+
+/// Whether weights find a window to learn from, in which the arm was tracked.
+bool can_be_learnt_from(const std::vector<Episode>& episodes, const TrainingSettings& settings) {
+  return std::ranges::any_of(episodes, [&](const Episode& episode) {
+    const EpisodeRange whole{0, episode.frame_count()};
+    const int frames = settings.stages.front().window_frames;
+    return !window_starts(std::span(&whole, 1), episode.tracked, frames, 0).empty();
+  });
 }
 
 /// Frames between tracked ones in which the arm moved: a tracker may be slower than the arm.
@@ -136,7 +147,8 @@ class Adapter {
     result.fitted_error_m = error_on(before, halves.held_back);
     const bool is_too_wrong = result.fitted_error_m > kTooWrong * result.family_error_m;
     if (settings_.weights == AdaptWeights::automatic && !std::isnan(result.fitted_error_m) &&
-        (is_too_wrong || result.distance > Adaptation::kFarFromFamily)) {
+        (is_too_wrong || result.distance > Adaptation::kFarFromFamily) &&
+        can_be_learnt_from(halves.seen, settings_of_weights())) {
       CompensationModel trained = trained_on(before, halves.seen, halves.held_back);
       result.trained_error_m = error_on(trained, halves.held_back);
       if (result.trained_error_m < kWorthIt * result.fitted_error_m) {
@@ -152,16 +164,20 @@ class Adapter {
                                                              int(frame_count(halves.seen)));
   }
 
-  /// Weights trained further. What validates only says which epoch is the best.
-  CompensationModel trained_on(const CompensationModel& start, const std::vector<Episode>& training,
-                               const std::vector<Episode>& validation) const {
-    const TrainingData data{training, validation};
+  TrainingSettings settings_of_weights() const {
     TrainingSettings settings = fine_tuning_of(best_preset());
     settings.seed = settings_.seed;
     settings.jobs = settings_.jobs;
     settings.validation_interval = 5;
+    return settings;
+  }
+
+  /// Weights trained further. What validates only says which epoch is the best.
+  CompensationModel trained_on(const CompensationModel& start, const std::vector<Episode>& training,
+                               const std::vector<Episode>& validation) const {
+    const TrainingData data{training, validation};
     const TrainingHooks hooks{.should_stop = interrupt_requested};
-    TrainingResult result = fine_tune(arm_, data, settings, start, hooks);
+    TrainingResult result = fine_tune(arm_, data, settings_of_weights(), start, hooks);
     if (result.status == TrainingStatus::interrupted) {
       throw Interrupted("stopped while weights were trained");
     }

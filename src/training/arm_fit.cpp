@@ -265,6 +265,10 @@ ArmFit fit_arm(const ArmDescription& arm, const CompensationModel& family,
   return result;
 }
 
+bool can_be_fitted_to(const std::vector<Episode>& episodes) {
+  return measured_frames(episodes, pieces_of_length(episodes, kFitWindowFrames)) > 0;
+}
+
 bool tells_of_other_arms(const std::vector<Episode>& episodes) {
   return std::ranges::any_of(
       episodes, [](const Episode& episode) { return cut_for_fit(episode).has_value(); });

@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 
 #include <gmock/gmock.h>
 
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/data/episode_slice.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/training/adaptation.hpp"
 #include "limber/training/arm_fit.hpp"
@@ -212,6 +214,31 @@ TEST_F(FamilyOfPlays, AnArmOutsideGetsWeightsOfItsOwnWhereThatIsBetter) {
   constexpr double kWorthIt = 0.9;
   EXPECT_EQ(done.has_trained_weights, done.trained_error_m < kWorthIt * done.fitted_error_m);
   EXPECT_FALSE(is_family(done.model));
+}
+
+// Weights learn from windows of 32 frames behind another.
+TEST_F(FamilyOfPlays, AnArmOutsideKeepsItsVectorAloneWhereEpisodesAreTooShortForWeights) {
+  const Episode whole = motions_of(90.0F, 30, 600).front();
+  std::vector<Episode> parts;
+  for (int first = 0; first + 32 <= whole.frame_count(); first += 32) {
+    parts.push_back(slice(whole, first, 32));
+  }
+  const Adaptation done = adapt(arm(), family(), parts);
+  EXPECT_GT(done.distance, Adaptation::kFarFromFamily);
+  EXPECT_GT(done.held_back_s, 0.0);
+  EXPECT_TRUE(std::isnan(done.trained_error_m));
+  EXPECT_FALSE(done.has_trained_weights);
+}
+
+TEST_F(FamilyOfPlays, NothingIsHeldBackWhereTheArmWasTrackedAtTheEndAlone) {
+  Episode late = motions_of(20.0F, 12, 500).front();
+  const auto frames = static_cast<std::size_t>(late.frame_count());
+  late.tracked.assign(frames, 0);
+  std::fill(late.tracked.end() - 45, late.tracked.end(), std::uint8_t{1});  // a fifth is 48
+  const Adaptation done = adapt(arm(), family(), {late});
+  EXPECT_EQ(done.held_back_s, 0.0);
+  EXPECT_TRUE(std::isnan(done.fitted_error_m));
+  EXPECT_FALSE(done.has_trained_weights);
 }
 
 TEST_F(FamilyOfPlays, IsRefusedWhereOneArmIsAskedFor) {

@@ -12,7 +12,8 @@ namespace limber {
 
 /// When `adapt` changes weights, beside e.
 enum class AdaptWeights {
-  automatic,  ///< where the family does not contain the arm, and if that is better
+  automatic,  ///< where the family does not contain the arm, episodes are long enough to learn
+              ///< from, and if that is better
   never,
 };
 
@@ -32,7 +33,7 @@ struct Adaptation {
   CompensationModel model;           ///< of this arm, an ordinary one
   double seconds = 0.0;              ///< recorded, tracked or not
   double moving_s = 0.0;             ///< … in which a plate moved by over 1 mm a frame
-  double held_back_s = 0.0;          ///< 0: too little was recorded to hold some back
+  double held_back_s = 0.0;          ///< 0: too little was recorded, or tracked, to hold some back
   double middle_error_m = 0.0;       ///< of the family's middle; these three NaN without held back
   double fitted_error_m = 0.0;       ///< of e alone
   double trained_error_m = 0.0;      ///< with weights; NaN where none were trained

@@ -28,6 +28,9 @@ struct ArmFit {
 ArmFit fit_arm(const ArmDescription& arm, const CompensationModel& family,
                const std::vector<Episode>& episodes, int jobs = 0);
 
+/// Whether they hold such a window.
+bool can_be_fitted_to(const std::vector<Episode>& episodes);
+
 /// How well a family does on arms that it did not learn from: each episode's arm is fitted to its
 /// first kFitFrames frames, or its first half where it is shorter; the error is that of the tip
 /// over the rest, in open-loop rollouts of up to 600 frames. The mean over the episodes that are
