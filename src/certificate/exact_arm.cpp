@@ -99,14 +99,24 @@ Pose unstretched_gap(const Segment& segment, double curvature_per_m) {
   return arc_of(length, curvature_per_m * length);
 }
 
+/// (9): the strain of one side; beyond the segment's largest limit it goes on along P's end slope,
+/// which is no less than 0.
+double contraction(const Segment& segment, double size_kpa) {
+  const double inside_kpa = std::min(size_kpa, segment.pressure_limit_kpa.largest_kpa());
+  double strain = 0.0;
+  double slope = 0.0;
+  for (int k = 4; k >= 1; --k) {
+    const double sum = strain + segment.strain_polynomial[static_cast<std::size_t>(k - 1)];
+    slope = slope * inside_kpa + sum;
+    strain = sum * inside_kpa;
+  }
+  return strain + std::max(0.0, slope) * (size_kpa - inside_kpa);
+}
+
 /// One gap of an unloaded segment: the contracted side is e·l0 shorter than the other, a width t
 /// apart, so the whole segment turns by e·l0/t, and its middle is (1 − e/2) l0 long.
 Pose unloaded_gap(const Segment& segment, double pressure_kpa) {
-  double strain = 0.0;
-  for (int k = 4; k >= 1; --k) {
-    strain = (strain + segment.strain_polynomial[static_cast<std::size_t>(k - 1)]) *
-             std::abs(pressure_kpa);
-  }
+  const double strain = contraction(segment, std::abs(pressure_kpa));
   const double turn = strain * segment.length_m / segment.width_m / segment.gaps;
   return arc_of((1.0 - strain / 2.0) * segment.length_m / segment.gaps,
                 pressure_kpa > 0.0 ? -turn : turn);

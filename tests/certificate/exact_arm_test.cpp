@@ -70,6 +70,38 @@ TEST_P(ExactArmOfKind, AgreesWithTheForwardModelInEveryLayoutAndForm) {
 INSTANTIATE_TEST_SUITE_P(BoundsAndChange, ExactArmOfKind,
                          testing::Combine(testing::Bool(), testing::Bool()));
 
+// Valves overshoot: e = P(L) + max(0, P'(L)) (|p| − L) beyond the larger limit L, docs/model.md.
+TEST(ExactArm, BeyondTheLimitStrainGoesOnAlongTheEndSlope) {
+  constexpr double kRoundingRad = 1e-12;
+  ArmDescription arm = three_segment_arm();  // P(100) = 0.2 and P'(100) = 3e-3 per kPa
+  arm.segments[1].pressure_limit_kpa = {-60.0, 100.0};
+  arm.segments[2].strain_polynomial = {2e-3, -1e-5, 0.0, -1e-11};  // 0.099, where it falls
+  const ExactArm::Shape shape = ExactArm(arm, nullptr).no_load({110.0, -110.0, 110.0});
+  EXPECT_NEAR(shape[5].theta_rad, -0.23 * 0.235 / 0.05, kRoundingRad);
+  EXPECT_NEAR(shape[10].theta_rad - shape[5].theta_rad, 0.23 * 0.235 / 0.03, kRoundingRad);
+  EXPECT_NEAR(shape[15].theta_rad - shape[10].theta_rad, -0.099 * 0.235 / 0.0172, kRoundingRad);
+}
+
+TEST(ExactArm, AgreesWithTheNoLoadModelAlsoBeyondTheLimits) {
+  constexpr double kRounding = 1e-10;  // [m], [rad]; double over a 0.7 m arm, and its series
+  const ArmDescription arm = three_segment_arm();
+  const NoLoadModel fast(arm);
+  const ExactArm exact(arm, nullptr);
+  RandomStream random(7, 0);
+  for (int trial = 0; trial < 200; ++trial) {
+    const Eigen::VectorXd kpa = 1.1 * random_pressures(arm, random).cast<double>();
+    BackboneD expected(arm.point_count(), 3);
+    fast.backbone(kpa, expected);
+    const ExactArm::Shape shape = exact.no_load({kpa.begin(), kpa.end()});
+    for (std::size_t i = 0; i < shape.size(); ++i) {
+      const auto row = static_cast<Eigen::Index>(i);
+      EXPECT_NEAR(shape[i].x_m, expected(row, 0), kRounding) << trial << ' ' << i;
+      EXPECT_NEAR(shape[i].y_m, expected(row, 1), kRounding) << trial << ' ' << i;
+      EXPECT_NEAR(shape[i].theta_rad, expected(row, 2), kRounding) << trial << ' ' << i;
+    }
+  }
+}
+
 // Row by row and number by number, as docs/model.md has it.
 TEST(ExactNetwork, AgreesWithPlainLoopsAndToTheBitOnEveryCpu) {
   constexpr double kRounding = 1e-13;
