@@ -10,6 +10,8 @@ namespace limber {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
+/// Parts of a frame shorter than this are rounding: a dead time of 0.15 s at 20 Hz is three frames.
+constexpr double kRoundingFrames = 1e-6;
 
 /// One segment's pressure under a constant set point: it approaches the set point with the rate
 /// limit at first, then exponentially, and stops at the dead band's edge.
@@ -235,6 +237,7 @@ std::vector<double> ExactValves::segment_pressures(const SegmentValves& valves, 
                                                    std::size_t before,
                                                    const std::vector<double>& setpoints_kpa) const {
   const double period_s = 1.0 / arm_.frame_rate_hz;
+  const double rounding_s = kRoundingFrames * period_s;
   MovingPressure pressure(valves, valves_.has_sides, start_kpa);
   std::vector<double> pressures{pressure.kpa()};
   // Set point k takes effect at (k − 1) periods and a dead time; frame k ends at k periods. The
@@ -248,11 +251,11 @@ std::vector<double> ExactValves::segment_pressures(const SegmentValves& valves, 
           in_force + 1 < setpoints_kpa.size()
               ? (double(in_force) - double(before)) * period_s + valves.dead_time_s
               : kNever;
-      if (next_s <= now_s) {
+      if (next_s <= now_s + rounding_s) {
         ++in_force;
         continue;
       }
-      const double until_s = std::min(end_s, next_s);
+      const double until_s = next_s < end_s - rounding_s ? next_s : end_s;
       pressure.follow(setpoints_kpa[in_force], until_s - now_s);
       now_s = until_s;
     }

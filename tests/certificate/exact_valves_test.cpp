@@ -1,5 +1,7 @@
 #include "src/certificate/exact_arm.hpp"
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "limber/arm/valve_model.hpp"
@@ -85,6 +87,30 @@ TEST(ExactValves, IdealOnesAreTheSetPoints) {
   const ArmDescription arm = three_segment_arm();
   const ExactValves::Configurations setpoints{{0.0, 0.0, 0.0}, {5.0, -5.0, 2.0}, {9.0, -9.0, 3.0}};
   EXPECT_EQ(ExactValves(arm, {}).pressures_along(setpoints), setpoints);
+}
+
+// 0.15 s at 20 Hz are three frames, whatever rounding makes of either. Valves that follow at once
+// would else jump a frame early.
+TEST(ExactValves, ADeadTimeOfWholeFramesEndsWithAFrame) {
+  constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+  const ArmDescription arm = three_segment_arm();
+  RandomStream random(11, 0);
+  for (const double dead_time_s : {0.05, 0.10, 0.15, 0.20, 0.25, 0.30}) {
+    const SegmentValves at_once{{0.0, kNoLimit}, {0.0, kNoLimit}, dead_time_s, 0.0};
+    const ValveParameters parameters{true, {at_once, at_once, at_once}};
+    const ValveModel fast(arm, parameters);
+    Pressures setpoint = random_pressures(arm, random);
+    Eigen::VectorXf state = fast.settled_state(setpoint);
+    ExactValves::Configurations setpoints{{setpoint.begin(), setpoint.end()}};
+    ExactValves::Configurations pressures = setpoints;
+    for (int k = 0; k < 40; ++k) {
+      setpoint = random_pressures(arm, random);
+      fast.step(setpoint, state);
+      setpoints.emplace_back(setpoint.begin(), setpoint.end());
+      pressures.emplace_back(state.begin(), state.begin() + 3);
+    }
+    EXPECT_EQ(ExactValves(arm, parameters).pressures_along(setpoints), pressures) << dead_time_s;
+  }
 }
 
 // Closed form: a step of 50 kPa after one frame and a half, then 100 kPa/s.
