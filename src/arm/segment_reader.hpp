@@ -149,7 +149,7 @@ class SegmentReader : private SegmentPartReader {
     segment.strain_polynomial = strain_polynomial_of(node, limit, polynomials_);
     const double turn_rad =
         strain_at(segment.strain_polynomial, limit) * segment.length_m / segment.width_m;
-    if (turn_rad <= segment.gaps * std::numbers::pi) {
+    if (turn_rad <= segment.gaps * kMaxTurnOfGap_rad) {
       return;
     }
     if (polynomials_ == PolynomialsOf::model) {
@@ -173,15 +173,18 @@ class SegmentReader : private SegmentPartReader {
     }
     const double limit = segment.pressure_limit_kpa.largest_kpa();
     const double turn_rad = std::abs(segment.curvature_per_unit) * limit * segment.length_m;
-    if (turn_rad > kMaxTurn_rad) {
+    const double max_rad = std::min(kMaxTurn_rad, segment.gaps * kMaxTurnOfGap_rad);
+    if (!(turn_rad <= max_rad)) {
       node.refuse(
           fmt::format("the limit of {} {} would turn the segment by {:.3g} rad; expected "
-                      "at most {:.4g}, a full turn",
-                      limit, unit_, turn_rad, kMaxTurn_rad));
+                      "at most {:.4g}, {}",
+                      limit, unit_, turn_rad, max_rad,
+                      max_rad < kMaxTurn_rad ? "half a turn for its gap" : "a full turn"));
     }
   }
 
   static constexpr double kMaxTurn_rad = 2.0 * std::numbers::pi;
+  static constexpr double kMaxTurnOfGap_rad = std::numbers::pi;  // no longer arc joins two plates
 };
 
 }  // namespace limber

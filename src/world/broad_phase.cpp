@@ -14,9 +14,11 @@ namespace {
 constexpr float kRoundingM = 1e-5F;
 
 // Farthest point of an arc from its chord, over half the chord: tan(turn / 4) or a little more.
+// Infinite beyond half a turn, where there is no arc.
 float bulge_over_half_chord(float turn_rad) {
-  const float x = 0.25F * std::min(turn_rad, std::numbers::pi_v<float>);
-  return x * (1.0F + 0.4431F * x * x);
+  const float x = 0.25F * turn_rad;
+  return turn_rad > std::numbers::pi_v<float> ? std::numeric_limits<float>::infinity()
+                                              : x * (1.0F + 0.4431F * x * x);
 }
 
 }  // namespace

@@ -21,7 +21,8 @@ class BroadPhase {
   BroadPhase(const std::vector<ObstacleShape>& obstacles, const std::vector<double>& radius_m);
 
   /// Bit i: gap `first` + i may touch an obstacle somewhere between `from` and `to` (m×3), while
-  /// plates move straight and turn evenly; or has no shape, since a number is not finite.
+  /// plates move straight and turn evenly; or has no shape, since a number is not finite or it
+  /// turns by more than half a turn.
   std::uint32_t may_touch(const Eigen::Ref<const Backbone>& from,
                           const Eigen::Ref<const Backbone>& to, int first) const;
 

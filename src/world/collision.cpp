@@ -44,10 +44,13 @@ double bulge_m(double chord_m, double turn_rad) {
   return 0.5 * chord_m * tangent_bound(0.25 * std::abs(turn_rad));
 }
 
-/// At most half a turn. What is not finite is no turn at all, nor cut down to one.
+/// At most half a turn: no arc that turns by more joins two plates, and what has no shape touches
+/// everything. So it is no number, and neither is what is not finite.
 double limited_turn(double turn_rad) {
-  return std::isfinite(turn_rad) ? std::clamp(turn_rad, -std::numbers::pi, std::numbers::pi)
-                                 : std::numeric_limits<double>::quiet_NaN();
+  constexpr double kRoundingRad = 1e-4;  // of two headings in float32, after dozens of turns
+  return std::abs(turn_rad) <= std::numbers::pi + kRoundingRad
+             ? std::clamp(turn_rad, -std::numbers::pi, std::numbers::pi)
+             : std::numeric_limits<double>::quiet_NaN();
 }
 
 template <class Scalar>

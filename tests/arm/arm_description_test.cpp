@@ -270,6 +270,13 @@ TEST(ArmOfAnotherCommand, IsReadAndSurvivesTheRoundTrip) {
   EXPECT_EQ(arm_to_yaml(again), arm_to_yaml(arm));
 }
 
+TEST(ArmOfAnotherCommand, MayTurnByHalfATurnInEachGap) {
+  std::string text = kMotor;
+  const std::string piece = "gaps: 4, curvature_per_unit: 4}";
+  text.replace(text.find(piece), piece.size(), "gaps: 2, curvature_per_unit: 12}");
+  EXPECT_EQ(read(text).segments[0].curvature_per_unit, 12.0);
+}
+
 TEST(ArmOfAnotherCommand, HashesEverythingThatItSays) {
   const ArmDescription arm = read(kMotor);
   for (const auto& change : std::vector<std::function<void(ArmDescription&)>>{
@@ -296,7 +303,10 @@ TEST(ArmOfAnotherCommand, NamesWhatDoesNotBelong) {
           "unknown key; allowed here: length_m, width_m, gaps, limit, curvature_per_unit");
   refuses("curvature_per_unit: 4}", "curvature_per_unit: 0}", "or 'no_load: straight'");
   refuses(", curvature_per_unit: 4}", "}", "the key 'curvature_per_unit' is missing");
-  refuses("limit: 1.5", "limit: 15", "would turn the segment by 12 rad");
+  refuses("limit: 1.5", "limit: 15",
+          "would turn the segment by 12 rad; expected at most 6.283, a full turn");
+  refuses("gaps: 4, curvature_per_unit: 4}", "gaps: 1, curvature_per_unit: 12}",
+          "would turn the segment by 3.6 rad; expected at most 3.142, half a turn for its gap");
   refuses("no_load: curvature", "no_load: bent",
           "expected strain_polynomial, curvature or straight");
   refuses("limit: 1.5,", "", "the key 'limit' is missing");

@@ -235,6 +235,33 @@ TEST(CollisionChecker, ABackboneThatIsNoNumberIsNeverFree) {
   }
 }
 
+// No arc that turns by more joins two plates: there is no shape to keep free, as for a NaN.
+TEST(CollisionChecker, AGapThatTurnsByMoreThanHalfATurnIsNeverFree) {
+  const ArmDescription arm = three_segment_arm();
+  const CollisionChecker far(arm, {Circle{5.0, 5.0, 0.1}});
+  const CollisionChecker alone(arm, {});
+  const auto turned = [&](int plate, float turn_rad) {
+    Backbone b = straight(arm);
+    b.bottomRows(arm.point_count() - plate).col(2).array() += turn_rad;
+    return b;
+  };
+  for (const int plate : {1, 7, 15}) {
+    for (const float turn_rad : {-3.2F, 3.2F, 6.3F}) {
+      const Backbone b = turned(plate, turn_rad);
+      EXPECT_FALSE(far.is_free(b));
+      EXPECT_FALSE(far.is_free(b.cast<double>()));
+      EXPECT_FALSE(alone.is_free(b));
+      EXPECT_FALSE(far.is_motion_free(straight(arm), b));
+      EXPECT_FALSE(far.is_motion_free(b, straight(arm)));
+      EXPECT_LT(far.clearance(b).value_m, 0.0);
+      EXPECT_LT(far.motion_clearance(straight(arm), b).value_m, 0.0);
+    }
+    const Backbone half = turned(plate, std::numbers::pi_v<float>);
+    EXPECT_TRUE(far.is_free(half)) << "π in float32 is a little more than π";
+    EXPECT_TRUE(far.is_motion_free(straight(arm), half));
+  }
+}
+
 // It has more gaps than the broad phase takes at a time (broad_phase_test.cpp has each of them).
 TEST(CollisionChecker, ALongArmIsLookedAtFromBaseToTip) {
   ArmDescription arm = three_segment_arm();

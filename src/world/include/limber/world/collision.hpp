@@ -36,7 +36,7 @@ struct PlateRoom {
 ///          by the difference of their headings (at most half a turn), thickened on all sides by
 ///          half the width of its segment + the arm's actuator radius + a margin + the larger room
 ///          of its two plates; in a motion, that of both its ends. The base counts; the arm's
-///          collision with itself does not.
+///          collision with itself does not. What turns by more is no arc, and never free.
 /// Bounds:  never misses; a reported value is at most kTolerance below the true one.
 /// Threads: constant after construction; share it freely. Nothing allocates after construction.
 class CollisionChecker {
