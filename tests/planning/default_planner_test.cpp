@@ -61,6 +61,38 @@ TEST(DefaultPlanner, ImprovingEndsWhenItHasHadItsQueries) {
   }
 }
 
+/// Friction holds the arm bent, without pressure, in the goal: so says a network with much play.
+/// For one with hardly any the arm is straight after the hold, beside the goal.
+struct HeldInGoal {
+  ArmDescription arm = three_segment_arm();
+  Environment environment;
+
+  HeldInGoal() {
+    const Backbone bent = no_load_backbone(NoLoadModel(arm), Eigen::Vector3f(5.0F, 0.0F, 0.0F));
+    const Pose tip = tip_pose(bent);
+    environment.start = ArmStart{Pressures::Zero(3), bent};
+    environment.goal = {tip.x_m, tip.y_m, std::nullopt, 0.004, 0.3};
+  }
+
+  PlanResult plan(const CompensationModel& network) const {
+    const ForwardModel model(arm, network);
+    PlannerLimits limits;
+    limits.iterations = 50;
+    return make_default_planner()->plan({arm, model, environment}, limits, 3);
+  }
+};
+
+TEST(DefaultPlanner, StaysWhereItIsOnlyIfEachNetworkFindsThatInTheGoal) {
+  const HeldInGoal s;
+  CompensationModel network = play_network(s.arm, 0.05F);
+  const PlanResult alone = s.plan(network);
+  ASSERT_EQ(alone.status, PlanStatus::solved) << alone.reason;
+  EXPECT_EQ(alone.plan->cost_kpa, 0.0);
+  network.more_members.push_back(play_network(s.arm, 0.0005F).layers);
+  const PlanResult both = s.plan(network);
+  EXPECT_TRUE(!both.plan || both.plan->cost_kpa > 0.0);
+}
+
 TEST(DefaultPlanner, RefusesSettingsOutOfRange) {
   DefaultPlannerSettings settings;
   settings.goal_bias = 0.8;

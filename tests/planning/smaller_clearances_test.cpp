@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "limber/planning/plan_builder.hpp"
 #include "planning/planner_setting.hpp"
 #include "src/planning/search/default_planner.hpp"
 
@@ -9,6 +10,26 @@ namespace limber {
 namespace {
 
 using ::testing::HasSubstr;
+
+/// Finds this motion, whatever is asked for.
+class Given final : public Planner {
+ public:
+  explicit Given(std::vector<Pressures> waypoints_kpa) : waypoints_kpa_(std::move(waypoints_kpa)) {}
+  const char* name() const override { return "given"; }
+  PlanResult plan(const PlanningProblem& problem, const PlannerLimits& /*limits*/,
+                  std::uint64_t seed, const PlannerCallback& /*callback*/) override {
+    const CollisionChecker checker = checker_of(problem);
+    MotionSimulator simulator(problem.arm, problem.model, checker);
+    PlanResult result;
+    result.status = PlanStatus::solved;
+    result.plan = build_plan(problem, simulator, waypoints_kpa_, name(), seed);
+    result.first_solution = FirstSolution{};
+    return result;
+  }
+
+ private:
+  std::vector<Pressures> waypoints_kpa_;
+};
 
 class SmallerClearances : public ::testing::Test {
  protected:
@@ -100,6 +121,35 @@ TEST_F(SmallerClearances, APlanThatKeepsWhatWasAskedForIsTheAnswer) {
   EXPECT_FALSE(result.max_clearance_m);
   EXPECT_GT(result.first_solution->queries, 0U);
   expect_lawful(setting_, *result.plan);
+}
+
+// With so much play the tip follows ten centimetres behind, and ends beside the goal.
+TEST_F(SmallerClearances, APlanThatAnotherNetworkRefusesDoesNotKeepIt) {
+  constexpr double kAskedM = 0.004;
+  constexpr double kKeptM = 0.005;
+  const ArmDescription& arm = setting_.arm;
+  CompensationModel network = play_network(arm, 0.005F);
+  const ForwardModel leading(arm, network);
+  PlannerLimits limits;
+  limits.iterations = 1000;
+  const PlanResult found =
+      make_planner("default")->plan({arm, leading, setting_.environment, kKeptM}, limits, 3);
+  ASSERT_TRUE(found.plan) << found.reason;
+  limits.patience = 0.0;  // the tries may have all of it
+  for (const bool has_second : {false, true}) {
+    if (has_second) {
+      network.more_members.push_back(play_network(arm, 0.1F).layers);
+    }
+    const ForwardModel model(arm, network);
+    const PlanningProblem problem{arm, model, setting_.environment, kAskedM};
+    Given planner(found.plan->waypoints_kpa);
+    AskedProblem asked(problem);
+    PlanResult result;
+    try_smaller_clearances(planner, problem, asked, limits, std::chrono::steady_clock::now(), 3, {},
+                           result);
+    EXPECT_EQ(result.plan.has_value(), !has_second) << result.reason;
+    EXPECT_EQ(result.max_clearance_m.has_value(), has_second) << result.reason;
+  }
 }
 
 // What is named is no promise: a search that asks for a little less finds a plan.

@@ -17,6 +17,7 @@
 #include "limber/planning/planner_factory.hpp"
 #include "limber/planning/problem_check.hpp"
 #include "plan_ladder.hpp"
+#include "search/second_opinions.hpp"
 
 namespace limber {
 
@@ -117,9 +118,13 @@ std::optional<PlannerLimits> limits_of_try(const PlannerLimits& limits,
   return is_spent ? std::nullopt : std::optional(one);
 }
 
-/// A plan that was found with less, if it happens to keep what was asked for.
+/// A plan that was found with less, if it happens to keep what was asked for, by all opinions.
 bool keeps_what_was_asked(const PlanningProblem& asked, AskedProblem& shared, const Plan& found,
                           SteadyTime start, PlanResult& result) {
+  const CollisionChecker checker = checker_of(asked);
+  if (!SecondOpinions(asked, checker).agree(found.waypoints_kpa)) {
+    return false;
+  }
   const std::vector<Pressures> waypoints_kpa(found.waypoints_kpa.begin() + 1,
                                              found.waypoints_kpa.end());
   PlanResult kept = certified_along(asked, shared, waypoints_kpa, found.planner, found.seed);

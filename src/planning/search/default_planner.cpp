@@ -78,11 +78,12 @@ class DefaultRun {
                                        : settings_.improvement_queries_without_room);
   }
 
-  /// An arm that need not move has the cheapest plan of all.
+  /// An arm that need not move, by all opinions, has the cheapest plan of all.
   void start_in_goal() {
     const MotionState start = start_of(problem_);
     const Pressures setpoint_kpa = start.setpoint_kpa();
-    if (paths_.run({{start, {setpoint_kpa}}}, give_up()).front().in_goal) {
+    if (paths_.run({{start, {setpoint_kpa}}}, give_up()).front().in_goal &&
+        opinions_.agree({setpoint_kpa})) {
       (void)note_plan({setpoint_kpa}, 0.0);
     }
   }
