@@ -272,6 +272,20 @@ TEST(Planner, StopsAtEachLimitAndSaysWhich) {
   EXPECT_EQ(stopped.reason.rfind("stopped by the user", 0), 0U);
 }
 
+// Every sample falls on the start: no query would ever be spent.
+TEST(Planner, EndsUnderALimitOfQueriesAloneWhereThereIsNothingToTry) {
+  Setting s(false);
+  PlanningProblem problem{s.arm, s.model, s.environment};
+  problem.limits.assign(3, PressureLimits(0.001));
+  PlannerLimits limits;
+  limits.queries = 2000;
+  const PlanResult result = make_planner("paper")->plan(problem, limits, 1);
+  EXPECT_EQ(result.status, PlanStatus::limit);
+  EXPECT_FALSE(result.limit) << result.reason;
+  EXPECT_EQ(result.statistics.nodes, 1U);
+  EXPECT_LT(result.statistics.queries, 2000U);
+}
+
 TEST(Planner, KeepsTheCertifiedPlanWhereItIsStopped) {
   Setting s(false);
   PlannerLimits many;

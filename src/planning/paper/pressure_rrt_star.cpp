@@ -21,9 +21,11 @@ class RrtStarRun {
 
   PlanResult run() {
     std::optional<double> offered_kpa = offer_cheaper(std::nullopt);
-    while (!budget_.good_enough(ladder_.best_cost_kpa()) &&
+    while (!turns_.is_idle() && !budget_.good_enough(ladder_.best_cost_kpa()) &&
            !budget_.spent(progress(), search_.bytes())) {
+      const std::uint64_t before = simulator_.queries();
       search_.iterate(budget_);
+      turns_.note_turn(before, simulator_.queries());
       offered_kpa = offer_cheaper(offered_kpa);
     }
     return result();
@@ -64,6 +66,7 @@ class RrtStarRun {
   MotionSimulator simulator_;
   RrtStarSearch search_;
   PlanLadder ladder_;
+  TurnTaking turns_;  // each iteration is one: those whose sample falls on a node ask no query
 };
 
 class PressureRrtStar final : public Planner {
