@@ -1,5 +1,7 @@
 #include "limber/planning/plan_builder.hpp"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "limber/arm/names.hpp"
@@ -29,6 +31,19 @@ double plan_clearance_m(const CollisionChecker& checker, double margin_m, const 
             .value_m;
   }
   return smallest + margin_m;
+}
+
+/// @param clearance  less than none, of the motion to frame `k`
+std::string why_not_free(const PlanningProblem& problem, std::size_t k,
+                         const Clearance& clearance) {
+  // A shape that is none is no nearer to one obstacle than to another, and there may be none.
+  if (clearance.obstacle < 0 || !std::isfinite(clearance.value_m)) {
+    return fmt::format("the model predicts a shape that no arm has in {}", frame_name(k));
+  }
+  return fmt::format("the motion to {} is {:.2f} cm short of the clearance from {}, {}",
+                     frame_name(k), -clearance.value_m * kCmPerM,
+                     obstacle_name(problem.environment, clearance.obstacle),
+                     gap_name(problem.arm, clearance.gap));
 }
 
 }  // namespace
@@ -87,11 +102,7 @@ std::string why_no_solution(const PlanningProblem& problem, const CollisionCheck
     const Backbone& before = plan.frames[k - 1].backbone;
     const Backbone& after = plan.frames[k].backbone;
     if (!checker.is_motion_free(before, after)) {
-      const Clearance clearance = checker.motion_clearance(before, after, kMaxMarginM);
-      return fmt::format("the motion to {} is {:.2f} cm short of the clearance from {}, {}",
-                         frame_name(k), -clearance.value_m * kCmPerM,
-                         obstacle_name(problem.environment, clearance.obstacle),
-                         gap_name(problem.arm, clearance.gap));
+      return why_not_free(problem, k, checker.motion_clearance(before, after, kMaxMarginM));
     }
   }
   if (is_within(problem.environment.goal, final_error(problem, plan))) {

@@ -167,6 +167,9 @@ std::string reached_only_in_collision(const PlanningProblem& problem,
     const Clearance clearance = checker.clearance(shape);
     best = clearance.value_m > best.value_m ? clearance : best;
   }
+  if (best.obstacle < 0) {
+    return "";  // they are no shapes, and collide with nothing that has a name
+  }
   return fmt::format(
       "the no-load model reaches the goal only in collision: of {} configurations the least deep "
       "is {:.2f} cm in {}, {}{}; the arm may differ",

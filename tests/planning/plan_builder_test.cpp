@@ -98,5 +98,24 @@ TEST_F(PlanBuilder, ASolutionIsFreeAllTheWayAndEndsInTheGoal) {
               HasSubstr("short of the clearance from obstacle 0"));
 }
 
+// There may be no obstacle that such a shape could be too near to.
+TEST_F(PlanBuilder, AShapeThatNoArmHasIsNamedWithObstaclesAndWithout) {
+  CompensationModel wild = play_network(setting_.arm, kPlayM);
+  wild.layers.back().weight *= 1e30F;
+  wild.layers.front().weight *= 1e30F;
+  const ForwardModel model(setting_.arm, wild);
+  const PlanningProblem problem{setting_.arm, model, setting_.environment};
+  for (const bool is_empty : {false, true}) {
+    if (is_empty) {
+      setting_.environment.obstacles.clear();
+    }
+    const CollisionChecker checker = checker_of(problem);
+    MotionSimulator simulator(setting_.arm, model, checker);
+    const Plan plan = build_plan(problem, simulator, bent_kpa_, "test", 7);
+    EXPECT_EQ(why_no_solution(problem, checker, plan),
+              "the model predicts a shape that no arm has in frame 1");
+  }
+}
+
 }  // namespace
 }  // namespace limber

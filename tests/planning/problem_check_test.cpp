@@ -150,6 +150,27 @@ TEST_F(ProblemChecks, ExplainsAGoalThatIsReachedOnlyInCollision) {
   EXPECT_EQ(reached_only_in_collision(problem_, checker(), kSeed), "") << "a warning says it";
 }
 
+// A program's own arm may turn a gap by more than half a turn. That is no shape, and here is no
+// obstacle to name.
+TEST_F(ProblemChecks, WhatIsNoShapeIsReachedInNoCollision) {
+  ArmDescription arm = setting_.arm;
+  arm.command = {"angle", "rad"};
+  arm.no_load = NoLoadKind::curvature;
+  Segment segment;
+  segment.length_m = 0.2;
+  segment.width_m = 0.02;
+  segment.gaps = 1;
+  segment.pressure_limit_kpa = 25.0;
+  arm.segments = {segment};
+  const ForwardModel model(arm);
+  Environment environment;
+  constexpr double kTurnRad = 4.0;
+  environment.goal = {0.2 * std::sin(kTurnRad) / kTurnRad,
+                      0.2 * (1.0 - std::cos(kTurnRad)) / kTurnRad, std::nullopt, 0.002, 0.3};
+  EXPECT_EQ(reached_only_in_collision({arm, model, environment}, CollisionChecker(arm, {}), kSeed),
+            "");
+}
+
 TEST_F(ProblemChecks, MarginsAreDistances) {
   EXPECT_NO_THROW(require_margin(0.0));
   EXPECT_NO_THROW(require_margin(kMaxMarginM));
