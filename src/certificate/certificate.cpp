@@ -301,7 +301,11 @@ std::string why_not_usable(const CompensationModel* network, const ArmDescriptio
   if (std::string why = why_not_solid(environment.obstacles); !why.empty()) {
     return why;
   }
+  if (const std::string why = why_unusable(valves, arm); !why.empty()) {
+    return "valves: " + why;
+  }
   try {
+    require_planar(arm, "a certificate");
     require_start_of(arm, environment);
     if (network != nullptr) {
       require_model_of(*network, arm, "the plan's model");

@@ -16,6 +16,7 @@
 #include "src/planning/certified/certified_planner.hpp"
 #include "src/planning/paper/pressure_rrt_star.hpp"
 #include "support/property.hpp"
+#include "support/space_arm.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace limber {
@@ -244,6 +245,21 @@ TEST(Certificate, OtherArmsEnvironmentsAndModelsAreBadInput) {
               ThrowsMessage<InputError>(HasSubstr("made for another environment")));
   EXPECT_THAT([&] { (void)certify(s.plan, s.arm, nullptr, {}, s.environment); },
               ThrowsMessage<InputError>(HasSubstr("another kind of model")));
+}
+
+TEST(Certificate, ValvesOfAnotherArmAndArmsInSpaceAreBadInput) {
+  const Solved& s = solved();
+  const ValveParameters two{true, std::vector<SegmentValves>(2, {{0.1, 80.0}, {0.1, 80.0}})};
+  Plan plan = s.plan;
+  plan.valves_hash = two.hash();
+  EXPECT_THAT([&] { (void)certify(plan, s.arm, &s.model.compensation(), two, s.environment); },
+              ThrowsMessage<InputError>(HasSubstr("valves: 2 segments found; the arm has 3")));
+  const ArmDescription hanging = testing_support::space_arm();
+  plan = s.plan;
+  plan.arm_hash = hanging.hash();
+  plan.model = "no_load";
+  EXPECT_THAT([&] { (void)certify(plan, hanging, nullptr, {}, s.environment); },
+              ThrowsMessage<InputError>(HasSubstr("a certificate can't use an arm in space yet")));
 }
 
 TEST(Certificate, TheSealBreaksWhateverIsChangedInTheFile) {

@@ -8,6 +8,7 @@
 #include "limber/planning/planner_factory.hpp"
 #include "planning/play_model.hpp"
 #include "support/sample_arm.hpp"
+#include "support/space_arm.hpp"
 
 namespace limber {
 namespace {
@@ -237,6 +238,14 @@ TEST(Forest, OfAnotherArmOrStartIsRefused) {
   refusal("grown for another arm");
   EXPECT_THAT([&] { (void)make_planner("paper", 1, &forest); },
               ThrowsMessage<InputError>(HasSubstr("planner 'paper' uses no forest")));
+}
+
+TEST(Forest, OfAnArmInSpaceIsRefused) {
+  const ArmDescription arm = testing_support::space_arm();
+  const ForwardModel model(arm);
+  const ArmStart start{Pressures::Zero(arm.channel_count()), Backbone::Zero(arm.point_count(), 3)};
+  EXPECT_THAT([&] { (void)grow_forest(arm, model, forest_key(arm, "model", {}, start), start); },
+              ThrowsMessage<InputError>(HasSubstr("a forest can't use an arm in space yet")));
 }
 
 TEST(Forest, OfAModelThatRunsOffIsRefused) {

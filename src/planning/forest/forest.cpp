@@ -257,6 +257,7 @@ ForestKey forest_key(const ArmDescription& arm, const std::string& model_hash,
 std::optional<Forest> grow_forest(const ArmDescription& arm, const MotionModel& model,
                                   const ForestKey& key, const ArmStart& start,
                                   const ForestSettings& settings, const ForestCallback& callback) {
+  require_planar(arm, "a forest");
   if (settings.nodes < 1 || settings.nodes > Forest::kMaxNodes) {
     throw InputError(
         fmt::format("a forest of {} nodes; expected 1 to {}", settings.nodes, Forest::kMaxNodes));

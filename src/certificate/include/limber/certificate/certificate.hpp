@@ -84,8 +84,8 @@ class Certifier {
   /// @param give_up  called so often that the certificate ends within 5 ms after it turns true, in
   ///                 any environment; the result is then `unfinished`. Empty: never
   /// @throws InputError if the plan was made for another arm, other valves or another
-  /// environment (hashes in the message), or the network is of another arm. Everything else is a
-  /// failure in the result.
+  /// environment (hashes in the message), if the network or the valves are of another arm, or of an
+  /// arm in space. Everything else is a failure in the result.
   /// @throws Interrupted if a signal comes while it looks for collisions.
   Certificate certify(const Plan& plan, const std::function<bool()>& give_up = {}) const;
 

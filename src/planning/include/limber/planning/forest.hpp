@@ -133,7 +133,7 @@ using ForestCallback = std::function<bool(int nodes)>;
 /// Grows a forest by the default planner's rules for exploring. Takes about 35 model queries per
 /// node.
 /// @return none if the callback asked to stop
-/// @throws InputError if settings are out of range, or if the model diverges.
+/// @throws InputError if settings are out of range, of an arm in space, or if the model diverges.
 std::optional<Forest> grow_forest(const ArmDescription& arm, const MotionModel& model,
                                   const ForestKey& key, const ArmStart& start,
                                   const ForestSettings& settings = ForestSettings(),
