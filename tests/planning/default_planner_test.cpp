@@ -93,6 +93,25 @@ TEST(DefaultPlanner, StaysWhereItIsOnlyIfEachNetworkFindsThatInTheGoal) {
   EXPECT_TRUE(!both.plan || both.plan->cost_kpa > 0.0);
 }
 
+// The straight arm is 1.4 cm from the centre of a goal of 2 cm; ends in its inner 2 mm come first.
+TEST(DefaultPlanner, LeavesAStartThatIsInTheGoalButNotInItsAim) {
+  constexpr double kAimM = 0.002;
+  constexpr double kRoundingM = 1e-6;
+  Setting s(false);
+  s.environment.goal = {0.704, 0.014, std::nullopt, 0.02, 0.3};
+  PlanningProblem problem{s.arm, s.model, s.environment};
+  PlannerLimits limits;
+  limits.iterations = 1500;
+  const PlanResult stays = make_default_planner()->plan(problem, limits, 3);
+  ASSERT_EQ(stays.status, PlanStatus::solved) << stays.reason;
+  EXPECT_EQ(stays.plan->cost_kpa, 0.0) << "without an aim all of the goal is alike";
+  problem.aim = PoseError{kAimM, 0.03};
+  const PlanResult moves = make_default_planner()->plan(problem, limits, 3);
+  ASSERT_EQ(moves.status, PlanStatus::solved) << moves.reason;
+  EXPECT_GT(moves.plan->cost_kpa, 0.0);
+  EXPECT_LE(moves.plan->goal_distance_m, kAimM + kRoundingM);
+}
+
 TEST(DefaultPlanner, RefusesSettingsOutOfRange) {
   DefaultPlannerSettings settings;
   settings.goal_bias = 0.8;

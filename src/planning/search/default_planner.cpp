@@ -70,9 +70,9 @@ class DefaultRun {
             [this] { return tree_edges(search_->tree()); }};
   }
 
-  /// Whether no plan can be cheaper, nobody has anything to try, or improving has had its queries.
+  /// Whether no plan can be better, nobody has anything to try, or improving has had its queries.
   bool nothing_left() const {
-    return (has_plan() && *ladder_.best_cost_kpa() <= 0.0) || turns_.is_idle() ||
+    return (has_plan() && *ladder_.best_merit_kpa() <= 0.0) || turns_.is_idle() ||
            turns_.since_plan(has_plan(), paths_.queries()) >=
                (problem_.goal_has_room ? settings_.improvement_queries
                                        : settings_.improvement_queries_without_room);
@@ -82,10 +82,17 @@ class DefaultRun {
   void start_in_goal() {
     const MotionState start = start_of(problem_);
     const Pressures setpoint_kpa = start.setpoint_kpa();
-    if (paths_.run({{start, {setpoint_kpa}}}, give_up()).front().in_goal &&
-        opinions_.agree({setpoint_kpa})) {
-      (void)note_plan({setpoint_kpa}, 0.0);
+    const PathOutcome stays = paths_.run({{start, {setpoint_kpa}}}, give_up()).front();
+    if (stays.in_goal && opinions_.agree({setpoint_kpa})) {
+      (void)note_plan({setpoint_kpa}, GoalAim(problem_).merit_kpa(0.0, *stays.held_tip));
     }
+  }
+
+  /// That edges are measured by; none while standing still, beyond the aim, is the best plan: every
+  /// motion costs more.
+  std::optional<double> cost_to_beat_kpa() const {
+    const std::optional<double> cost_kpa = ladder_.best_cost_kpa();
+    return cost_kpa && *cost_kpa > 0.0 ? cost_kpa : std::nullopt;
   }
 
   /// Whether it may be built upon.
@@ -128,7 +135,7 @@ class DefaultRun {
     }
     if (turns_.next(has_plan(), paths_.queries()) == TurnTaking::Turn::search || !improve()) {
       const std::uint64_t before_search = paths_.queries();
-      take_in(search_->round(ladder_.best_cost_kpa(), give_up()), before_search);
+      take_in(search_->round(cost_to_beat_kpa(), give_up()), before_search);
     }
     turns_.note_turn(before, paths_.queries());
   }
