@@ -24,11 +24,12 @@ std::string reason_of_solution(const PlannerBudget& budget) {
 
 std::string reason_of_failure(const PlannerBudget& budget, const PoseGoal& goal, const Plan& plan,
                               const PlanResult& result) {
+  const std::string spent = budget.reason();
   std::string text = fmt::format(
       "{}, {} nodes, seed {}; the nearest motion ends "
       "{:.1f} cm from the goal (tolerance {:.1f} cm)",
-      budget.reason(), result.statistics.nodes, plan.seed, plan.goal_distance_m * kCmPerM,
-      goal.position_tolerance_m * kCmPerM);
+      spent.empty() ? "nothing left to try" : spent, result.statistics.nodes, plan.seed,
+      plan.goal_distance_m * kCmPerM, goal.position_tolerance_m * kCmPerM);
   if (goal.theta_rad) {
     text += fmt::format(" and {:.2f} rad (tolerance {:.2f} rad)", plan.goal_orientation_rad,
                         goal.orientation_tolerance_rad);

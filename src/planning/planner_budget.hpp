@@ -49,7 +49,7 @@ class PlannerBudget {
   bool good_enough(const std::optional<double>& cost_kpa) const {
     return cost_kpa && limits_.cost_threshold_kpa && *cost_kpa <= *limits_.cost_threshold_kpa;
   }
-  /// "10 s spent", "5000 iterations spent", …
+  /// "10 s spent", "5000 iterations spent", …; empty where neither a limit nor anybody ended it
   std::string reason() const;
 
  private:

@@ -131,6 +131,22 @@ TEST_F(ArmSpace, AStateKeepsEveryBitOfAMotion) {
   EXPECT_TRUE(space->satisfiesBounds(state.get()));
 }
 
+// What is measured in motion may be beyond the limits, and more so beyond those to plan within.
+TEST_F(ArmSpace, AStartInMotionIsInBoundsWhateverItsValvesHave) {
+  const Backbone straight = start_of(problem_).backbone;
+  setting_.environment.start =
+      ArmStart{Eigen::Vector3f(108.0F, -60.0F, 20.0F),
+               straight,
+               {Eigen::Vector3f(40.0F, -50.0F, 20.0F), Eigen::Vector3f(70.0F, -55.0F, 10.0F)}};
+  world_.limits.assign(3, PressureLimits(50.0));
+  const ob::StateSpacePtr space = make_arm_space(world_);
+  ob::ScopedState<> state(space);
+  world_.write(start_of(problem_), 0.0, true, state.get());
+  EXPECT_TRUE(space->satisfiesBounds(state.get()));
+  numbers(state.get())[0] = 109.0;
+  EXPECT_FALSE(space->satisfiesBounds(state.get()));
+}
+
 TEST_F(ArmSpace, SamplesAreTargetsAtRestWithinTheLimits) {
   const ob::StateSpacePtr space = make_arm_space(world_);
   Pressures lowest = Pressures::Zero(3);

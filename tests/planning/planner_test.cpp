@@ -19,6 +19,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 using ::testing::ThrowsMessage;
 
 TEST(Planner, TakesSettingsWithItsName) {
@@ -282,6 +283,7 @@ TEST(Planner, EndsUnderALimitOfQueriesAloneWhereThereIsNothingToTry) {
   const PlanResult result = make_planner("paper")->plan(problem, limits, 1);
   EXPECT_EQ(result.status, PlanStatus::limit);
   EXPECT_FALSE(result.limit) << result.reason;
+  EXPECT_THAT(result.reason, StartsWith("nothing left to try, 1 nodes, seed 1; the nearest"));
   EXPECT_EQ(result.statistics.nodes, 1U);
   EXPECT_LT(result.statistics.queries, 2000U);
 }

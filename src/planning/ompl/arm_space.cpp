@@ -87,12 +87,24 @@ class TipProjection final : public ob::ProjectionEvaluator {
   int tip_;
 };
 
+/// Of a segment's set points and pressures. A start in motion may have more than planning allows,
+/// and OMPL takes no start that is out of bounds.
+PressureLimits valve_range(const ArmWorld& world, const MotionState& start, int segment) {
+  PressureLimits range = limits_of(world, segment).widened(kOvershoot);
+  for (Eigen::Index i = segment; i < start.valves.size(); i += world.segments()) {
+    range.lower_kpa = std::min(range.lower_kpa, double(start.valves[i]));
+    range.upper_kpa = std::max(range.upper_kpa, double(start.valves[i]));
+  }
+  return range;
+}
+
 class ArmSpace final : public ob::RealVectorStateSpace {
  public:
   explicit ArmSpace(ArmWorld& world)
       : RealVectorStateSpace(static_cast<unsigned>(world.size())), world_(world) {
     ob::RealVectorBounds bounds(static_cast<unsigned>(world.size()));
     const double reach = 4.0 * world.problem.arm.length_m();
+    const MotionState start = start_of(world.problem);
     for (int i = 0; i < world.size(); ++i) {
       const auto index = static_cast<unsigned>(i);
       const bool angle = (i - world.valves()) % kPoseSize == 2;
@@ -101,7 +113,7 @@ class ArmSpace final : public ob::RealVectorStateSpace {
                           : angle                   ? kMaxAngleRad
                                                     : reach;
       const PressureLimits range = i < world.valves()
-                                       ? limits_of(world, i % world.segments()).widened(kOvershoot)
+                                       ? valve_range(world, start, i % world.segments())
                                        : PressureLimits(most);
       bounds.setLow(index, range.lower_kpa);
       bounds.setHigh(index, range.upper_kpa);
