@@ -18,7 +18,6 @@ constexpr const char* kSchema = "limber/environment/1";
 constexpr const char* kBefore = "backbone_before";
 constexpr double kFarthestM = 1000.0;  // keeps squares of coordinates finite, and catches mm
 constexpr double kMaxAngleRad = 1000.0;
-constexpr double kOrientationToleranceRad = 0.3;  // where the file gives theta alone
 constexpr double kMeasuredBeyond = 0.05;  // of a segment's limits, their range: valves overshoot
 constexpr std::size_t kMaxObstacles = 10000;
 constexpr std::size_t kMaxPolygonPoints = 1000;
@@ -217,7 +216,6 @@ PoseGoal read_goal(const YamlReader& node) {
   node.refuse_unknown_keys(
       {"x_m", "y_m", "theta_rad", "position_tolerance_m", "orientation_tolerance_rad"});
   PoseGoal goal;
-  goal.orientation_tolerance_rad = kOrientationToleranceRad;
   goal.x_m = coordinate(node.at("x_m"));
   goal.y_m = coordinate(node.at("y_m"));
   goal.position_tolerance_m = size(node.at("position_tolerance_m"), "a distance in metres");

@@ -64,6 +64,7 @@ TEST(Environment, OrientationIsOptionalAndItsToleranceHasADefault) {
                    .goal.theta_rad);
   EXPECT_EQ(read(with(", orientation_tolerance_rad: 0.25", "")).goal.orientation_tolerance_rad,
             0.3);
+  EXPECT_EQ(PoseGoal().orientation_tolerance_rad, 0.3) << "as in files";
 }
 
 TEST(Environment, SurvivesWritingAndReadingExactly) {

@@ -7,14 +7,17 @@
 
 namespace limber {
 
+inline constexpr double kDefaultOrientationToleranceRad = 0.3;
+
 /// A region of end-effector poses in frame B. Without `theta_rad` any orientation will do.
 /// Orientations are compared modulo a full turn: 1.2 and 1.2 − 2π ask for the same.
 struct PoseGoal {
   double x_m = 0.0;
   double y_m = 0.0;
   std::optional<double> theta_rad = std::nullopt;
-  double position_tolerance_m = 0.01;       ///< > 0
-  double orientation_tolerance_rad = 0.05;  ///< > 0; unused without theta_rad
+  double position_tolerance_m = 0.01;  ///< > 0
+  /// > 0; unused without theta_rad
+  double orientation_tolerance_rad = kDefaultOrientationToleranceRad;
 };
 
 /// How far a pose is from a goal's centre.
