@@ -73,6 +73,11 @@ double corner_kpa(const PressureLimits& limits, int state) {
   return side != 0.0 ? side : 0.5 * limits.side_kpa(-sign);
 }
 
+PressureLimits measured_limits(const PressureLimits& limits) {
+  const double more_kpa = kOvershootOfRange * (limits.upper_kpa - limits.lower_kpa);
+  return {limits.lower_kpa - more_kpa, limits.upper_kpa + more_kpa};
+}
+
 std::vector<PressureLimits> limits_of(const ArmDescription& arm) {
   std::vector<PressureLimits> limits;
   for (int channel = 0; channel < arm.channel_count(); ++channel) {

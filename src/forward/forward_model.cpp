@@ -10,6 +10,7 @@
 
 #include "forward_pipeline.hpp"
 #include "limber/arm/names.hpp"
+#include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"
 #include "limber/forward/checked_query.hpp"
 #include "limber/network/past_commands.hpp"
@@ -18,8 +19,7 @@ namespace limber {
 
 namespace {
 
-constexpr double kOvershootSlack = 1.05;  // a measured pressure overshoots its limit a little
-constexpr float kNoUnit = 1e-2F;          // more than rounding makes of a rotation
+constexpr float kNoUnit = 1e-2F;  // more than rounding makes of a rotation
 
 CompensationModel checked(CompensationModel compensation, const ArmDescription& arm) {
   validate(compensation, "compensation model");
@@ -60,13 +60,13 @@ void require_pressures(const char* name, const Pressures& pressures, const Forwa
   const std::vector<PressureLimits> all = limits_of(arm);
   for (int i = 0; i < model.command_size(); ++i) {
     const PressureLimits& limits = all[std::size_t(i) % all.size()];
-    const PressureLimits allowed = limits.widened(kOvershootSlack);
-    if (!(pressures[i] >= allowed.lower_kpa && pressures[i] <= allowed.upper_kpa)) {
-      throw InputError(
-          fmt::format("{}[{}] = {} {unit}; expected {:.6g} to {:.6g} {unit}, the {}'s "
-                      "limits of {} {unit} and 5 % for overshoot",
-                      name, i, pressures[i], allowed.lower_kpa, allowed.upper_kpa, part,
-                      to_string(limits), fmt::arg("unit", arm.command().unit)));
+    const PressureLimits allowed = measured_limits(limits);
+    if (!allowed.contains(double(pressures[i]))) {
+      throw InputError(fmt::format(
+          "{}[{}] = {} {unit}; expected {:.6g} to {:.6g} {unit}, the {}'s "
+          "limits of {} {unit} and {:g} % of their range for overshoot",
+          name, i, pressures[i], allowed.lower_kpa, allowed.upper_kpa, part, to_string(limits),
+          100.0 * kOvershootOfRange, fmt::arg("unit", arm.command().unit)));
     }
   }
 }

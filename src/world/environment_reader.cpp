@@ -6,6 +6,7 @@
 
 #include "cross.hpp"
 #include "limber/arm/names.hpp"
+#include "limber/arm/pressure_limits.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "limber/world/environment.hpp"
 #include "limber/world/start_shape.hpp"
@@ -18,7 +19,6 @@ constexpr const char* kSchema = "limber/environment/1";
 constexpr const char* kBefore = "backbone_before";
 constexpr double kFarthestM = 1000.0;  // keeps squares of coordinates finite, and catches mm
 constexpr double kMaxAngleRad = 1000.0;
-constexpr double kMeasuredBeyond = 0.05;  // of a segment's limits, their range: valves overshoot
 constexpr std::size_t kMaxObstacles = 10000;
 constexpr std::size_t kMaxPolygonPoints = 1000;
 // Of all polygons; a polygon's corners are looked at with each other.
@@ -232,22 +232,24 @@ PoseGoal read_goal(const YamlReader& node) {
   return goal;
 }
 
-/// @param beyond  the limits, share of their range that is allowed
+/// @param are_measured  of an arm in motion, whose valves may overshoot
 void require_pressures_fit(const YamlReader& node, const Pressures& kpa, const ArmDescription& arm,
-                           double beyond = 0.0) {
+                           bool are_measured = false) {
   require_planar(arm, "an environment");
   if (kpa.size() != arm.channel_count()) {
     node.refuse(fmt::format("{} {}s found; expected {}, one per segment of arm '{}'", kpa.size(),
                             arm.command.name, arm.channel_count(), arm.name));
   }
+  const std::string more = are_measured ? fmt::format(" and {:g} % of their range for overshoot",
+                                                      100.0 * kOvershootOfRange)
+                                        : "";
   for (int i = 0; i < arm.channel_count(); ++i) {
     const PressureLimits& limits = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
-    const double more_kpa = beyond * (limits.upper_kpa - limits.lower_kpa);
-    if (!PressureLimits(limits.lower_kpa - more_kpa, limits.upper_kpa + more_kpa)
-             .contains(kpa[i])) {
+    const PressureLimits allowed = are_measured ? measured_limits(limits) : limits;
+    if (!allowed.contains(kpa[i])) {
       node.elements()[static_cast<std::size_t>(i)].refuse(
-          fmt::format("{} {unit} found; expected {} {unit}, the limits of that segment", kpa[i],
-                      to_string(limits), fmt::arg("unit", arm.command.unit)));
+          fmt::format("{} {unit} found; expected {} {unit}, the limits of that segment{}", kpa[i],
+                      to_string(allowed), more, fmt::arg("unit", arm.command.unit)));
     }
   }
 }
@@ -268,7 +270,7 @@ void require_start_fits(const YamlReader& root, const ArmStart& start, const Arm
   const std::vector<YamlReader> setpoints = setpoints_of(root.at("start"));
   // Of an arm in motion pressures are measured, set points are not.
   require_pressures_fit(commands_of(root.at("start")), start.pressures_kpa, arm,
-                        setpoints.empty() ? 0.0 : kMeasuredBeyond);
+                        !setpoints.empty());
   for (std::size_t k = 0; k < setpoints.size(); ++k) {
     require_pressures_fit(setpoints[k], start.setpoints_kpa[k], arm);
   }

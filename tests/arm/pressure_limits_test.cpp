@@ -149,6 +149,13 @@ TEST(PressureLimits, SurviveTheRoundTripAndAreHashed) {
   EXPECT_EQ(read(arm_with("[-13.8, 13.8]")).hash(), read(arm_with("13.8")).hash());
 }
 
+// 5 % of the range, to either side.
+TEST(PressureLimits, AMeasuredPressureMayOvershootThem) {
+  EXPECT_EQ(measured_limits(PressureLimits(100.0)), PressureLimits(110.0));
+  EXPECT_EQ(measured_limits(PressureLimits(0.0, 100.0)), PressureLimits(-5.0, 105.0));
+  EXPECT_EQ(measured_limits(PressureLimits(-60.0, 100.0)), PressureLimits(-68.0, 108.0));
+}
+
 TEST(PressureLimits, AreNamedWhereArmsDiffer) {
   const ArmDescription there = read(motors_with("12", "12"));
   const ArmDescription here = read(motors_with("12", "[-11, 13.8]"));

@@ -281,9 +281,12 @@ TEST(ForwardModel, CheckedStepNamesWhatIsWrong) {
       [&] { (void)model.checked_step(Pressures::Zero(4), fine, straight); },
       ThrowsMessage<InputError>(HasSubstr("previous_kpa: 4 pressures; the arm has 3 segments")));
   EXPECT_THAT(
-      [&] { (void)model.checked_step(fine, Eigen::Vector3f(0, 0, 106), straight); },
+      [&] { (void)model.checked_step(fine, Eigen::Vector3f(0, 0, 111), straight); },
       ThrowsMessage<InputError>(HasSubstr(
-          "current_kpa[2] = 106 kPa; expected -105 to 105 kPa, the segment's limits of ± 100")));
+          "current_kpa[2] = 111 kPa; expected -110 to 110 kPa, the segment's limits of ± 100 kPa "
+          "and 5 % of their range for overshoot")));
+  EXPECT_NO_THROW((void)model.checked_step(fine, Eigen::Vector3f(0, -110, 108), straight))
+      << "as starts in motion are read";
   EXPECT_THAT([&] { (void)model.checked_step(fine, Eigen::Vector3f(0, nan, 0), straight); },
               ThrowsMessage<InputError>(HasSubstr("current_kpa[1] = nan kPa")));
   EXPECT_THAT([&] { (void)model.checked_step(fine, fine, Backbone::Zero(15, 3)); },

@@ -234,10 +234,15 @@ TEST(Environment, AStartInMotionAsMeasuredIsReadAsItWasWritten) {
   EXPECT_EQ(again().start->pressures_kpa, e.start->pressures_kpa);
   EXPECT_EQ(environment_hash(again()), environment_hash(e));
   e.start->pressures_kpa = at_limit * 1.105F;
-  EXPECT_THAT(again, ThrowsMessage<InputError>(HasSubstr("start.pressures_kpa[0]")));
+  EXPECT_THAT(again, ThrowsMessage<InputError>(AllOf(
+                         HasSubstr("start.pressures_kpa[0]"),
+                         HasSubstr("found; expected ± 110 kPa, the limits of that segment and 5 % "
+                                   "of their range for overshoot"))));
   e.start->pressures_kpa = at_limit * 1.095F;
   e.start->setpoints_kpa.clear();
-  EXPECT_THAT(again, ThrowsMessage<InputError>(HasSubstr("start.pressures_kpa[0]")));
+  EXPECT_THAT(again,
+              ThrowsMessage<InputError>(AllOf(HasSubstr("start.pressures_kpa[0]"),
+                                              HasSubstr("expected ± 100 kPa, the limits of"))));
 }
 
 TEST(Environment, ShapeBeforeAStartInMotionFitsTheArmAndCountsInTheHash) {

@@ -28,6 +28,12 @@ inline constexpr int kCornerStates = 3;
 /// that has one side only takes half of it in place of the missing one.
 double corner_kpa(const PressureLimits& limits, int state);
 
+/// Of the limits' range: by so much a measured pressure may lie beyond either, since valves
+/// overshoot.
+inline constexpr double kOvershootOfRange = 0.05;
+/// What may be measured where set points keep `limits`.
+PressureLimits measured_limits(const PressureLimits& limits);
+
 /// Of every channel, base first.
 std::vector<PressureLimits> limits_of(const ArmDescription& arm);
 

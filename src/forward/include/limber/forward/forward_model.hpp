@@ -91,7 +91,7 @@ class ForwardModel {
                   Eigen::Ref<Eigen::MatrixXf> next, Workspace& workspace) const;
 
   /// One query, checked. @throws InputError if a size is wrong, a number not finite or a
-  /// pressure beyond its limit (by more than 5 %: a measured pressure overshoots).
+  /// pressure beyond its limits (by more than 5 % of their range: measured ones overshoot).
   Backbone checked_step(const Pressures& previous_kpa, const Pressures& current_kpa,
                         const Backbone& before, const Backbone& previous) const;
   Backbone checked_step(const Pressures& previous_kpa, const Pressures& current_kpa,
