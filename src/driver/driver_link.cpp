@@ -290,20 +290,24 @@ void DriverLink::send_vent() {
   try_to_send(vent_line(seq_, since_start_s()));
 }
 
-std::optional<ArmState> DriverLink::vent_answer(Time until) {
+VentAnswer DriverLink::vent_answer(Time until) {
+  VentAnswer answer;
   std::string line;
   while (Clock::now() < until && child_.output().read_line(line, until) == LineReader::Read::line) {
     try {
-      DriverReply reply = parse_state(line, host_);
+      DriverReply reply = parse_vent_answer(line, host_);
       if (reply.seq == seq_) {
         log_.received(line);
-        return calibrated(std::move(reply));
+        answer.state = settings_.calibration
+                           ? settings_.calibration->from_wire(std::move(reply.state))
+                           : std::move(reply.state);
+        return answer;
       }
     } catch (const std::runtime_error&) {
-      continue;  // that it is broken is known
+      answer.is_unreadable = true;  // the next line may be the answer
     }
   }
-  return std::nullopt;
+  return answer;
 }
 
 void DriverLink::try_to_send(const std::string& line) {

@@ -14,6 +14,7 @@
 #include "limber/driver/driver_run.hpp"
 #include "limber/driver/process_driver.hpp"
 #include "limber/driver/wire_calibration.hpp"
+#include "vent_watch.hpp"
 
 namespace limber {
 
@@ -54,10 +55,10 @@ class DriverLink {
   /// Another run of frames begins: its first sample may be any time after the last one.
   void forget_pace() { paced_ = false; }
 
-  /// Of a driver that broke the protocol: the state that answers send_vent, if it comes before
-  /// `until`. Whatever else it says is passed over.
+  /// Of a driver that broke the protocol: what answers send_vent before `until`. Its shape counts
+  /// for nothing, which may be what is broken; states of other requests are passed over.
   void send_vent();
-  std::optional<ArmState> vent_answer(Time until);
+  VentAnswer vent_answer(Time until);
 
   void say_bye() { try_to_send(bye_line()); }
 

@@ -179,6 +179,17 @@ void require_no_fault(const JsonReader& root) {
   }
 }
 
+/// What every state has: its number, its time and its pressures.
+DriverReply without_shape(const JsonReader& root, const HostHello& arm) {
+  require_no_fault(root);
+  require_type(root, "state");
+  DriverReply reply;
+  reply.seq = static_cast<std::int64_t>(root.at("seq").count(kMaxSeq));
+  reply.state.time_s = root.at("t").number(-kMaxTimeS, kMaxTimeS);
+  reply.state.pressure_kpa = pressures(root.at("pressure_kpa"), arm.pressures());
+  return reply;
+}
+
 }  // namespace
 
 HostHello host_hello(const ArmDescription& arm) {
@@ -275,12 +286,7 @@ DriverHello parse_driver_hello(std::string_view line, const HostHello& expected)
 DriverReply parse_state(std::string_view line, const HostHello& arm) {
   const nlohmann::json json = parse_json_object(line, "state");
   const JsonReader root(json, "state");
-  require_no_fault(root);
-  require_type(root, "state");
-  DriverReply reply;
-  reply.seq = static_cast<std::int64_t>(root.at("seq").count(kMaxSeq));
-  reply.state.time_s = root.at("t").number(-kMaxTimeS, kMaxTimeS);
-  reply.state.pressure_kpa = pressures(root.at("pressure_kpa"), arm.pressures());
+  DriverReply reply = without_shape(root, arm);
   if (root.has("setpoint_kpa") && !root.at("setpoint_kpa").is_null()) {
     reply.state.setpoint_kpa = pressures(root.at("setpoint_kpa"), arm.pressures());
   }
@@ -289,6 +295,11 @@ DriverReply parse_state(std::string_view line, const HostHello& arm) {
     reply.state.tracker_s = root.at("tracker_t").number(-kMaxTimeS, kMaxTimeS);
   }
   return reply;
+}
+
+DriverReply parse_vent_answer(std::string_view line, const HostHello& arm) {
+  const nlohmann::json json = parse_json_object(line, "state");
+  return without_shape(JsonReader(json, "state"), arm);
 }
 
 DriverRequest parse_request(std::string_view line, const HostHello& arm) {

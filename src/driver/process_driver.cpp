@@ -299,12 +299,11 @@ class ProcessDriver::Session {
   void watch_broken_vent() {
     VentWatch watch(arm_, settings_.safety, resting_);
     const Time start = Clock::now();
-    const auto note = [&](std::optional<ArmState> answer) {
-      if (answer) {
-        state_ = std::move(*answer);
-        watch.note(state_, seconds(Clock::now() - start));
+    const auto note = [&](const VentAnswer& answer) {
+      if (answer.state) {
+        state_ = *answer.state;
       }
-      return answer.has_value();
+      return watch.note(answer, seconds(Clock::now() - start));
     };
     const auto in_time = std::min(reply_time(), Clock::duration(kBrokenReplyTime));
     Time sent;

@@ -43,9 +43,19 @@ void VentWatch::note(const ArmState& state, double after_s) {
     rising_ = what_rose();
   }
   result_.pressure_kpa = now_kpa_.cwiseAbs().maxCoeff();
-  result_.after_s = after_s;
+  result_.after_s = heard_s_ = after_s;
   result_.confirmed =
       result_.pressure_kpa <= safety_.vented_kpa && (was_resting_ || state.time_s > first_->time_s);
+}
+
+bool VentWatch::note(const VentAnswer& answer, double after_s) {
+  is_unreadable_ = answer.is_unreadable;
+  if (answer.state) {
+    note(*answer.state, after_s);
+  } else if (is_unreadable_) {
+    heard_s_ = after_s;
+  }
+  return answer.state || is_unreadable_;
 }
 
 VentResult VentWatch::result(const Pressures& last_kpa) const {
@@ -62,19 +72,19 @@ VentResult VentWatch::result(const Pressures& last_kpa) const {
 
 /// Says what was measured, and when: somebody has to decide by it.
 std::string VentWatch::unconfirmed(const Pressures& last_kpa) const {
-  if (is_over()) {
+  if (is_over() && !is_unreadable_) {
     return fmt::format("VENT NOT CONFIRMED: {}, shut off the supply{}", highest(now_kpa_), rising_);
   }
+  const char* why = is_unreadable_ ? "gives no readable answer" : "does not answer any more";
   if (!first_) {
     return fmt::format(
-        "VENT NOT CONFIRMED: the driver does not answer any more; it last read {}, before the "
-        "vent. Shut off the supply",
-        highest(last_kpa));
+        "VENT NOT CONFIRMED: the driver {}; it last read {}, before the vent. Shut off the supply",
+        why, highest(last_kpa));
   }
   return fmt::format(
-      "VENT NOT CONFIRMED: the driver does not answer any more; it last read {}, {:.1f} s after "
-      "the vent{}. Shut off the supply",
-      highest(now_kpa_), result_.after_s, rising_);
+      "VENT NOT CONFIRMED: the driver {}; it last read {}, {:.1f} s after the vent{}. Shut off the "
+      "supply",
+      why, highest(now_kpa_), result_.after_s, rising_);
 }
 
 void OwnVentWatch::note_sent(const Pressures& setpoint_kpa) {

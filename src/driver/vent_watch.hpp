@@ -12,6 +12,12 @@
 
 namespace limber {
 
+/// What a driver that broke the protocol says to a `vent`.
+struct VentAnswer {
+  std::optional<ArmState> state;  // its pressures alone
+  bool is_unreadable = false;     // lines came, and none was a state
+};
+
 /// A vent, as the states show it that answer it. Only a sample that was taken after it confirms it:
 /// one that is newer than the first answer, which may be of before.
 class VentWatch {
@@ -22,9 +28,11 @@ class VentWatch {
 
   /// Takes in the state that answered the latest `vent`, `after_s` after the first.
   void note(const ArmState& state, double after_s);
+  /// The same of a broken driver. @return whether it said anything
+  bool note(const VentAnswer& answer, double after_s);
 
   /// Whether there is nothing to wait for: it is confirmed, or its time is over.
-  bool is_over() const { return result_.confirmed || result_.after_s >= safety_.vent_time_s; }
+  bool is_over() const { return result_.confirmed || heard_s_ >= safety_.vent_time_s; }
 
   /// What came of it. Where it is not over, the driver has stopped answering.
   /// @param last_kpa  measured last, for where nothing was measured since
@@ -39,6 +47,8 @@ class VentWatch {
   SafetySettings safety_;
   bool was_resting_;
   VentResult result_;
+  double heard_s_ = 0.0;           // when anything came last, readable or not
+  bool is_unreadable_ = false;     // what came last
   std::optional<ArmState> first_;  // that answered
   Pressures now_kpa_;
   std::string rising_;

@@ -48,6 +48,19 @@ TEST_F(DriverProtocol, StatesSurviveTheWireToTheBit) {
   EXPECT_EQ(parse_state(state_line(7, timed), host_).state.tracker_s, -3.25);
 }
 
+TEST_F(DriverProtocol, AVentsAnswerIsReadWithoutItsShape) {
+  const std::string line =
+      R"({"type":"state","seq":9,"t":0.5,"pressure_kpa":[3,-4],"backbone":[[0,0,0]]})";
+  expect_refused(line, "backbone: 1 poses found; the arm has 5 plates");
+  const DriverReply reply = parse_vent_answer(line, host_);
+  EXPECT_EQ(reply.seq, 9);
+  EXPECT_EQ(reply.state.time_s, 0.5);
+  EXPECT_EQ(reply.state.pressure_kpa, (Pressures(2) << 3, -4).finished());
+  EXPECT_FALSE(reply.state.backbone);
+  EXPECT_THAT([&] { (void)parse_vent_answer(R"({"type":"state","seq":9,"t":0.5})", host_); },
+              ThrowsMessage<InputError>(HasSubstr("pressure_kpa")));
+}
+
 TEST_F(DriverProtocol, RequestsSurviveTheWireToTheBit) {
   const Pressures setpoint_kpa = Pressures::LinSpaced(2, -0.1F, 99.9F);
   const DriverRequest set = parse_request(set_line(41, 2.05, setpoint_kpa), host_);

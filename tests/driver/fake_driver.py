@@ -31,6 +31,8 @@ def state(request, **changed):
         shape = {"bodies": [[0.1 * i, 0.0, 0.2, 0.0, 0.0, 0.0, 1.0] for i in range(5)]}
     if fault == "tilted" and sets >= 4:
         shape["bodies"][2][3:] = [1.0, 0.0, 0.0, 0.0]
+    if fault == "unseen" and sets >= 4:  # one body of five, from then on
+        shape["backbone"].pop()
     return json.dumps({
         "type": "state", "seq": request["seq"], "t": clock, "pressure_kpa": pressures, "setpoint_kpa": setpoints,
         **shape, **changed,
@@ -93,6 +95,8 @@ def answer_wrongly(request):
         send(state(request, setpoint_kpa=[0.0, 0.0]))
     elif fault == "over":
         send(state(request, pressure_kpa=[106.0, 0.0]))
+    elif fault == "babble":
+        send("?")
     else:
         send(whole)
 
@@ -127,7 +131,7 @@ for line in sys.stdin:
     elif request["type"] == "vent":
         pressures = vented()
         setpoints = [0.0, -106.0 if fault == "told_vented" else 0.0]
-        send(state(request))
+        send("?" if fault == "babble" and sets >= 4 else state(request))
     elif request["type"] == "set":
         setpoints = request["pressure_kpa"]
         pressures = list(setpoints)

@@ -227,6 +227,25 @@ TEST_F(ProcessDriverTest, ABrokenDriverThatStillAnswersIsWatchedUntilItHasVented
   }
 }
 
+// Pressures alone say whether it has vented, whatever is broken beside them.
+TEST_F(ProcessDriverTest, AVentIsConfirmedThoughEveryShapeLacksAPlate) {
+  expect_fault("unseen", "4 poses found; the arm has 5 plates");
+  EXPECT_THAT(said_, ElementsAre(StartsWith("vented: ")));
+}
+
+TEST_F(ProcessDriverTest, ADriverWhoseAnswersCantBeReadIsVentedOnAndNotCalledSilent) {
+  ProcessDriverSettings babbling = settings("babble");
+  babbling.safety.vent_time_s = 0.3;
+  {
+    ProcessDriver driver(arm_, babbling);
+    EXPECT_THAT(ramp(driver, 12), HasSubstr("answered request"));
+  }
+  EXPECT_THAT(said_, ElementsAre("VENT NOT CONFIRMED: the driver gives no readable answer; it last "
+                                 "read segment 0 at 24 kPa, before the vent. Shut off the supply"));
+  const std::string after_sets = heard().substr(heard().rfind(" set\n"));
+  EXPECT_NE(after_sets.find(" vent\n"), after_sets.rfind(" vent\n")) << "one vent alone";
+}
+
 TEST_F(ProcessDriverTest, WhereNothingWasMeasuredItSaysWhatWasMeasuredLast) {
   ramp_of("die");
   EXPECT_THAT(said_, ElementsAre("VENT NOT CONFIRMED: the driver does not answer any more; it last "

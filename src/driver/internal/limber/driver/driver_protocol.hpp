@@ -85,6 +85,10 @@ DriverHello parse_driver_hello(std::string_view line, const HostHello& expected)
 /// @throws InputError where it is no state of `arm`, SystemFault where it is the driver's fault.
 DriverReply parse_state(std::string_view line, const HostHello& arm);
 
+/// Number, time and pressures of a state, whatever else is wrong with it: a vent is confirmed by
+/// pressures alone. @throws as parse_state
+DriverReply parse_vent_answer(std::string_view line, const HostHello& arm);
+
 /// The driver's side. `arm`: sizes that a request has to have.
 DriverRequest parse_request(std::string_view line, const HostHello& arm);
 
