@@ -1,7 +1,9 @@
 #include "limber/run/schedule.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -18,6 +20,7 @@ namespace {
 constexpr int kTransitionEpisodes = 16;
 constexpr int kMaxFullSchedule = 3;  // channels; 729 transitions
 constexpr int kMaxWalk = 6;          // channels; 531 441 edges held in memory
+constexpr int kMaxDrawn = 20;        // channels in one draw: 3^20 corners fit into 32 bits
 constexpr int kMaxCount = 10'000'000;
 constexpr double kLongestHold_s = 3600.0;
 constexpr std::uint64_t kScheduleStream = 0x7363'6865'6475'6c65;  // apart from a driver's streams
@@ -49,10 +52,43 @@ std::vector<int> eulerian_circuit(int vertices, RandomStream& random) {
   return circuit;
 }
 
-std::vector<int> random_walk(std::uint32_t vertices, int steps, RandomStream& random) {
-  std::vector<int> walk = {0};
-  for (int i = 0; i < steps; ++i) {
-    walk.push_back(static_cast<int>(random.index(vertices)));
+/// Corners one after another, one per column.
+using Walk = Eigen::Matrix<std::uint8_t, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// @pre channels ≤ kMaxDrawn
+std::uint32_t corner_count(int channels) {
+  std::uint32_t count = 1;
+  for (int i = 0; i < channels; ++i) {
+    count *= kCornerStates;
+  }
+  return count;
+}
+
+/// The base-3 digits of a corner's number, the lowest first.
+void write_states(std::uint32_t corner, Eigen::Ref<CornerStates> states) {
+  for (std::uint8_t& state : states) {
+    state = static_cast<std::uint8_t>(corner % kCornerStates);
+    corner /= kCornerStates;
+  }
+}
+
+Walk eulerian_walk(int channels, RandomStream& random) {
+  const std::vector<int> circuit =
+      eulerian_circuit(static_cast<int>(corner_count(channels)), random);
+  Walk walk(channels, std::ssize(circuit));
+  for (Eigen::Index i = 0; i < walk.cols(); ++i) {
+    write_states(static_cast<std::uint32_t>(circuit[static_cast<std::size_t>(i)]), walk.col(i));
+  }
+  return walk;
+}
+
+Walk random_walk(int channels, int steps, RandomStream& random) {
+  Walk walk = Walk::Zero(channels, steps + 1);
+  for (Eigen::Index i = 1; i < walk.cols(); ++i) {
+    for (int first = 0; first < channels; first += kMaxDrawn) {
+      const int drawn = std::min(kMaxDrawn, channels - first);
+      write_states(random.index(corner_count(drawn)), walk.col(i).segment(first, drawn));
+    }
   }
   return walk;
 }
@@ -107,23 +143,18 @@ std::vector<EpisodeSchedule> transition_schedule(const ArmDescription& arm,
   const int n = arm.channel_count();
   const int count = transition_count(arm, settings);
   RandomStream random(seed, kScheduleStream);
-  std::uint32_t vertices = 1;  // where there are more, some corners are never walked to
-  for (int i = 0; i < n; ++i) {
-    vertices *= kCornerStates;
-  }
-  const std::vector<int> walk = n <= kMaxWalk ? eulerian_circuit(static_cast<int>(vertices), random)
-                                              : random_walk(vertices, count, random);
+  const Walk walk = n <= kMaxWalk ? eulerian_walk(n, random) : random_walk(n, count, random);
   const int wanted = settings.episodes == 0 ? kTransitionEpisodes : settings.episodes;
   const int episodes = std::min(wanted, count);
   std::vector<EpisodeSchedule> result(static_cast<std::size_t>(episodes));
   for (int e = 0; e < episodes; ++e) {
-    const auto first = static_cast<std::size_t>(std::int64_t{e} * count / episodes);
-    const auto last = static_cast<std::size_t>(std::int64_t{e + 1} * count / episodes);
+    const Eigen::Index first = std::int64_t{e} * count / episodes;
+    const Eigen::Index last = std::int64_t{e + 1} * count / episodes;
     EpisodeSchedule& episode = result[static_cast<std::size_t>(e)];
-    episode.first_kpa = corner_configuration(arm, walk[first]);
-    for (std::size_t i = first; i < last; ++i) {
+    episode.first_kpa = corner_configuration(arm, walk.col(first));
+    for (Eigen::Index i = first; i < last; ++i) {
       episode.motions.push_back(
-          make_motion(settings, corner_configuration(arm, walk[i + 1]), random));
+          make_motion(settings, corner_configuration(arm, walk.col(i + 1)), random));
     }
   }
   return result;
@@ -191,12 +222,13 @@ std::string describe(const ScheduleSettings& settings) {
   return text;
 }
 
-Pressures corner_configuration(const ArmDescription& arm, int index) {
+Pressures corner_configuration(const ArmDescription& arm,
+                               const Eigen::Ref<const CornerStates>& states) {
+  assert(states.size() == arm.channel_count());
   Pressures result(arm.channel_count());
   for (Eigen::Index s = 0; s < result.size(); ++s) {
     const PressureLimits& limits = arm.limits_of_channel(static_cast<int>(s));
-    result[s] = static_cast<float>(corner_kpa(limits, index % kCornerStates));
-    index /= kCornerStates;
+    result[s] = static_cast<float>(corner_kpa(limits, states[s]));
   }
   return result;
 }

@@ -1,10 +1,13 @@
 #include "limber/run/schedule.hpp"
 
+#include <array>
 #include <map>
+#include <set>
 
 #include <gmock/gmock.h>
 
 #include "limber/common/error.hpp"
+#include "limber/common/random_stream.hpp"
 #include "support/fake_arm.hpp"
 
 namespace limber {
@@ -12,6 +15,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::Each;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
@@ -81,15 +85,42 @@ TEST(TransitionSchedule, CountTakesDistinctTransitionsAboveThreeSegments) {
   EXPECT_EQ(counts.size(), 200U);
 }
 
-TEST(TransitionSchedule, CountWorksForManySegments) {
+// 3^20 corners have numbers beyond 2^31, 3^21 beyond 2^32.
+TEST(TransitionSchedule, CountTakesEveryOneOfManySegmentsToAllItsStates) {
+  ScheduleSettings settings;
+  settings.count = 60;
+  for (const int segments : {20, 21, 24}) {
+    std::vector<std::set<float>> visited(static_cast<std::size_t>(segments));
+    int motions = 0;
+    for (const EpisodeSchedule& episode : make_schedule(small_arm(segments), settings, 3)) {
+      for (const Motion& motion : episode.motions) {
+        ++motions;
+        for (std::size_t s = 0; s < visited.size(); ++s) {
+          visited[s].insert(motion.setpoint_kpa[static_cast<Eigen::Index>(s)]);
+        }
+      }
+    }
+    EXPECT_EQ(motions, 60);
+    EXPECT_THAT(visited, Each(ElementsAre(-100.0F, 0.0F, 100.0F))) << segments;
+  }
+}
+
+// So that a seed keeps its meaning: a corner of up to 20 channels is one draw, its base-3 digits.
+TEST(TransitionSchedule, DrawsCornersOfSevenSegmentsByTheirNumbers) {
+  constexpr std::uint64_t kScheduleStream = 0x7363'6865'6475'6c65;
   ScheduleSettings settings;
   settings.count = 30;
-  const auto schedule = make_schedule(small_arm(20), settings, 3);
-  std::size_t motions = 0;
-  for (const EpisodeSchedule& episode : schedule) {
-    motions += episode.motions.size();
+  settings.episodes = 1;
+  const auto schedule = make_schedule(small_arm(7), settings, 3);
+  RandomStream random(3, kScheduleStream);
+  constexpr std::array kStates_kpa = {0.0F, 100.0F, -100.0F};
+  for (const Motion& motion : schedule[0].motions) {
+    std::uint32_t corner = random.index(2187);
+    for (const float kpa : motion.setpoint_kpa) {
+      EXPECT_EQ(kpa, kStates_kpa[corner % 3]);
+      corner /= 3;
+    }
   }
-  EXPECT_EQ(motions, 30U);
 }
 
 TEST(TransitionSchedule, RefusesAllTransitionsAboveThreeSegmentsWithTheirTime) {
@@ -107,10 +138,11 @@ TEST(TransitionSchedule, GoesToTheLimitOfEachSide) {
   ArmDescription arm = small_arm();
   arm.segments[0].pressure_limit_kpa = PressureLimits(-11.0, 13.8);
   arm.segments[1].pressure_limit_kpa = PressureLimits(0.0, 80.0);
-  EXPECT_EQ(corner_configuration(arm, 1)[0], 13.8F);
-  EXPECT_EQ(corner_configuration(arm, 2)[0], -11.0F);
-  EXPECT_EQ(corner_configuration(arm, 3)[1], 80.0F);
-  EXPECT_EQ(corner_configuration(arm, 6)[1], 40.0F) << "half, where there is no other side";
+  EXPECT_EQ(corner_configuration(arm, CornerStates{{1, 0}})[0], 13.8F);
+  EXPECT_EQ(corner_configuration(arm, CornerStates{{2, 0}})[0], -11.0F);
+  EXPECT_EQ(corner_configuration(arm, CornerStates{{0, 1}})[1], 80.0F);
+  EXPECT_EQ(corner_configuration(arm, CornerStates{{0, 2}})[1], 40.0F)
+      << "half, where there is no other side";
 }
 
 TEST(RandomSchedule, StaysWithinTheLimitsOfEachSide) {

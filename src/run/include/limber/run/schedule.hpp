@@ -70,8 +70,12 @@ std::vector<EpisodeSchedule> make_schedule(const ArmDescription& arm,
 /// lines and seeds give equal schedules.
 std::string describe(const ScheduleSettings& settings);
 
-/// Configuration `index` in {0, …, 3^n − 1}: base-3 digits, 0 off, 1 fully right, 2 fully left. A
-/// segment or chamber whose limits leave it one side takes half of that one instead of the other.
-Pressures corner_configuration(const ArmDescription& arm, int index);
+/// Of each channel: 0 off, 1 fully right, 2 fully left.
+using CornerStates = Eigen::Matrix<std::uint8_t, Eigen::Dynamic, 1>;
+
+/// The configuration of these states, size n. A segment or chamber whose limits leave it one side
+/// takes half of that one instead of the other.
+Pressures corner_configuration(const ArmDescription& arm,
+                               const Eigen::Ref<const CornerStates>& states);
 
 }  // namespace limber
