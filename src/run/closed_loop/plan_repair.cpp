@@ -41,7 +41,8 @@ std::vector<Pressures> shifted(const PressureBox& box, std::vector<Pressures> wa
   return waypoints_kpa;
 }
 
-/// Columns: what one kPa at the end of each segment does to the settled tip (x, y, heading).
+/// Columns: what one kPa at the end of each segment does to the settled tip (x, y, heading); zero
+/// of a segment whose limits leave it nothing.
 Eigen::MatrixXd sensitivity(CheckedPlans& plans, const PressureBox& box,
                             const std::vector<Pressures>& waypoints_kpa) {
   const Eigen::Index n = waypoints_kpa.front().size();
@@ -66,13 +67,15 @@ Eigen::MatrixXd sensitivity(CheckedPlans& plans, const PressureBox& box,
       at[j] = batch.end(static_cast<int>(j));
     }
   }
-  Eigen::MatrixXd result(kPoseSize, n);
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(kPoseSize, n);
   const auto settled = [&](std::size_t j) {
     return numbers_of(plans.problem().model.settled_tip(at[j].valves, at[j].backbone));
   };
   const Eigen::Vector3d middle = settled(0);
   for (Eigen::Index i = 0; i < n; ++i) {
-    result.col(i) = (settled(static_cast<std::size_t>(i) + 1) - middle) / probes[i];
+    if (probes[i] != 0.0) {
+      result.col(i) = (settled(static_cast<std::size_t>(i) + 1) - middle) / probes[i];
+    }
   }
   return result;
 }

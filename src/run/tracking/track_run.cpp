@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "limber/arm/names.hpp"
+#include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/units.hpp"
 
@@ -17,12 +19,26 @@ std::string why_not_followed(const ExecutionResult& result) {
   return result.final_backbone ? "" : "the arm was not seen at the end: collisions are unknown";
 }
 
+/// Distances between set points are counted in the limits' width.
+void require_width(const ArmDescription& arm) {
+  for (int i = 0; i < arm.channel_count(); ++i) {
+    const PressureLimits& limits = arm.limits_of_channel(i);
+    if (!(limits.half_width_kpa() > 0.0)) {
+      throw InputError(
+          fmt::format("{} has the limits {} {} in force, so nothing can move it; a path over time "
+                      "needs every segment. The driver's hello may say more (limit_kpa)",
+                      channel_name(arm, i), to_string(limits), arm.command.unit));
+    }
+  }
+}
+
 }  // namespace
 
 TipTracker tracker_for(const ArmDescription& arm, const MotionModel& model, const TipPath& path,
                        const std::string& source, const TipTrackerSettings& settings,
                        std::uint64_t seed) {
   constexpr double kStartWithinM = 0.02;
+  require_width(arm);
   const TrackStart start = find_track_start(arm, model, path, seed);
   if (start.distance_m > kStartWithinM) {
     throw InputError(

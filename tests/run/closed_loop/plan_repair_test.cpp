@@ -75,6 +75,24 @@ TEST(PlanRepair, KeepsTheLimitsAndReturnsNothingThatIsNotNearEnough) {
   }
 }
 
+TEST(PlanRepair, ASegmentThatTheDriverAllowsNothingStaysAtZeroAndTheOthersRepair) {
+  RepairSetting s;
+  s.limits = {PressureLimits(61.0), PressureLimits(0.0), PressureLimits(61.0)};
+  for (Pressures& kpa : s.waypoints_kpa) {
+    kpa[1] = 0.0F;
+  }
+  std::vector<Pressures> there = s.waypoints_kpa;
+  there.back() -= Eigen::Vector3f(15.0F, 0.0F, 10.0F);
+  const Pose tip = s.end(there);
+  const PoseGoal goal{tip.x_m, tip.y_m, std::nullopt, 0.02, 0.1};
+  const auto repaired = s.repaired(goal, 0.005);
+  ASSERT_TRUE(repaired);
+  EXPECT_LT(pose_error(goal, s.end(*repaired)).position_m, 0.001);
+  for (const Pressures& kpa : *repaired) {
+    EXPECT_EQ(kpa[1], 0.0F);
+  }
+}
+
 TEST(PlanRepair, NothingThatTouchesAnObstacleIsARepair) {
   RepairSetting s;
   const Pose now = s.end(s.waypoints_kpa);

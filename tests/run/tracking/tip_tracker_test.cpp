@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 
 #include "limber/arm/pressure_limits.hpp"
+#include "limber/common/error.hpp"
 #include "limber/run/executor.hpp"
 #include "limber/run/track_errors.hpp"
+#include "limber/run/track_run.hpp"
 #include "support/bending_arms.hpp"
 #include "support/fake_arm.hpp"
 
@@ -12,6 +14,7 @@ namespace limber {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
 
 /// The path is where the no-load model has the tip at set points that wander
 /// slowly: it can be kept.
@@ -90,6 +93,12 @@ TEST_F(TipTrackerTest, KeepsLimitsAndFrameRuleOnAPathFarOutOfReach) {
     EXPECT_LE(next->cwiseAbs().maxCoeff(), 60.0F);
     estimate.observe(*next, driver.command(*next));
   }
+}
+
+TEST_F(TipTrackerTest, IsRefusedWhereTheDriverAllowsASegmentNothing) {
+  const ArmDescription held = with_limits(arm_, {PressureLimits(60.0), PressureLimits(0.0)});
+  EXPECT_THAT([&] { (void)tracker_for(held, model_, path_, "path.csv", {}, 1); },
+              ThrowsMessage<InputError>(HasSubstr("segment 1 has the limits ± 0 kPa in force")));
 }
 
 TEST_F(TipTrackerTest, ItsDisturbanceEstimateHelpsWithAnArmThatTheModelDoesNotKnow) {

@@ -19,7 +19,8 @@ struct TrackRun {
 };
 
 /// What leads the tip along a path. @param source  of the path, for messages
-/// @throws InputError naming the first point, if the model brings the tip nowhere near it.
+/// @throws InputError naming the first point, if the model brings the tip nowhere near it, or a
+/// segment whose limits leave it nothing.
 TipTracker tracker_for(const ArmDescription& arm, const MotionModel& model, const TipPath& path,
                        const std::string& source, const TipTrackerSettings& settings,
                        std::uint64_t seed);
