@@ -18,11 +18,19 @@ constexpr double kRoundingShare = 1e-5;  // of the largest command: float32 set 
 constexpr double kStuckWindowS = 1.0;    // a reading that stands still for so long …
 constexpr double kStuckDelayS = 0.5;     // … though the set point had moved so long before
 constexpr double kStuckShare = 0.02;     // of the set point's change: less is none
+// At low rates: a state may be of the frame before, and a channel has to have one more to move in.
+constexpr int kMinFollowingFrames = 3;
+constexpr int kMinStuckFrames = 4;
+constexpr int kMinStuckDelayFrames = 2;
 
 /// Whether limits allow a set point, rounded or not.
 bool allow(const PressureLimits& limits, double kpa, double rounding_kpa) {
   return kpa >= limits.lower_kpa - rounding_kpa &&
          kpa <= limits.upper_kpa + rounding_kpa;  // no NaN
+}
+
+int stuck_frames(const ArmDescription& arm) {
+  return std::max(arm.frames_in(kStuckWindowS), kMinStuckFrames);
 }
 
 double rounding_kpa(const ArmDescription& arm, int channel) {
@@ -105,7 +113,10 @@ SafetyGate::SafetyGate(const ArmDescription& arm, std::vector<PressureLimits> li
       setpoint_kpa_(Pressures::Zero(arm.channel_count())),
       reference_kpa_(Pressures::Zero(arm.channel_count())),
       frames_off_(static_cast<std::size_t>(arm.channel_count()), 0),
-      history_{{setpoint_kpa_, reference_kpa_, reference_kpa_}} {}
+      history_{{setpoint_kpa_, reference_kpa_, reference_kpa_}} {
+  settings_.following_time_s =
+      std::max(settings_.following_time_s, kMinFollowingFrames * arm.frame_period_s());
+}
 
 std::string SafetyGate::check_command(const Eigen::Ref<const Pressures>& setpoint_kpa) {
   if (setpoint_kpa.size() != arm_.channel_count()) {
@@ -220,8 +231,8 @@ std::string SafetyGate::following(const ArmState& state) {
                         .cwiseMax(Pressures::Constant(reference_kpa_.size(), -step))
                         .cwiseMin(Pressures::Constant(reference_kpa_.size(), step));
   history_.push_back({setpoint_kpa_, reference_kpa_, state.pressure_kpa});
-  const auto kept =
-      static_cast<std::size_t>(arm_.frames_in(std::max(kStuckWindowS, settings_.following_time_s)));
+  const auto kept = static_cast<std::size_t>(
+      std::max(stuck_frames(arm_), arm_.frames_in(settings_.following_time_s)));
   while (history_.size() > kept) {
     history_.pop_front();
   }
@@ -278,12 +289,13 @@ std::string SafetyGate::never_sent(const ArmState& state) const {
 }
 
 std::string SafetyGate::stuck(int channel) const {
-  const auto window = static_cast<std::size_t>(arm_.frames_in(kStuckWindowS));
+  const auto window = static_cast<std::size_t>(stuck_frames(arm_));
   if (history_.size() < window) {
     return "";
   }
   const std::size_t from = history_.size() - window;
-  const auto until = history_.size() - static_cast<std::size_t>(arm_.frames_in(kStuckDelayS));
+  const auto until = history_.size() - static_cast<std::size_t>(std::max(
+                                           arm_.frames_in(kStuckDelayS), kMinStuckDelayFrames));
   float low = history_[from].reference_kpa[channel];
   float high = low;
   float measured_low = history_[from].measured_kpa[channel];

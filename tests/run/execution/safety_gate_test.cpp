@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 
@@ -135,6 +136,23 @@ TEST_F(SafetyGateTest, AStuckChannelIsFoundWithinItsFirstSeconds) {
   SafetyGate gate = this->gate(false);
   const std::string wrong = run(gate, 8.0F, 60, [](int) { return 0.0F; });
   EXPECT_THAT(wrong, HasSubstr("stands still at 0.00 kPa"));
+}
+
+// docs/driver.md: a state has the newest sample, and the set point in force when that was taken.
+TEST_F(SafetyGateTest, AtOneFramePerSecondAStateMayBeOfTheFrameBefore) {
+  for (const double rate_hz : {1.0, 2.0, 5.0}) {
+    arm_.frame_rate_hz = rate_hz;
+    SafetyGate gate = this->gate();
+    float before = 0.0F;
+    for (const float setpoint : {0.0F, 40.0F, 80.0F, 40.0F, 0.0F, -40.0F, -40.0F, -40.0F, 0.0F}) {
+      ASSERT_THAT(gate.check_command(pressures(setpoint, 0)), IsEmpty());
+      ArmState state = measured(pressures(std::exchange(before, setpoint), 0));
+      state.setpoint_kpa = state.pressure_kpa;
+      ASSERT_THAT(gate.check_state(state), IsEmpty()) << rate_hz << " Hz, to " << setpoint;
+    }
+    SafetyGate still = this->gate();
+    EXPECT_THAT(run(still, 40.0F, 10, [](int) { return 0.0F; }), HasSubstr("segment 0")) << rate_hz;
+  }
 }
 
 TEST_F(SafetyGateTest, AHeldSetpointMayReadTheSameForever) {

@@ -25,7 +25,7 @@ struct Fence {
 struct SafetySettings {
   double over_limit_percent = 5.0;    ///< of the arm's limit, beyond the limit in force
   double following_error_kpa = 10.0;  ///< off what the valves' rate allows …
-  double following_time_s = 0.5;      ///< … for so long
+  double following_time_s = 0.5;      ///< … for so long, three frames at least
   double stuck_change_kpa = 5.0;      ///< of the set point, while the reading stands still
   std::optional<double> jump_m;       ///< of a plate in one frame; none: largest_jump_m of the arm
   double rise_kpa = 5.0;              ///< while venting
