@@ -25,8 +25,8 @@ constexpr double kPulseS = 1.0;
 constexpr double kStepS = 1.5;
 constexpr double kPulseShare = 0.05;  // of the limit in force
 constexpr double kStepShare = 0.3;
-constexpr double kMeanS = 0.3;      // at the end of a hold
-constexpr double kSilenceS = 0.65;  // three frames or the device's 0.3 s, and time for the valves
+constexpr double kMeanS = 0.3;         // at the end of a hold
+constexpr int kMinHoldFrames = 3;      // at low rates: a state may be of the frame before
 constexpr double kMaxCrosstalk = 0.5;  // of a pulse, in a segment that was not told to move
 constexpr double kSlotS = 0.005;       // a `set` later than that is late
 constexpr double kMaxLateShare = 0.001;
@@ -85,9 +85,9 @@ class Check {
   }
 
   /// Holds a set point and keeps what is read. @return the first frame of it
-  std::size_t hold(const Pressures& setpoint_kpa, double seconds) {
+  std::size_t hold(const Pressures& setpoint_kpa, double seconds, int min_frames = kMinHoldFrames) {
     const std::size_t first = time_s_.size();
-    for (int k = 0; k < arm_.frames_in(seconds); ++k) {
+    for (int k = 0; k < std::max(arm_.frames_in(seconds), min_frames); ++k) {
       throw_if_interrupted();
       const ArmState& state = driver_->command(setpoint_kpa);
       time_s_.push_back(state.time_s);
@@ -191,7 +191,7 @@ class Check {
     Pressures setpoint_kpa = from_kpa;
     for (int k = 1; k <= count; ++k) {
       motion_setpoint(from_kpa, zero, k, count, setpoint_kpa);
-      hold(setpoint_kpa, arm_.frame_period_s());
+      hold(setpoint_kpa, arm_.frame_period_s(), 1);
     }
   }
 
@@ -219,7 +219,7 @@ class Check {
     }
     result_.silence.tested = true;
     const Pressures before_kpa = pressurise();
-    const ArmState after = driver_->read_after_silence(kSilenceS);
+    const ArmState after = driver_->read_after_silence(silence_s(arm_.frame_period_s()));
     judge(result_.silence, before_kpa, after, "no set came for three frames");
   }
 
@@ -228,7 +228,7 @@ class Check {
     deadman.tested = true;
     const Pressures before_kpa = pressurise();
     driver_->abandon();
-    std::this_thread::sleep_for(std::chrono::duration<double>(kSilenceS));
+    std::this_thread::sleep_for(std::chrono::duration<double>(silence_s(0.0)));  // frames or not
     judge(deadman, before_kpa, start_again(), "its input was closed");
     deadman.starts_vented = deadman.vented && starts_vented();
   }

@@ -2,7 +2,11 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
+
+#include "support/fake_arm.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace limber {
 namespace {
@@ -52,6 +56,31 @@ TEST(StepResponse, OvershootIsWhatIsBeyondTheEnd) {
   std::vector<double> readings(60, kStepKpa);
   readings[4] = kStepKpa + 3.5;
   EXPECT_NEAR(step_response(readings, kPeriodS, kStepKpa, 0.0).overshoot_kpa, 3.5, 1e-9);
+}
+
+TEST(DriverSilence, IsThreeFramesOrWhatTheDeviceTakesAndTimeForTheValves) {
+  EXPECT_DOUBLE_EQ(silence_s(0.05), 0.65);
+  EXPECT_DOUBLE_EQ(silence_s(0.1), 0.65);
+  EXPECT_DOUBLE_EQ(silence_s(0.2), 0.95);
+  EXPECT_DOUBLE_EQ(silence_s(1.0), 3.35);
+}
+
+// A pulse of 1 s would be one frame, whose state is that of the frame before.
+TEST(DriverCheck, AtOneFramePerSecondBlamesNoDriverThatAnswersAtOnce) {
+  const TemporaryFolder folder;
+  ArmDescription arm = small_arm();
+  arm.frame_rate_hz = 1.0;
+  ProcessDriverSettings settings;
+  settings.command = fmt::format("{} {}/tests/driver/fake_driver.py {} behind", LIMBER_PYTHON,
+                                 LIMBER_SOURCE_DIR, (folder.path() / "heard").string());
+  settings.simulated = true;
+  const DriverCheck found = check_driver(arm, settings);
+  EXPECT_THAT(found.complaints, IsEmpty());
+  ASSERT_EQ(found.steps.size(), 4U);
+  for (const StepResponse& step : found.steps) {
+    EXPECT_TRUE(step.answered);
+    EXPECT_EQ(step.reached_kpa, step.setpoint_kpa);
+  }
 }
 
 TEST(ScaleComplaint, NamesTheUnitThatWouldFit) {

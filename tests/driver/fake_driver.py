@@ -12,6 +12,7 @@ fault = sys.argv[2] if len(sys.argv) > 2 else ""
 pressures = [0.0, 0.0]
 setpoints = [0.0, 0.0]
 clock = 100.0
+period = 0.05
 sets = 0
 vents = 0
 
@@ -121,20 +122,22 @@ for line in sys.stdin:
         vents = vents + 1 if sets > 0 else 0
     # A vent right behind a set overtakes the sampling.
     if fault != "overtaken" or request["type"] != "vent" or vents != 1:
-        clock += 5e-5 if fault == "crawling" else 0.05
+        clock += 5e-5 if fault == "crawling" else period
     if request["type"] == "hello":
         wrong = 3 if fault == "hello" else 2
+        period = 1 / request["rate_hz"]
         send(json.dumps({
             "type": "hello", "protocol": 1, "driver": "fake", "device": "none", "rate_hz": request["rate_hz"],
-            "segments": wrong, "real_time": fault != "fast", "limit_kpa": [100, 60 if fault == "weak" else 100],
+            "segments": wrong, "real_time": fault not in ("fast", "behind"),
+            "limit_kpa": [100, 60 if fault == "weak" else 100],
         }))
     elif request["type"] == "vent":
         pressures = vented()
         setpoints = [0.0, -106.0 if fault == "told_vented" else 0.0]
         send("?" if fault == "babble" and sets >= 4 else state(request))
     elif request["type"] == "set":
-        setpoints = request["pressure_kpa"]
-        pressures = list(setpoints)
+        before, setpoints = setpoints, request["pressure_kpa"]
+        pressures = list(before if fault == "behind" else setpoints)
         sets += 1
         if sets >= 4:
             answer_wrongly(request)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,15 @@ struct DriverCheck {
 /// 10 s per segment.
 /// @throws SystemFault where the driver fails, or reads a pressure when vented; Interrupted.
 DriverCheck check_driver(const ArmDescription& arm, const ProcessDriverSettings& settings);
+
+/// How long a driver is left alone until its arm has to be vented: three frames or the device's
+/// 0.3 s (docs/driver.md), and time for the valves.
+inline double silence_s(double period_s) {
+  constexpr double kDeviceS = 0.3;
+  constexpr double kFrames = 3.0;
+  constexpr double kValvesS = 0.35;
+  return std::max(kDeviceS, kFrames * period_s) + kValvesS;
+}
 
 /// What a reading of `measured_kpa` at a set point of `setpoint_kpa` says about the driver's unit;
 /// empty where it is within a factor of two. @param channel  its name
