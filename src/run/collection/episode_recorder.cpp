@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <span>
 
 #include <fmt/format.h>
@@ -13,6 +14,8 @@
 namespace limber {
 
 namespace {
+
+constexpr Eigen::Index kRotation = position_size(Dimension::space);  // of a pose, from there on
 
 /// The numbers of the shape that was seen; none where it was not.
 std::span<const float> shape_of(const ArmState& state, Dimension dimension) {
@@ -25,6 +28,24 @@ std::span<const float> shape_of(const ArmState& state, Dimension dimension) {
 
 std::size_t shape_size(const ArmDescription& arm) {
   return static_cast<std::size_t>(pose_size(arm.dimension) * arm.point_count());
+}
+
+/// Of q and −q, one rotation, every tracked row has the one nearer to the tracked row before it:
+/// the line between the others leads through no rotation at all.
+void make_tracked_signs_continuous(const std::vector<std::uint8_t>& tracked, FrameMatrix& poses) {
+  std::optional<Eigen::Index> before;
+  for (Eigen::Index t = 0; t < poses.rows(); ++t) {
+    if (tracked[static_cast<std::size_t>(t)] == 0) {
+      continue;
+    }
+    for (Eigen::Index at = kRotation; before && at < poses.cols(); at += kSpacePoseSize) {
+      auto rotation = poses.row(t).segment<4>(at);
+      if (poses.row(*before).segment<4>(at).dot(rotation) < 0.0F) {
+        rotation = -rotation;
+      }
+    }
+    before = t;
+  }
 }
 
 }  // namespace
@@ -102,6 +123,9 @@ Episode EpisodeRecorder::finish() {
   episode.dimension = arm_.dimension;
   episode.backbone = Eigen::Map<const FrameMatrix>(backbone_.data(), frames,
                                                    static_cast<Eigen::Index>(shape_size(arm_)));
+  if (arm_.is_spatial()) {
+    make_tracked_signs_continuous(tracked_, episode.backbone);
+  }
   fill_missing_rows(times_s, tracked_, episode.backbone);
   if (arm_.is_spatial()) {
     normalise_filled_rotations(tracked_, episode.backbone);
@@ -113,12 +137,11 @@ Episode EpisodeRecorder::finish() {
 }
 
 void normalise_filled_rotations(const std::vector<std::uint8_t>& tracked, FrameMatrix& poses) {
-  constexpr Eigen::Index kFirst = 3;
   for (Eigen::Index t = 0; t < poses.rows(); ++t) {
     if (tracked[static_cast<std::size_t>(t)] != 0) {
       continue;
     }
-    for (Eigen::Index at = kFirst; at < poses.cols(); at += kSpacePoseSize) {
+    for (Eigen::Index at = kRotation; at < poses.cols(); at += kSpacePoseSize) {
       poses.row(t).segment<4>(at).normalize();
     }
   }

@@ -17,7 +17,8 @@ void require_state_of(const ArmDescription& arm, const ArmState& state);
 /// backbone (lost, occluded), its backbone is filled in on the straight line between the tracked
 /// frames before and after it (at the ends: the nearest), and marked in `Episode::tracked`. So
 /// windows stay unbroken, and the backbone is not taken for a measurement. A sample that a driver
-/// sends again, as it has no newer one, is such a frame too, and its time is filled in likewise.
+/// sends again, as it has no newer one, is such a frame too, and its time is filled in likewise. In
+/// space the signs of quaternions go on from one tracked frame to the next.
 class EpisodeRecorder {
  public:
   explicit EpisodeRecorder(const ArmDescription& arm) : arm_(arm) {}
