@@ -122,7 +122,7 @@ std::vector<Eigen::VectorXd> cheapest_way(const LapSearch& search, std::vector<S
 
 LapPosture::LapPosture(const NoLoadModel& model, const TipPath& path,
                        const std::vector<PressureLimits>& limits, std::uint64_t seed)
-    : lap_s_(path.lap_s()) {
+    : lap_s_(path.lap_s()), closes_(path.closes()) {
   for (int s = 0; s < model.segment_count(); ++s) {
     is_known_ = is_known_ || model.curvature_limit_per_m(s) > 0.0;
   }
@@ -152,7 +152,8 @@ Eigen::VectorXd LapPosture::at(double seconds) const {
   if (seconds <= 0.0) {
     return points_kpa_.front();
   }
-  const double share = std::fmod(seconds, lap_s_) / lap_s_ * double(points_kpa_.size() - 1);
+  const double in_lap_s = closes_ ? std::fmod(seconds, lap_s_) : std::min(seconds, lap_s_);
+  const double share = in_lap_s / lap_s_ * double(points_kpa_.size() - 1);
   const auto before = std::min(static_cast<std::size_t>(share), points_kpa_.size() - 2);
   const double rest = share - double(before);
   return (1.0 - rest) * points_kpa_[before] + rest * points_kpa_[before + 1];

@@ -63,6 +63,19 @@ TEST(LapPosture, RepeatsForItsSeedAndIsStillBeforeThePath) {
   EXPECT_EQ(a.at(-2.0), a.at(0.0));
 }
 
+TEST(LapPosture, StaysAtTheEndOfAPathThatDoesNotClose) {
+  const ArmDescription arm =
+      load_arm(std::filesystem::path(LIMBER_SOURCE_DIR) / "arms/three_segment.yaml");
+  TipPath arc = circle(1);
+  arc.time_s.resize(100);  // half of it
+  arc.point_m.resize(100);
+  const LapPosture posture(NoLoadModel(arm), arc, limits_of(arm), 1);
+  const Eigen::VectorXd& end_kpa = posture.points_kpa().back();
+  EXPECT_EQ(posture.at(arc.lap_s()), end_kpa);
+  EXPECT_EQ(posture.at(arc.lap_s() + 0.6), end_kpa) << "the tracker looks ahead";
+  EXPECT_FALSE(end_kpa.isApprox(posture.at(0.0), 0.1));
+}
+
 /// Largest distance of the model's tip from the path in the second lap of such set points.
 double farthest_m(const ArmDescription& arm, const MotionModel& model, const TipPath& path,
                   const LapPosture& posture) {

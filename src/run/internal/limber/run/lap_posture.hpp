@@ -25,7 +25,8 @@ class LapPosture {
   /// set points are zero then.
   bool is_known() const { return is_known_; }
 
-  /// Set points n at a time of the path, any lap; before the path those of its start.
+  /// Set points n at a time of the path, any lap; before the path those of its start, and after one
+  /// that does not close those of its end.
   Eigen::VectorXd at(double seconds) const;
 
   /// At equal times over a lap, its first and last point included.
@@ -39,6 +40,7 @@ class LapPosture {
 
  private:
   double lap_s_;
+  bool closes_;
   bool is_known_ = false;
   std::vector<Eigen::VectorXd> points_kpa_;  // at equal times over a lap, first and last included
 };
