@@ -1,7 +1,7 @@
 """The half of a driver that is the same for every device: limber's protocol on standard input and output (docs/driver.md),
 and the deadman. A driver is a device with four methods, given to `serve`:
 
-    limits_kpa(hello)   the device's own limits, a list with one number per segment
+    limits_kpa(hello)   the device's own limits, a list with one number per segment; `set` gets nothing beyond them
     set(pressures_kpa)  hands the device these set points, gauge, signed, one per segment, and takes a sample
     vent()              opens every vent valve, and takes a sample; has to work at any time, more than once
     read()              (time_s, pressures_kpa, shape): that sample. time_s is on the device's or the driver's clock
@@ -20,6 +20,7 @@ import time
 PROTOCOL = 1
 SILENT_FRAMES = 3  # without a request: vent
 MAX_LINE = 1 << 20
+ROUNDING_KPA = 1e-3  # of set points, beyond a limit
 
 
 class Lines:
@@ -55,15 +56,26 @@ def state(request, device, setpoints):
             key: shape}
 
 
+def require_within(limits_kpa, pressures_kpa):
+    """@throws ValueError for set points that the device is never to get, whoever asks for them."""
+    if len(pressures_kpa) != len(limits_kpa):
+        raise ValueError(f"{len(pressures_kpa)} set points; expected {len(limits_kpa)}")
+    for segment, (limit, kpa) in enumerate(zip(limits_kpa, pressures_kpa)):
+        if not abs(kpa) <= limit + ROUNDING_KPA:  # NaN is not, either
+            raise ValueError(f"the set point of segment {segment} is {kpa} kPa; this driver's limit is {limit} kPa")
+
+
 def answer(request, device, session):
     """One request. @return whether there will be more."""
     kind = request["type"]
     if kind == "hello":
-        session.update(period_s=1.0 / request["rate_hz"], zero=[0.0] * request["segments"])
+        session.update(period_s=1.0 / request["rate_hz"], zero=[0.0] * request["segments"],
+                       limits_kpa=device.limits_kpa(request))
         send({"type": "hello", "protocol": PROTOCOL, "driver": session["name"], "device": session["device"],
               "rate_hz": request["rate_hz"], "segments": request["segments"], "tracked": session["tracked"], "real_time": session["real_time"],
-              "limit_kpa": device.limits_kpa(request)})
+              "limit_kpa": session["limits_kpa"]})
     elif kind == "set":
+        require_within(session["limits_kpa"], request["pressure_kpa"])
         session["vented"] = False
         in_force = session.get("in_force", session["zero"])
         device.set(request["pressure_kpa"])

@@ -194,6 +194,16 @@ class SerialText(InFolder):
         result = self.collect("--plan", "p.json", "--environment", "e.yaml", "--out", "run.h5", code=3)
         self.assertIn("the board did not answer 'V'", result.stderr)
 
+    def test_a_set_point_beyond_its_limit_is_a_fault_and_never_reaches_the_board(self):
+        for pressures, message in (([12.5, -100.1], "segment 1 is -100.1 kPa; this driver's limit is 100.0 kPa"),
+                                   ([float("nan"), 0.0], "segment 0 is nan kPa"), ([12.5], "1 set points; expected 2")):
+            answer = self.talk(self.HELLO, {**self.SET, "pressure_kpa": pressures})[1]
+            self.assertEqual(answer["type"], "fault")
+            self.assertIn(message, answer["message"])
+        self.assertFalse([line for _, line in self.board.heard if line.startswith("S")])
+        rounded = self.talk(self.HELLO, {**self.SET, "pressure_kpa": [100.0005, -100.0]})[1]
+        self.assertEqual(rounded["type"], "state")
+
     def test_another_arms_board_is_refused(self):
         answer = self.talk({**self.HELLO, "segments": 3})[0]
         self.assertEqual(answer["type"], "fault")
@@ -260,6 +270,12 @@ class ModbusTcp(InFolder):
         self.assertIn([125, 0, 0, 300], terminal.written)
         self.assertEqual(answers[1]["pressure_kpa"], [12.5, -30.0])
         self.assertEqual(terminal.written[-1], [0, 0, 0, 0])  # vented at the end of its input
+
+    def test_a_set_point_beyond_its_limit_reaches_no_register(self):
+        terminal, answers = self.talk(SerialText.HELLO, {**SerialText.SET, "pressure_kpa": [80.1, 0.0]})
+        self.assertEqual(answers[1]["type"], "fault")
+        self.assertTrue(terminal.written)
+        self.assertFalse(any(any(registers) for registers in terminal.written))
 
     def test_a_terminal_that_refuses_is_a_fault(self):
         self.refuses = True
