@@ -124,8 +124,12 @@ class EpisodeRun {
   }
 
   [[noreturn]] void refuse_unreached(const Motion& motion, double waited_s) const {
+    Eigen::VectorXd in_tolerances = distances_kpa(motion.setpoint_kpa);
+    for (Eigen::Index s = 0; s < in_tolerances.size(); ++s) {
+      in_tolerances[s] /= tolerance_kpa(s);
+    }
     Eigen::Index worst = 0;
-    distances_kpa(motion.setpoint_kpa).maxCoeff(&worst);
+    in_tolerances.maxCoeff(&worst);
     throw SystemFault(fmt::format(
         "{}: {} is at {:.1f} {unit} after {} s at set point {:.1f} {unit}; expected to be within "
         "{:.1f} {unit}{}",
