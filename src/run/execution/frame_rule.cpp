@@ -12,7 +12,9 @@ namespace limber {
 
 void require_frame_rule(const ArmDescription& arm, int frame, const Pressures& before_kpa,
                         const Pressures& setpoint_kpa) {
-  constexpr double kRounding = 1e-3;  // [kPa] of float32 set points and their sums
+  // Of float32 set points and their sums: [kPa], or in larger numbers of the largest command.
+  constexpr double kRounding = 1e-3;
+  constexpr double kRoundingShare = 1e-5;
   const double step_kpa = arm.pressure_step_limit_kpa();
   for (Eigen::Index i = 0; i < arm.channel_count(); ++i) {
     const PressureLimits& limits = arm.limits_of_channel(static_cast<int>(i));
@@ -22,7 +24,8 @@ void require_frame_rule(const ArmDescription& arm, int frame, const Pressures& b
                                    channel_name(arm, i), frame_name(frame), value, arm.command.unit,
                                    to_string(limits)));
     }
-    if (!(std::abs(value - double(before_kpa[i])) <= step_kpa + kRounding)) {
+    const double rounding = std::max(kRounding, kRoundingShare * limits.largest_kpa());
+    if (!(std::abs(value - double(before_kpa[i])) <= step_kpa + rounding)) {
       throw InputError(fmt::format(
           "controller: set point of {} in {} changes from {} to {} {unit}; a frame allows "
           "{} {unit}",

@@ -20,6 +20,25 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
+// In steps of motors, say: beyond 32768, float32 has every 256th part of one.
+TEST(FrameRule, AllowsWhatItMakesOfCommandsInLargeUnits) {
+  constexpr double kStep = 1250.0 + 0.55 / 256.0;
+  ArmDescription arm = small_arm();
+  arm.pressure_rate_limit_kpa_per_s = kStep * arm.frame_rate_hz;
+  for (Segment& segment : arm.segments) {
+    segment.pressure_limit_kpa = 50000.0;
+  }
+  Pressures at = Pressures::Zero(2);
+  for (int frame = 0; frame < 45; ++frame) {
+    const Pressures next = within_frame_rule(arm, at, Eigen::Vector2d(5e4, -5e4));
+    EXPECT_NO_THROW(require_frame_rule(arm, frame, at, next)) << frame;
+    at = next;
+  }
+  EXPECT_EQ(at, Pressures(Eigen::Vector2f(5e4F, -5e4F)));
+  EXPECT_THAT([&] { require_frame_rule(arm, 0, at, at - Pressures::Unit(2, 0) * 1251.0F); },
+              ThrowsMessage<InputError>(HasSubstr("segment 0")));
+}
+
 /// Says what a function of the frame says.
 class Scripted final : public Controller {
  public:
