@@ -64,6 +64,7 @@ void require_state_of(const ArmDescription& arm, const ArmState& state) {
         channels, arm.point_count()));
   }
   if (!std::isfinite(state.time_s) || !state.pressure_kpa.allFinite() ||
+      (state.setpoint_kpa && !state.setpoint_kpa->allFinite()) ||
       !std::all_of(shape.begin(), shape.end(), [](float value) { return std::isfinite(value); })) {
     throw SystemFault(
         fmt::format("the arm returned a number that is not finite at {:.3f} s", state.time_s));

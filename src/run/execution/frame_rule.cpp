@@ -16,6 +16,11 @@ void require_frame_rule(const ArmDescription& arm, int frame, const Pressures& b
   constexpr double kRounding = 1e-3;
   constexpr double kRoundingShare = 1e-5;
   const double step_kpa = arm.pressure_step_limit_kpa();
+  if (setpoint_kpa.size() != arm.channel_count()) {
+    throw InputError(fmt::format("controller: {} set points in {}; arm '{}' has {} {}",
+                                 setpoint_kpa.size(), frame_name(frame), arm.name,
+                                 arm.channel_count(), arm.is_spatial() ? "chambers" : "segments"));
+  }
   for (Eigen::Index i = 0; i < arm.channel_count(); ++i) {
     const PressureLimits& limits = arm.limits_of_channel(static_cast<int>(i));
     const double value = setpoint_kpa[i];

@@ -4,6 +4,7 @@
 #include <thread>
 #include <utility>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "limber/common/error.hpp"
@@ -90,6 +91,16 @@ TEST_F(ControllerTest, ThePlansOwnSetPointsGiveThePlansRun) {
   EXPECT_EQ(result.goal_error.position_m, open.goal_error.position_m);
   ASSERT_TRUE(result.prediction);
   EXPECT_EQ(result.prediction->mean_m, open.prediction->mean_m);
+}
+
+TEST_F(ControllerTest, SetPointsOfAnotherArmAreRefusedAndTheArmIsVented) {
+  for (const int size : {0, 1, 3}) {
+    int vents = 0;
+    EXPECT_THAT([&] { (void)run([=](int) { return Pressures(Pressures::Zero(size)); }, &vents); },
+                ThrowsMessage<InputError>(HasSubstr(
+                    fmt::format("{} set points in frame 0; arm 'small' has 2 segments", size))));
+    EXPECT_GE(vents, 1);
+  }
 }
 
 TEST_F(ControllerTest, SetPointsBeyondLimitOrStepAreRefusedByNameAndTheArmIsVented) {

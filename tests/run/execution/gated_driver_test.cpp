@@ -168,6 +168,9 @@ TEST_F(GatedDriverTest, AStateOfAnotherArmIsAFault) {
   wrong.pressure_kpa[1] = none;
   EXPECT_THAT(fault_of(wrong), HasSubstr("not finite"));
   wrong = right;
+  wrong.setpoint_kpa = Pressures::Constant(2, none);
+  EXPECT_THAT(fault_of(wrong), HasSubstr("not finite"));
+  wrong = right;
   wrong.time_s = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT(fault_of(wrong), HasSubstr("not finite"));
 }

@@ -31,7 +31,8 @@ enum class ExecutionStatus {
 
 const char* to_string(ExecutionStatus status);
 
-/// @throws InputError naming frame, segment and limit if a controller's set points break them.
+/// @throws InputError naming frame, segment and limit if a controller's set points break them, or
+/// are not one for each channel.
 void require_frame_rule(const ArmDescription& arm, int frame, const Pressures& before_kpa,
                         const Pressures& setpoint_kpa);
 
