@@ -34,6 +34,10 @@ export class ArmLink {
   get runs(): boolean {
     return this.status.state === 'running' || this.ownRun;
   }
+  /** Whether the arm may be under pressure still: the studio keeps saying so until the next arming. */
+  get isAlarm(): boolean {
+    return this.status.message.includes('NOT CONFIRMED');
+  }
   /** The last frame of this page's run, while that goes on. */
   get live(): ArmFrame | null {
     return this.runs && this.ownRun ? this.frame : null;

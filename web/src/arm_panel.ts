@@ -60,8 +60,7 @@ export class ArmPanel {
         }),
         h('div', { class: 'row' }, arm));
     }
-    const isAlarm = message.includes('NOT CONFIRMED');
-    if (message) parts.push(h('p', { class: isAlarm ? 'alarm' : 'outcome', role: isAlarm ? 'alert' : 'status' }, message));
+    if (message) parts.push(h('p', { class: armLink.isAlarm ? 'alarm' : 'outcome' }, message)); // read out below VENT
     if (recording) parts.push(h('p', { class: 'hint' }, `Recorded: ${recording}`));
     return parts;
   }

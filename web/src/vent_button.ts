@@ -25,9 +25,13 @@ function onVentKey(app: App, event: KeyboardEvent, vent: () => void): void {
   if (!event.repeat) vent();
 }
 
-/** The arm's state beside the button. */
-export function showArmState({ armLink: { status: { state }, isMine } }: App): void {
+/** The arm's state beside the button, and below it what became of it last: in every mode. */
+export function showArmState({ armLink: { status: { state, message }, isMine, isAlarm } }: App): void {
   const words = { off: '', armed: isMine ? 'armed here' : 'armed by another page', running: 'the arm moves' };
   changeText(byId('arm-state'), words[state]);
   byId('arm-state').className = state;
+  const line = byId('arm-message');
+  line.className = isAlarm ? 'alarm' : 'outcome';
+  line.setAttribute('role', isAlarm ? 'alert' : 'status'); // before the words, which it is read with
+  changeText(line, message);
 }

@@ -1,0 +1,25 @@
+import { beforeEach, expect, it } from 'vitest';
+import { showArmState } from '../src/vent_button';
+import { fakePage, type FakeElement } from './fake_page';
+
+let byId: (id: string) => FakeElement;
+beforeEach(() => {
+  byId = fakePage();
+});
+
+/** Of an arm that this page sees, armed by another one. */
+const shown = (link: object): void => showArmState({ armLink: {
+  status: { state: 'armed', message: '', recording: '' }, isMine: false, isAlarm: false, ...link,
+} } as never);
+
+it('what became of the arm stands beside VENT, and is an alarm where a vent is not confirmed', () => {
+  const line = byId('arm-message');
+  shown({ status: { state: 'off', message: 'vented: 0.8 kPa after 0.6 s' } });
+  expect([line.textContent, line.className, line.getAttribute('role')])
+    .toEqual(['vented: 0.8 kPa after 0.6 s', 'outcome', 'status']);
+  shown({ status: { state: 'off', message: 'VENT NOT CONFIRMED: 31 kPa' }, isAlarm: true });
+  expect([line.textContent, line.className, line.getAttribute('role')])
+    .toEqual(['VENT NOT CONFIRMED: 31 kPa', 'alarm', 'alert']);
+  shown({});
+  expect(line.textContent).toBe('');
+});
