@@ -246,8 +246,11 @@ export function post<T>(path: string, body: object): Promise<T> {
 const kVentTries = 100; // where a crowd of other connections costs it its own
 const kVentPatience_ms = 500;
 
-/** Behind nothing: what else this page has asked for gives up its connections first. */
-export async function vent(): Promise<void> {
+/**
+ * Behind nothing: what else this page has asked for gives up its connections first.
+ * @param answered  told after each try whether somebody has answered
+ */
+export async function vent(answered: (on: boolean) => void = () => {}): Promise<void> {
   others.abort();
   others = new AbortController();
   lastPost = noneYet();
@@ -260,10 +263,13 @@ export async function vent(): Promise<void> {
     });
   for (let tries = 1; ; ++tries) {
     try {
-      await read(await send());
+      const response = await send();
+      answered(true);
+      await read(response);
       return;
     } catch (error) {
       if (error instanceof Refusal) throw error;
+      answered(false);
       if (tries === kVentTries) throw new Refusal(0, kSilent);
     }
   }

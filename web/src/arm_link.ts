@@ -17,6 +17,9 @@ export class ArmLink {
   private renewed = ''; // the same, until VENT is pressed
   private worker: Worker | null = null;
   private ready: Promise<void> | null = null;
+  private ventNow: Promise<void> | null = null;
+  /** Whether VENT was pressed, and its last try reached nobody. */
+  isUnanswered = false;
 
   constructor(
     private readonly tab: () => string,
@@ -83,10 +86,24 @@ export class ArmLink {
   stop(): Promise<unknown> {
     return post('arm/stop', { lease: this.lease });
   }
+  /** The same one until that has ended, however often it is pressed: a press is a pointer's, then a click's. */
   vent(): Promise<void> {
     this.renewed = ''; // where the request is lost, the lease runs out
     this.renews(false);
-    return vent();
+    if (this.ventNow) return this.ventNow;
+    this.ventNow = vent((on) => {
+      const isNews = this.isUnanswered === on;
+      this.isUnanswered = !on;
+      if (isNews) this.changed();
+    }).finally(() => {
+      this.ventNow = null;
+      this.changed();
+    });
+    this.changed();
+    return this.ventNow;
+  }
+  get isVenting(): boolean {
+    return this.ventNow !== null;
   }
 
   /** Whether the lease, if there is one, is renewed. */
@@ -96,6 +113,7 @@ export class ArmLink {
 
   onStatus(status: ArmStatus): void {
     this.status = status;
+    if (!this.isVenting) this.isUnanswered = false; // the studio is there again
     if (status.state !== 'running') {
       this.frame = null;
       this.ownRun = false;

@@ -1,6 +1,8 @@
 import type { App } from './app';
 import { byId, changeText } from './dom';
 
+const kUnanswered = 'VENT is not answered: shut off the supply.';
+
 /** VENT and its keys, from when the project is known. */
 export function offerVent(app: App): void {
   const { driver } = app.project;
@@ -26,12 +28,14 @@ function onVentKey(app: App, event: KeyboardEvent, vent: () => void): void {
 }
 
 /** The arm's state beside the button, and below it what became of it last: in every mode. */
-export function showArmState({ armLink: { status: { state, message }, isMine, isAlarm } }: App): void {
+export function showArmState({ armLink }: App): void {
+  const { status: { state, message }, isMine, isVenting, isUnanswered } = armLink;
   const words = { off: '', armed: isMine ? 'armed here' : 'armed by another page', running: 'the arm moves' };
-  changeText(byId('arm-state'), words[state]);
+  changeText(byId('arm-state'), isVenting ? 'Venting …' : words[state]);
   byId('arm-state').className = state;
   const line = byId('arm-message');
+  const isAlarm = isUnanswered || armLink.isAlarm;
   line.className = isAlarm ? 'alarm' : 'outcome';
   line.setAttribute('role', isAlarm ? 'alert' : 'status'); // before the words, which it is read with
-  changeText(line, message);
+  changeText(line, isUnanswered ? kUnanswered : message);
 }

@@ -160,4 +160,33 @@ describe('the arm, as a page sees it', () => {
     link.renews(true);
     expect(told).toEqual(['', 'secret', '', '']);
   });
+  it('says at once that VENT is not answered, goes on trying, and takes a second press for the first', async () => {
+    const tries: ((error: Error) => void)[] = [];
+    const answers: ((response: Response) => void)[] = [];
+    vi.stubGlobal('fetch', () => new Promise((resolve, reject) => {
+      answers.push(resolve);
+      tries.push(reject);
+    }));
+    const vented = link.vent();
+    expect(link.vent()).toBe(vented);
+    expect([tries.length, link.isVenting, link.isUnanswered]).toEqual([1, true, false]);
+    tries[0](new Error('timed out'));
+    await vi.waitFor(() => expect(tries).toHaveLength(2));
+    const before = changes;
+    expect(link.isUnanswered).toBe(true);
+    tries[1](new Error('timed out'));
+    await vi.waitFor(() => expect(tries).toHaveLength(3));
+    link.onStatus({ state: 'running', message: '', recording: '' });
+    expect([link.isUnanswered, changes - before]).toEqual([true, 1]);
+    answers[2](new Response('{}'));
+    await vented;
+    expect([link.isVenting, link.isUnanswered]).toEqual([false, false]);
+  });
+  it('keeps saying so once it has given up, until the studio is heard', async () => {
+    vi.stubGlobal('fetch', () => Promise.reject(new Error('refused')));
+    await expect(link.vent()).rejects.toThrow('does not answer');
+    expect([link.isVenting, link.isUnanswered]).toEqual([false, true]);
+    link.onStatus({ state: 'off', message: '', recording: '' });
+    expect(link.isUnanswered).toBe(false);
+  });
 });

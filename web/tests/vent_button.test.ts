@@ -23,3 +23,11 @@ it('what became of the arm stands beside VENT, and is an alarm where a vent is n
   shown({});
   expect(line.textContent).toBe('');
 });
+
+it('a VENT that is under way says so, and sends to the supply where nobody answers', () => {
+  shown({ isVenting: true });
+  expect([byId('arm-state').textContent, byId('arm-message').textContent]).toEqual(['Venting …', '']);
+  shown({ isVenting: true, isUnanswered: true });
+  expect(byId('arm-message').textContent).toBe('VENT is not answered: shut off the supply.');
+  expect(byId('arm-message').getAttribute('role')).toBe('alert');
+});
