@@ -97,7 +97,7 @@ export class ArmLink {
       if (isNews) this.changed();
     }).finally(() => {
       this.ventNow = null;
-      this.changed();
+      this.drop(); // over by now: what is armed next is another page's, even if nobody tells this one of the end
     });
     this.changed();
     return this.ventNow;

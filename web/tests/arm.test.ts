@@ -123,11 +123,13 @@ describe('the arm, as a page sees it', () => {
   const told: string[] = [];
   let changes = 0;
   let link: ArmLink;
+  let worker: { onmessage: (message: { data: string }) => void };
   beforeEach(() => {
     vi.stubGlobal('window', { addEventListener: () => {} });
     vi.stubGlobal('Worker', class {
       onmessage: (message: { data: string }) => void = () => {};
       constructor() {
+        worker = this;
         queueMicrotask(() => this.onmessage({ data: 'ready' }));
       }
       postMessage(lease: string): void {
@@ -158,7 +160,21 @@ describe('the arm, as a page sees it', () => {
     link.renews(true);
     await link.vent();
     link.renews(true);
-    expect(told).toEqual(['', 'secret', '', '']);
+    expect(told).toEqual(['', 'secret', '', '', '']);
+  });
+  it('takes the arm for armed by another page once its own lease is over, whether or not it saw that end', async () => {
+    const armed = { state: 'armed', message: '', recording: '' } as const;
+    vi.stubGlobal('fetch', async () => new Response('{"lease": "secret"}'));
+    link.prepare();
+    await link.arm();
+    link.onStatus(armed);
+    expect(link.isMine).toBe(true);
+    await link.vent(); // and the stream is lost before it says so
+    link.onStatus(armed);
+    expect(link.isMine).toBe(false);
+    await link.arm();
+    worker.onmessage({ data: 'over' }); // the answer to the first renewal after a loss
+    expect(link.isMine).toBe(false);
   });
   it('says at once that VENT is not answered, goes on trying, and takes a second press for the first', async () => {
     const tries: ((error: Error) => void)[] = [];
