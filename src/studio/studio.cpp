@@ -306,7 +306,8 @@ class Studio::Server {
         "text/event-stream",
         [this, id](std::size_t, httplib::DataSink& sink) {
           const std::string event = tabs_.pop_event(id);
-          const std::string piece = event.empty() ? ":\n\n" : event;  // shows whether it is there
+          // A beat shows each side whether the other one is there.
+          const std::string piece = event.empty() ? "event: beat\ndata: {}\n\n" : event;
           return !stopping_ && sink.write(piece.data(), piece.size());
         },
         [this, id](bool) { tabs_.close(id); });

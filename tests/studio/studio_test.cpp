@@ -283,6 +283,14 @@ TEST_F(StudioServer, StreamsAreFewAndEndWithTheirPage) {
   EXPECT_THAT(answer, HasSubstr("event: tab")) << "the closed page's place is free again";
 }
 
+// A page can't see a connection that stalls: its scripts are told of events alone.
+TEST_F(StudioServer, AStreamWithoutNewsBeats) {
+  RawClient page(studio_->port());
+  page.send("GET /api/events HTTP/1.1\r\n" + own_headers() + "\r\n");
+  const std::string beat = "event: beat\ndata: {}\n\n";
+  EXPECT_THAT(page.read_until(beat), HasSubstr(beat));
+}
+
 TEST_F(StudioServer, ATreeIsShownWhileItGrows) {
   RawClient page(studio_->port());
   nlohmann::json request = question(page);

@@ -276,21 +276,37 @@ export async function vent(answered: (on: boolean) => void = () => {}): Promise<
 }
 
 const kAskAgain_ms = 2000;
+const kSilence_ms = 2000; // ten of the studio's beats
 
 /**
  * The page's own stream. A browser connects again by itself after a loss, as another tab; but not
  * after a refusal.
+ * @param hears  told of a silence, which a connection outlives where a tunnel stalls, and of every event
  */
-export function listen(handlers: Handlers, lost: (isRefused: boolean) => void): void {
+export function listen(handlers: Handlers, lost: (isRefused: boolean) => void, hears: (on: boolean) => void): void {
   const source = new EventSource('/api/events');
+  let silence: ReturnType<typeof setTimeout> | undefined;
+  // Each event puts the timer off: late in a tab in the background, it still finds none that has run out.
+  const wait = () => {
+    clearTimeout(silence);
+    silence = setTimeout(() => hears(false), kSilence_ms);
+  };
+  const heard = () => {
+    wait();
+    hears(true);
+  };
+  wait();
+  source.addEventListener('beat', heard);
   for (const kind of Object.keys(handlers) as (keyof Events)[]) {
     source.addEventListener(kind, (message) => {
+      heard();
       (handlers[kind] as (event: unknown) => void)(JSON.parse((message as MessageEvent).data));
     });
   }
   source.onerror = () => {
     const isRefused = source.readyState === EventSource.CLOSED;
+    clearTimeout(silence); // it is lost already
     lost(isRefused);
-    if (isRefused) setTimeout(() => listen(handlers, lost), kAskAgain_ms);
+    if (isRefused) setTimeout(() => listen(handlers, lost, hears), kAskAgain_ms);
   };
 }

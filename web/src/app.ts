@@ -112,7 +112,7 @@ export class App {
       if (this.isChanged) event.preventDefault();
     });
     this.enter('plan');
-    listen(handlersOf(this), (isRefused) => this.lost(isRefused));
+    listen(handlersOf(this), (isRefused) => this.lost(isRefused), (on) => this.armLink.sees(on));
   }
 
   /** The server has this page for that tab from now on. */
@@ -126,6 +126,7 @@ export class App {
   }
   private lost(isRefused: boolean): void {
     this.tab = '';
+    this.armLink.sees(false);
     if (!isRefused) return this.say(kLost);
     this.armLink.renews(false); // a page that can't see the arm has no business with it
     this.readProject().then(

@@ -9,6 +9,8 @@ export type ArmRun = RunOptions & { limit_scale: number };
  */
 export class ArmLink {
   status: ArmStatus = { state: 'off', message: '', recording: '' };
+  /** Whether the studio is heard: else nobody knows what has become of `status`. */
+  isSeen = true;
   private frame: ArmFrame | null = null;
   paused = false;
   /** Whether what runs, or has just run, is this page's plan. */
@@ -111,6 +113,11 @@ export class ArmLink {
     this.worker?.postMessage(on ? this.renewed : '');
   }
 
+  sees(on: boolean): void {
+    if (on === this.isSeen) return;
+    this.isSeen = on;
+    this.changed();
+  }
   onStatus(status: ArmStatus): void {
     this.status = status;
     if (!this.isVenting) this.isUnanswered = false; // the studio is there again

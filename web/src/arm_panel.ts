@@ -27,9 +27,9 @@ export class ArmPanel {
   /** Redraws only what has changed: somebody may be at a control. */
   refresh(plan: Plan | null): void {
     if (!this.isThere) return;
-    const { status, isMine, live } = this.app.armLink;
+    const { status, isMine, isSeen, live } = this.app.armLink;
     const needed = plan ? neededScale(this.app.arm, plan.setpoints_kpa) : 0;
-    const shown = JSON.stringify([status, isMine, live?.holds, this.limitScale, this.isConfirmed, needed]);
+    const shown = JSON.stringify([status, isMine, isSeen, live?.holds, this.limitScale, this.isConfirmed, needed]);
     if (shown === this.drawn) return;
     this.drawn = shown;
     refill(this.element, ...this.parts(needed));
@@ -39,7 +39,9 @@ export class ArmPanel {
     const { armLink, project } = this.app;
     const { state, message, recording } = armLink.status;
     const parts: HTMLElement[] = [h('p', { class: 'hint' }, project.driver)];
-    if (state === 'running') {
+    if (!armLink.isSeen) {
+      parts.push(h('p', { class: 'warning' }, 'The studio is not heard: what the arm does is not known.'));
+    } else if (state === 'running') {
       const holds = armLink.live?.holds ?? '';
       parts.push(h('p', { class: 'status busy' }, h('strong', {}, holds ? `Holds: ${holds}` : 'Moves')));
     } else if (state === 'armed' && !armLink.isMine) {

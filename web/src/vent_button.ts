@@ -29,10 +29,10 @@ function onVentKey(app: App, event: KeyboardEvent, vent: () => void): void {
 
 /** The arm's state beside the button, and below it what became of it last: in every mode. */
 export function showArmState({ armLink }: App): void {
-  const { status: { state, message }, isMine, isVenting, isUnanswered } = armLink;
+  const { status: { state, message }, isMine, isSeen, isVenting, isUnanswered } = armLink;
   const words = { off: '', armed: isMine ? 'armed here' : 'armed by another page', running: 'the arm moves' };
-  changeText(byId('arm-state'), isVenting ? 'Venting …' : words[state]);
-  byId('arm-state').className = state;
+  changeText(byId('arm-state'), isVenting ? 'Venting …' : isSeen ? words[state] : 'the arm is not seen');
+  byId('arm-state').className = isSeen ? state : 'lost';
   const line = byId('arm-message');
   const isAlarm = isUnanswered || armLink.isAlarm;
   line.className = isAlarm ? 'alarm' : 'outcome';

@@ -46,21 +46,29 @@ describe('VENT', () => {
 });
 
 describe('the event stream', () => {
-  it('is asked for again once it was refused, and not where a browser connects again by itself', () => {
-    vi.useFakeTimers();
-    const sources: { readyState: number; onerror: () => void }[] = [];
-    class Source {
-      static CLOSED = 2;
-      readyState = 0;
-      onerror = () => {};
-      constructor() {
-        sources.push(this);
-      }
-      addEventListener(): void {}
+  class Source {
+    static CLOSED = 2;
+    readyState = 0;
+    onerror = () => {};
+    tell: Record<string, (message: { data: string }) => void> = {};
+    constructor() {
+      sources.push(this);
     }
+    addEventListener(kind: string, listener: (message: { data: string }) => void): void {
+      this.tell[kind] = listener;
+    }
+  }
+  let sources: Source[];
+  beforeEach(() => {
+    sources = [];
+    vi.useFakeTimers();
     vi.stubGlobal('EventSource', Source);
+  });
+  afterEach(() => void vi.useRealTimers());
+
+  it('is asked for again once it was refused, and not where a browser connects again by itself', () => {
     const lost: boolean[] = [];
-    listen({} as never, (isRefused) => lost.push(isRefused));
+    listen({} as never, (isRefused) => lost.push(isRefused), () => {});
     sources[0].onerror();
     vi.advanceTimersByTime(10_000);
     expect(sources).toHaveLength(1);
@@ -69,7 +77,30 @@ describe('the event stream', () => {
     vi.advanceTimersByTime(10_000);
     expect(sources).toHaveLength(2);
     expect(lost).toEqual([false, true]);
-    vi.useRealTimers();
+  });
+  it('that falls silent is noticed, though its connection stays, and heard again with its next word', () => {
+    let isHeard = true;
+    listen({ arm: () => {} } as never, () => {}, (on) => (isHeard = on));
+    const { tell } = sources[0];
+    for (const kind of ['beat', 'arm', 'beat']) {
+      vi.advanceTimersByTime(1500);
+      tell[kind]({ data: '{}' });
+      expect(isHeard).toBe(true);
+    }
+    vi.advanceTimersByTime(2000);
+    expect(isHeard).toBe(false);
+    tell.beat({ data: '{}' });
+    expect(isHeard).toBe(true);
+  });
+  it('that was lost does not call the next one silent', () => {
+    const heard: boolean[] = [];
+    listen({} as never, () => {}, (on) => heard.push(on));
+    sources[0].readyState = Source.CLOSED;
+    sources[0].onerror();
+    vi.advanceTimersByTime(2000); // asked for again
+    sources[1].tell.beat({ data: '{}' });
+    vi.advanceTimersByTime(1500);
+    expect(heard).toEqual([true]);
   });
 });
 

@@ -9,7 +9,7 @@ beforeEach(() => {
 
 /** Of an arm that this page sees, armed by another one. */
 const shown = (link: object): void => showArmState({ armLink: {
-  status: { state: 'armed', message: '', recording: '' }, isMine: false, isAlarm: false, ...link,
+  status: { state: 'armed', message: '', recording: '' }, isMine: false, isAlarm: false, isSeen: true, ...link,
 } } as never);
 
 it('what became of the arm stands beside VENT, and is an alarm where a vent is not confirmed', () => {
@@ -22,6 +22,15 @@ it('what became of the arm stands beside VENT, and is an alarm where a vent is n
     .toEqual(['VENT NOT CONFIRMED: 31 kPa', 'alarm', 'alert']);
   shown({});
   expect(line.textContent).toBe('');
+});
+
+it('nothing is said of an arm whose studio is not heard', () => {
+  for (const state of ['off', 'armed', 'running']) {
+    shown({ status: { state, message: '' }, isMine: true, isSeen: false });
+    expect([byId('arm-state').textContent, byId('arm-state').className]).toEqual(['the arm is not seen', 'lost']);
+  }
+  shown({ isMine: true });
+  expect(byId('arm-state').textContent).toBe('armed here');
 });
 
 it('a VENT that is under way says so, and sends to the supply where nobody answers', () => {
