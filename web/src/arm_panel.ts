@@ -51,7 +51,7 @@ export class ArmPanel {
     } else {
       const arm = button('Arm', () => void this.app.attempt(async () => {
         this.isConfirmed = false;
-        this.limitScale = kFirstScale;
+        this.limitScale = Math.min(kFirstScale, project.driver_limit_scale);
         await armLink.arm();
       }), { class: 'danger' });
       arm.disabled = !this.isConfirmed;

@@ -114,11 +114,12 @@ export function planPanel(planner: LivePlanner, unit: string, simple: boolean): 
   return h('div', { class: 'status' }, h('strong', {}, 'Not planned yet'));
 }
 
-/** Shares of the arm's pressure limits, up to the one that the studio was started with. */
+/** Shares of the arm's pressure limits, up to the one that the studio was started with; and the chosen one. */
 export function scaleChoice(label: string, chosen: number, change: (scale: number) => void, highest = 1): HTMLSelectElement {
   const scales = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9].filter((scale) => scale < highest);
+  const offered = [...new Set([...scales, highest, chosen])].sort((a, b) => a - b);
   const select = h('select', { 'aria-label': label },
-    ...[...scales, highest].map((scale) =>
+    ...offered.map((scale) =>
       h('option', { value: scale, selected: scale === chosen }, `${Math.round(100 * scale)} %`)));
   select.addEventListener('change', () => change(Number(select.value)));
   return select;
