@@ -235,11 +235,11 @@ export class PlanMode implements Mode {
       this.show();
     });
   }
-  /** Asks before it replaces a file. */
+  /** Asks before it replaces a file, and replaces the one that it has asked about. */
   private save(path: string, body: object, saved: (name: string) => void = () => {}): void {
     const { app } = this;
+    const name = this.name.value.trim(); // another one may be typed meanwhile
     const send = async (overwrite: boolean): Promise<void> => {
-      const name = this.name.value.trim();
       const answer = await post<{ name: string }>(path, { ...body, tab: app.tab, name, overwrite });
       saved(answer.name);
       app.say(`Saved ${answer.name}`);
