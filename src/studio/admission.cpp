@@ -51,6 +51,10 @@ Outcome Admission::admit(const Request& request, Response& response) {
   if (!is_own_origin(request.get_header_value("Origin"), host, changes)) {
     return refuse(response, kForbidden, "Origin: expected this page");
   }
+  const bool is_of_api = request.path.starts_with("/api/");  // links lead from anywhere to the page
+  if (is_of_api && !is_own_site(request.get_header_value("Sec-Fetch-Site"))) {
+    return refuse(response, kForbidden, "Sec-Fetch-Site: expected same-origin or none");
+  }
   if (request.path == "/" && request.has_param("token")) {
     return enter(request, response);
   }

@@ -86,6 +86,10 @@ bool is_own_origin(std::string_view origin, std::string_view host, bool changes_
   return origin.empty() ? !changes_something : lower_case(origin) == "http://" + lower_case(host);
 }
 
+bool is_own_site(std::string_view sec_fetch_site) {
+  return sec_fetch_site.empty() || sec_fetch_site == "same-origin" || sec_fetch_site == "none";
+}
+
 bool RateLimit::admits(Clock::time_point now) {
   const double seconds = std::chrono::duration<double>(now - last_).count();
   last_ = now;

@@ -23,6 +23,10 @@ bool is_own_host(std::string_view host, std::string_view listen);
 /// something must say where they come from.
 bool is_own_origin(std::string_view origin, std::string_view host, bool changes_something);
 
+/// Whether a browser says with Sec-Fetch-Site that the page itself, or a person, asks. The cookie
+/// is sent from all ports of a host, and a GET may come without an Origin. Scripts say nothing.
+bool is_own_site(std::string_view sec_fetch_site);
+
 /// So many requests per second on the average, and so many at once. Threads: one at a time.
 class RateLimit {
  public:

@@ -31,6 +31,15 @@ TEST(RequestRules, OnlyThePageItselfIsTheOrigin) {
   }
 }
 
+TEST(RequestRules, OnlyThePageItselfOrAPersonIsTheSite) {
+  for (const char* own : {"same-origin", "none", ""}) {
+    EXPECT_TRUE(is_own_site(own)) << own;
+  }
+  for (const char* other : {"same-site", "cross-site", "Same-Origin", "anything"}) {
+    EXPECT_FALSE(is_own_site(other)) << other;
+  }
+}
+
 TEST(RequestRules, ACookieIsFoundByItsWholeName) {
   EXPECT_EQ(cookie_value("a=1; studio=abc; b=2", "studio"), "abc");
   EXPECT_EQ(cookie_value("studio=abc", "studio"), "abc");

@@ -138,6 +138,11 @@ TEST_F(StudioServer, WithTheCookieThereIsThePage) {
   EXPECT_THAT(answer, HasSubstr("<title>limber studio</title>"));
   EXPECT_THAT(answer, HasSubstr("Content-Security-Policy: default-src 'self'"));
   EXPECT_THAT(get("/api/project"), HasSubstr("limber:01_pillar"));
+  EXPECT_THAT(ask("GET /api/project", own_headers() + "Sec-Fetch-Site: same-origin\r\n"),
+              HasSubstr("limber:01_pillar"));
+  EXPECT_THAT(ask("GET /", own_headers() + "Sec-Fetch-Site: cross-site\r\n"),
+              StartsWith("HTTP/1.1 200"))
+      << "a link from elsewhere";
 }
 
 TEST_F(StudioServer, BrowsersThatTakePackedAnswersDoNotWaitForPacking) {
@@ -175,6 +180,10 @@ TEST_F(StudioServer, StrangersGetNothing) {
       {"other port's origin", "POST /api/stop",
        own_host + "Origin: http://127.0.0.1:1\r\n" + cookie() + json},
       {"no origin", "POST /api/stop", own_host + cookie() + json},
+      {"other port's page, reads", "GET /api/project",
+       own_host + cookie() + "Sec-Fetch-Site: same-site\r\n"},
+      {"other site's page, reads", "GET /api/%65vents",
+       own_host + cookie() + "Sec-Fetch-Site: cross-site\r\n"},
       {"no token, write", "POST /api/stop", own_host + origin + json},
   };
   for (const auto& one : kTries) {
