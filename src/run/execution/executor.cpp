@@ -53,6 +53,7 @@ class Execution {
       watch_.start(plan_);
       require_start();
       estimate_.observe(start_kpa, driver_.state());
+      tell({0.0, start_kpa, driver_.state()});
       controller_.begin(
           {arm_, plan_, settings_.hold_s, driver_.is_real_time(), driver_.limits_kpa()});
       follow();
@@ -127,12 +128,16 @@ class Execution {
     estimate_.observe(setpoint_kpa, state);
     motion_ = decision.motion;
     const Environment* now = watch_.take_in(setpoint_kpa, motion_);
-    if (settings_.on_frame) {
-      settings_.on_frame({watch_.frames() * arm_.frame_period_s(), setpoint_kpa, state, now});
-    }
+    tell({watch_.frames() * arm_.frame_period_s(), setpoint_kpa, state, now});
     appeared_ = now != nullptr ? now : appeared_;
     if (decision.plan != nullptr) {
       watch_.compare(*decision.plan, decision.frame);
+    }
+  }
+
+  void tell(const ExecutedFrame& frame) const {
+    if (settings_.on_frame) {
+      settings_.on_frame(frame);
     }
   }
 

@@ -76,20 +76,26 @@ class PunctualArm final : public ArmDriver {
   FakeArm arm_;
 };
 
-TEST_F(Executor, HoldsAsLongAsItIsAskedToAndTellsOfEveryFrame) {
+TEST_F(Executor, HoldsAsLongAsItIsAskedToAndTellsOfTheStartAndEveryFrame) {
   PunctualArm driver(arm_);
   ExecutionSettings settings;
-  std::vector<Pressures> sent;
-  settings.should_hold = [&sent] { return sent.size() >= 5 && sent.size() < 12; };
-  settings.on_frame = [&sent](const ExecutedFrame& frame) { sent.push_back(frame.setpoint_kpa); };
+  std::vector<Pressures> told;
+  std::vector<double> told_kpa;  // measured in the first segment
+  settings.should_hold = [&told] { return told.size() >= 6 && told.size() < 13; };
+  settings.on_frame = [&](const ExecutedFrame& frame) {
+    EXPECT_NEAR(frame.time_s, double(told.size()) * arm_.frame_period_s(), 1e-9);
+    told.push_back(frame.setpoint_kpa);
+    told_kpa.push_back(double(frame.state.pressure_kpa[0]));
+  };
   const ExecutionResult result = execute(arm_, environment_, plan(), driver, settings);
   EXPECT_EQ(result.status, ExecutionStatus::done);
-  ASSERT_EQ(sent.size(), 16U + 7U + 20U);
+  ASSERT_EQ(told.size(), 1U + 16U + 7U + 20U);
   const Plan planned = plan();
-  for (std::size_t k = 0; k < sent.size(); ++k) {
-    const std::size_t frame = k < 5 ? k + 1 : k < 12 ? 5 : std::min<std::size_t>(k - 6, 16);
-    EXPECT_EQ(sent[k], planned.frames[frame].setpoint_kpa) << k;
+  for (std::size_t k = 0; k < told.size(); ++k) {
+    const std::size_t frame = k < 6 ? k : k < 13 ? 5 : std::min<std::size_t>(k - 7, 16);
+    EXPECT_EQ(told[k], planned.frames[frame].setpoint_kpa) << k;
   }
+  EXPECT_EQ(told_kpa.front(), 0.0) << "before the first set points";
   EXPECT_NEAR(result.prediction->max_m, 0.0, 1e-6) << "held frames are compared with nothing";
 }
 

@@ -44,9 +44,9 @@ Pressures within_frame_rule(const std::vector<PressureLimits>& limits, double st
                             const Pressures& before_kpa,
                             const Eigen::Ref<const Eigen::VectorXd>& wanted_kpa);
 
-/// One frame of a run, after its set points were sent; borrowed.
+/// One frame of a run, after its set points were sent, or its start; borrowed.
 struct ExecutedFrame {
-  double time_s = 0.0;  ///< since the run's start
+  double time_s = 0.0;  ///< since the run's start, which is at 0
   const Pressures& setpoint_kpa;
   const ArmState& state;
   const Environment* appeared = nullptr;  ///< with the obstacle, if that has just appeared
@@ -65,7 +65,7 @@ struct ExecutionSettings {
   /// Asked before every set point, in real time only; while true the last set points are sent again
   /// and nobody decides about others. Empty: never.
   std::function<bool()> should_hold = {};
-  /// Told of every frame; the next one waits for it. Empty: nobody is.
+  /// Told of the start, then of every frame; the next one waits for it. Empty: nobody is.
   std::function<void(const ExecutedFrame&)> on_frame = {};
   /// A start whose plates are seen farther than that from the plan's is refused; none: any start.
   std::optional<double> max_start_error_m;
