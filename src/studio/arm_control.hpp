@@ -36,9 +36,15 @@ class ArmControl {
       paused_since_.compare_exchange_strong(no_pause, at.time_since_epoch().count());
     }
   }
+  /// Of a run whose driver keeps no frames: nothing holds its arm.
+  void note_unheld() {
+    is_unheld_ = true;
+    pause(false);  // asked for before that was known
+  }
+  bool is_unheld() const { return is_unheld_; }
   /// Before a run.
   void clear_stop() {
-    stop_ = false;
+    stop_ = is_unheld_ = false;
     pause(false);
   }
 
@@ -55,9 +61,10 @@ class ArmControl {
                                     : "";
   }
   std::string why_held() const {
-    return silence() > kHoldAfter ? "the page that armed the arm is not heard"
-           : is_paused()          ? "paused"
-                                  : "";
+    return is_unheld_               ? ""
+           : silence() > kHoldAfter ? "the page that armed the arm is not heard"
+           : is_paused()            ? "paused"
+                                    : "";
   }
 
  private:
@@ -74,6 +81,7 @@ class ArmControl {
   std::atomic<Clock::rep> heard_ = 0;
   std::atomic<bool> vent_ = false;
   std::atomic<bool> stop_ = false;
+  std::atomic<bool> is_unheld_ = false;
   std::atomic<Clock::rep> paused_since_ = 0;  // 0: it is not
 };
 

@@ -8,10 +8,15 @@ namespace {
 
 using httplib::Response;
 
-void require(bool done, Response& response) {
-  if (!done) {
-    refuse(response, kConflict, "this page has not armed the arm, or not any more");
+/// @param why_not  empty: it is done
+void require_done(const std::string& why_not, Response& response) {
+  if (!why_not.empty()) {
+    refuse(response, kConflict, why_not);
   }
+}
+
+void require(bool done, Response& response) {
+  require_done(done ? "" : "this page has not armed the arm, or not any more", response);
 }
 
 void arm(ArmStation& station, const JsonReader& body, Response& response) {
@@ -36,10 +41,7 @@ void run(ArmStation& station, Tabs& tabs, const JsonReader& body, Response& resp
     return;
   }
   job.found = *std::move(found);
-  const std::string refused = station.run(body.at("lease").text(), std::move(job));
-  if (!refused.empty()) {
-    refuse(response, kConflict, refused);
-  }
+  require_done(station.run(body.at("lease").text(), std::move(job)), response);
 }
 
 }  // namespace
@@ -62,7 +64,7 @@ void add_arm_requests(
     run(own, tabs, body, response);
   });
   post("/api/arm/pause", [&own](const JsonReader& body, Response& response) {
-    require(own.pause(body.at("lease").text(), body.at("paused").boolean()), response);
+    require_done(own.pause(body.at("lease").text(), body.at("paused").boolean()), response);
   });
   post("/api/arm/stop", [&own](const JsonReader& body, Response& response) {
     require(own.stop(body.at("lease").text()), response);

@@ -98,7 +98,7 @@ std::string with_vent(std::string message, const ProcessDriver& driver) {
 
 ArmRunReport run_on_arm(const ArmRunJob& job, const StudioScene& scene,
                         ProcessDriverSettings driver_settings,
-                        const std::filesystem::path& recording, const ArmControl& control,
+                        const std::filesystem::path& recording, ArmControl& control,
                         const std::function<void(const Json&)>& on_frame) {
   const ArmDescription& arm = scene.arm();
   const Environment& environment = job.found.environment;
@@ -114,6 +114,9 @@ ArmRunReport run_on_arm(const ArmRunJob& job, const StudioScene& scene,
   driver_settings.log = free_name(recording.string() + ".driver", ".", ".jsonl");
   ProcessDriver driver(arm, driver_settings);
   require_allowed(plan, driver.limits_kpa(), "the driver");
+  if (!driver.is_real_time()) {
+    control.note_unheld();
+  }
 
   FrameWatch watch(job, scene, control, on_frame);
   bool has_begun = false;

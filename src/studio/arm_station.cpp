@@ -98,8 +98,16 @@ std::string ArmStation::run(const std::string& lease, ArmRunJob job) {
   return "";
 }
 
-bool ArmStation::pause(const std::string& lease, bool on) {
-  return with_lease(lease, [this, on] { control_.pause(on); });
+std::string ArmStation::pause(const std::string& lease, bool on) {
+  const std::lock_guard lock(mutex_);
+  if (!has_lease(lease)) {
+    return "arm the arm first";
+  }
+  if (on && control_.is_unheld()) {
+    return "a simulated arm keeps no frames and is not held; Stop vents it";
+  }
+  control_.pause(on);
+  return "";
 }
 
 bool ArmStation::stop(const std::string& lease) {

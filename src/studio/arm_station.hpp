@@ -34,7 +34,8 @@ class ArmStation {
   bool renew(const std::string& lease);
   /// @return why not; empty: it runs
   std::string run(const std::string& lease, ArmRunJob job);
-  bool pause(const std::string& lease, bool on);
+  /// @return why not; empty: it is done
+  std::string pause(const std::string& lease, bool on);
   bool stop(const std::string& lease);
   bool disarm(const std::string& lease);
   /// At once, whoever asks, and nothing is armed any more. Waits for nothing.

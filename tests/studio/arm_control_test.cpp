@@ -27,6 +27,19 @@ TEST(ArmControl, APauseHoldsAndVentsAtItsLongest) {
   EXPECT_THAT(control.why_vented(), IsEmpty());
 }
 
+TEST(ArmControl, NothingIsSaidToHoldAnArmThatNothingHolds) {
+  ArmControl control;
+  control.begin();
+  control.pause(true);
+  EXPECT_EQ(control.why_held(), "paused");
+  control.note_unheld();
+  EXPECT_THAT(control.why_held(), IsEmpty());
+  EXPECT_FALSE(control.must_hold()) << "what was asked before is forgotten";
+  control.clear_stop();
+  control.pause(true);
+  EXPECT_EQ(control.why_held(), "paused") << "the next driver may be another one";
+}
+
 TEST(ArmControl, AStopIsNamedBeforeALongPause) {
   ArmControl control;
   control.begin();

@@ -1,8 +1,10 @@
 #include "arm_station.hpp"
 
+#include <map>
 #include <mutex>
 #include <thread>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -18,21 +20,59 @@ using std::chrono::milliseconds;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 constexpr int kPatience = 400;  // looks of 50 ms: on a busy machine
+
+/// A driver that keeps no frames: an arm that stays straight while its pressures follow at once.
+constexpr const char* kSimulation = R"(
+import json
+import sys
+import time
+
+now = 0.0
+for line in sys.stdin:
+    asked = json.loads(line)
+    if asked["type"] == "hello":
+        said = {"type": "hello", "protocol": 1, "driver": "simulation", "device": "",
+                "rate_hz": 20.0, "segments": 2, "tracked": True, "real_time": False}
+    elif asked["type"] in ("set", "vent"):
+        time.sleep(0.02)
+        now += 0.05
+        said = {"type": "state", "seq": asked["seq"], "t": now,
+                "pressure_kpa": asked.get("pressure_kpa", [0.0, 0.0]),
+                "backbone": [[0.047 * i, 0.0, 0.0] for i in range(11)]}
+    else:
+        break
+    print(json.dumps(said), flush=True)
+)";
 
 class ArmStationTest : public ::testing::Test {
  protected:
   std::unique_ptr<ArmStation> station(const std::string& command) {
     ProcessDriverSettings driver;
     driver.command = command;
+    driver.simulated = true;
     return std::make_unique<ArmStation>(project_, name_, driver,
                                         [this](const std::string& kind, const std::string& json) {
                                           const std::lock_guard lock(mutex_);
-                                          if (kind == "arm") {
-                                            states_.push_back(nlohmann::json::parse(json)["state"]);
-                                          }
+                                          events_[kind].push_back(nlohmann::json::parse(json));
                                         });
+  }
+  std::unique_ptr<ArmStation> simulating_station() {
+    const std::filesystem::path script = folder_.path() / "simulation.py";
+    write_file_atomically(script, kSimulation);
+    return station(fmt::format("{} \"{}\"", LIMBER_PYTHON, script.string()));
+  }
+  std::vector<nlohmann::json> events(const std::string& kind) {
+    const std::lock_guard lock(mutex_);
+    return events_[kind];
+  }
+  void wait_for_a_frame(ArmStation& station, const std::string& lease) {
+    for (int look = 0; look < kPatience && events("arm_frame").empty(); ++look) {
+      std::this_thread::sleep_for(milliseconds(50));
+      (void)station.renew(lease);
+    }
   }
   /// Renews the lease meanwhile, if one is given. @return the message that went with it
   static std::string wait_for(ArmStation& station, const std::string& state,
@@ -61,7 +101,7 @@ class ArmStationTest : public ::testing::Test {
   ProjectFolder project_{folder_.path()};
   std::string name_ = "limber:two_segment";
   std::mutex mutex_;
-  std::vector<std::string> states_;
+  std::map<std::string, std::vector<nlohmann::json>> events_;  // by their kind
 };
 
 TEST_F(ArmStationTest, OnePageAtATimeHoldsTheLease) {
@@ -72,7 +112,8 @@ TEST_F(ArmStationTest, OnePageAtATimeHoldsTheLease) {
   EXPECT_TRUE(arm->renew(lease));
   EXPECT_FALSE(arm->renew(std::string(32, '0')));
   EXPECT_FALSE(arm->renew(""));
-  EXPECT_FALSE(arm->stop("") || arm->pause("", true) || arm->disarm(""));
+  EXPECT_FALSE(arm->stop("") || arm->disarm(""));
+  EXPECT_THAT(arm->pause("", true), HasSubstr("arm the arm first"));
   EXPECT_THAT(arm->run("", job()), HasSubstr("arm the arm first"));
   EXPECT_TRUE(arm->disarm(lease));
   EXPECT_FALSE(arm->renew(lease));
@@ -114,8 +155,24 @@ TEST_F(ArmStationTest, SaysWhyTheDriverDoesNotServe) {
   const std::string lease = arm->arm();
   EXPECT_THAT(arm->run(lease, job()), IsEmpty());
   EXPECT_THAT(wait_for(*arm, "armed", lease), HasSubstr("ended with exit code 1"));
-  const std::lock_guard lock(mutex_);
-  EXPECT_THAT(states_, ::testing::ElementsAre("armed", "running", "armed"));
+  std::vector<std::string> states;
+  for (const nlohmann::json& status : events("arm")) {
+    states.push_back(status["state"]);
+  }
+  EXPECT_THAT(states, ::testing::ElementsAre("armed", "running", "armed"));
+}
+
+TEST_F(ArmStationTest, AnArmThatNothingHoldsIsNotPaused) {
+  const auto arm = simulating_station();
+  const std::string lease = arm->arm();
+  EXPECT_THAT(arm->run(lease, job()), IsEmpty());
+  wait_for_a_frame(*arm, lease);
+  EXPECT_THAT(arm->pause(lease, true), HasSubstr("a simulated arm keeps no frames"));
+  EXPECT_THAT(wait_for(*arm, "armed", lease), Not(HasSubstr("paused")));
+  ASSERT_FALSE(events("arm_frame").empty());
+  for (const nlohmann::json& frame : events("arm_frame")) {
+    EXPECT_EQ(frame["holds"], "");
+  }
 }
 
 TEST_F(ArmStationTest, ObeysTheArmFilesSafetyAsItIsNow) {
