@@ -175,6 +175,23 @@ TEST_F(ArmStationTest, AnArmThatNothingHoldsIsNotPaused) {
   }
 }
 
+// As tracks of models do: a page puts index k of each at the time of frame k.
+TEST_F(ArmStationTest, TheTrackOfARunBeginsAtItsStart) {
+  const auto arm = simulating_station();
+  const std::string lease = arm->arm();
+  EXPECT_THAT(arm->run(lease, job()), IsEmpty());
+  wait_for(*arm, "armed", lease);
+  ASSERT_EQ(events("arm_run").size(), 1U);
+  const nlohmann::json run = events("arm_run").front();
+  const nlohmann::json& track = run["tracks"][0];
+  for (const nlohmann::json& rows : {run["setpoints_kpa"], track["pressures_kpa"]}) {
+    EXPECT_EQ(rows.size(), events("arm_frame").size());
+    EXPECT_EQ(rows[0][0], 0.0);
+    EXPECT_EQ(rows[1][0], 5.0);  // a frame at the arm's rate
+  }
+  EXPECT_EQ(track["shapes"].size(), run["setpoints_kpa"].size());
+}
+
 TEST_F(ArmStationTest, ObeysTheArmFilesSafetyAsItIsNow) {
   const std::string text = read_file(data_folder() / "arms/two_segment.yaml");
   name_ = "mine.yaml";
