@@ -197,19 +197,23 @@ class _Server:
 
 
 @contextlib.contextmanager
-def _ends_on_sigterm() -> Iterator[None]:
-    """SIGTERM ends the program through its `finally`s, so that the arm is vented."""
+def _handled(handler: Any, *numbers: signal.Signals) -> Iterator[None]:
+    """Signals go to `handler`; only a program's main thread may say so, and gets them."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return
-
-    def leave(number: int, frame: Optional[FrameType]) -> None:
-        raise SystemExit(1)
-    before = signal.signal(signal.SIGTERM, leave)
+    before = {number: signal.signal(number, handler) for number in numbers}
     try:
         yield
     finally:
-        signal.signal(signal.SIGTERM, before)
+        for number, own in before.items():
+            signal.signal(number, own)
+
+
+def _leave(number: int, frame: Optional[FrameType]) -> None:
+    """SIGTERM ends the program through its `finally`s, so that the arm is vented; once."""
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)
+    raise SystemExit(1)
 
 
 def serve(driver: Driver, input: Optional[BinaryIO] = None,
@@ -223,8 +227,10 @@ def serve(driver: Driver, input: Optional[BinaryIO] = None,
                          "expected the arm's number of segments")
     lines = _Lines(input or sys.stdin.buffer)
     server = _Server(driver, output or sys.stdout.buffer)
-    with contextlib.redirect_stdout(sys.stderr), _ends_on_sigterm():
+    with contextlib.redirect_stdout(sys.stderr), _handled(_leave, signal.SIGTERM):
         try:
             server.run(lines)
         finally:
-            driver.vent()
+            # Whoever is in a hurry must not leave valves open: this vent is not cut short.
+            with _handled(signal.SIG_IGN, signal.SIGINT, signal.SIGTERM):
+                driver.vent()

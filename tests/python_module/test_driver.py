@@ -173,6 +173,45 @@ class Served(InFolder):
         self.assertFalse(any(line.startswith("set") for line in self.logged()))
 
 
+SLOW_VENT = """
+import signal, sys, time
+import limber.driver
+
+class Slow(limber.driver.Driver):
+    segment_count = 1
+
+    def command(self, setpoint_kpa):
+        raise NotImplementedError
+
+    def vent(self):
+        print("venting", file=sys.stderr, flush=True)
+        time.sleep(0.5)
+        print("vented", file=sys.stderr, flush=True)
+
+signal.signal(signal.SIGINT, signal.default_int_handler)  # whoever started the tests
+limber.driver.serve(Slow())
+"""
+
+
+class LastVent(unittest.TestCase):
+    def test_no_second_signal_cuts_it_short(self):
+        ends = {"SIGTERM": lambda process: process.send_signal(signal.SIGTERM),
+                "SIGINT": lambda process: process.send_signal(signal.SIGINT),
+                "the end of the input": lambda process: process.stdin.close()}
+        for end, begin in ends.items():
+            for second in (signal.SIGTERM, signal.SIGINT):
+                with self.subTest(end=end, second=second), subprocess.Popen(
+                        [sys.executable, "-c", SLOW_VENT], stdin=subprocess.PIPE,
+                        stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8") as process:
+                    process.stdin.write('{"type": "hello", "protocol": 1}\n')
+                    process.stdin.flush()
+                    process.stdout.readline()  # it serves
+                    begin(process)
+                    self.assertEqual(process.stderr.readline(), "venting\n")
+                    process.send_signal(second)
+                    self.assertEqual(process.stderr.readline(), "vented\n")
+
+
 class Refused(unittest.TestCase):
     def test_a_driver_without_segments_is_refused(self):
         class Nothing(limber.driver.Driver):
