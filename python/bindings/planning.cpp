@@ -128,6 +128,7 @@ void bind_problem(py::module_& module) {
                       const std::vector<std::pair<double, double>>& limits_kpa,
                       const std::optional<PlanTube>& tube) {
             require_planar(arm, "limber.PlanningProblem");
+            require_model_of_arm(arm, model, "limber.PlanningProblem");
             PlanningProblem problem{arm, model, environment, margin_m, goal_margin};
             if (stay_within != nullptr &&
                 (stay_within->learnt().segment_count() != arm.segment_count() ||

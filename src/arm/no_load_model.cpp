@@ -18,7 +18,8 @@ constexpr double kRoundingOfLimit = 1.0 + 1e-12;  // a command turned into a cur
 }  // namespace
 
 NoLoadModel::NoLoadModel(const ArmDescription& arm)
-    : segments_(arm.segments),
+    : arm_name_(arm.name),
+      segments_(arm.segments),
       kind_(arm.no_load),
       command_(arm.command),
       dimension_(arm.dimension),

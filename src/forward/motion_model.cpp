@@ -1,10 +1,14 @@
 #include "limber/forward/motion_model.hpp"
 
-#include <cassert>
 #include <cmath>
 #include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "limber/arm/names.hpp"
+#include "limber/common/error.hpp"
 #include "limber/network/arm_family.hpp"
 
 namespace limber {
@@ -30,7 +34,11 @@ MotionModel::MotionModel(const ForwardModel& forward)
 
 MotionModel::MotionModel(const ForwardModel& forward, ValveModel valves)
     : forward_(&forward), valves_(std::move(valves)) {
-  assert(valves_.segment_count() == forward.channel_count());
+  if (valves_.segment_count() != forward.channel_count()) {
+    throw InputError(fmt::format(
+        "motion model: valves of {} channels; the model of arm '{}' has {}",
+        valves_.segment_count(), forward.no_load().arm_name(), forward.channel_count()));
+  }
   if (forward.has_network()) {
     require_one_arm(forward.compensation(), "motion model");
     require_no_valves_before(forward.compensation(), valves_.parameters(), "motion model");
@@ -92,6 +100,25 @@ Pose MotionModel::settled_tip(const Eigen::Ref<const Eigen::VectorXf>& valves,
     end = begin;
   }
   return tip;
+}
+
+void require_model_of_arm(const ArmDescription& arm, const MotionModel& model,
+                          const std::string& where) {
+  std::vector<int> modelled;
+  for (int i = 0; i < model.segment_count(); ++i) {
+    modelled.push_back(model.no_load().segment(i).gaps);
+  }
+  std::vector<int> own;
+  for (const Segment& segment : arm.segments) {
+    own.push_back(segment.gaps);
+  }
+  if (modelled != own || model.channel_count() != arm.channel_count()) {
+    throw InputError(fmt::format(
+        "{}: the model is of arm '{}', with {} channels and segments of {} gaps; arm "
+        "'{}' has {} and {}",
+        where, model.no_load().arm_name(), model.channel_count(), fmt::join(modelled, ", "),
+        arm.name, arm.channel_count(), fmt::join(own, ", ")));
+  }
 }
 
 std::string why_valves_are_missing(const MotionModel& model) {

@@ -25,6 +25,7 @@ PressureBox setpoints_of(const PlanningProblem& problem) {
 
 PlanningProblem problem_with_room(const ArmDescription& arm, const MotionModel& model,
                                   const Environment& environment, const ErrorRoom& room) {
+  require_model_of_arm(arm, model, "planning problem");
   PlanningProblem problem{arm, model, environment, room.tube ? 0.0 : room.margin_m,
                           room.goal_margin};
   problem.margin_yields_to_start = room.margin_yields_to_start;

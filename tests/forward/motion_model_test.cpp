@@ -13,6 +13,10 @@
 namespace limber {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
 /// Slow, with a dead time of one frame and a half: three set points are under way at most.
 ValveParameters slow_valves(int segments) {
   return {true, std::vector<SegmentValves>(static_cast<std::size_t>(segments),
@@ -69,7 +73,7 @@ TEST_F(MotionModelOfArm, TakesNoValvesBeforeANetworkThatLearntFromSetPoints) {
   network.learnt_from_setpoints = true;
   const ForwardModel of_setpoints(arm_, network);
   EXPECT_THAT([&] { MotionModel(of_setpoints, valves_); },
-              testing::ThrowsMessage<InputError>(testing::HasSubstr("without valves")));
+              ThrowsMessage<InputError>(HasSubstr("without valves")));
   EXPECT_NO_THROW(MotionModel(of_setpoints, ValveModel::ideal(3)));
   EXPECT_TRUE(MotionModel(of_setpoints).valves().is_ideal());
 }
@@ -178,6 +182,26 @@ TEST_F(MotionModelOfArm, ASettledTipIsNearWhereHoldingLeads) {
   EXPECT_GT(off_now, 0.02) << "there is something to guess";
   EXPECT_LT(off_settled, kPart * off_now);
   EXPECT_LT(turned_off, kDeadBandRad) << "headings add up, whatever the shape";
+}
+
+// Loops behind it pass shapes and pressures on without asking for their sizes again.
+TEST_F(MotionModelOfArm, OfAnotherArmIsRefusedByBothNames) {
+  ArmDescription finer = arm_;
+  finer.name = "finer";
+  finer.segments[1].gaps += 2;
+  EXPECT_NO_THROW(require_model_of_arm(arm_, no_load_, "here"));
+  EXPECT_THAT([&] { require_model_of_arm(finer, no_load_, "here"); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("here: the model is of arm '" + arm_.name),
+                                              HasSubstr("arm 'finer' has 3 and"))));
+  ArmDescription moved = arm_;  // as many plates, elsewhere
+  moved.segments[0].gaps += 1;
+  moved.segments[1].gaps -= 1;
+  EXPECT_THROW(require_model_of_arm(moved, no_load_, "here"), InputError);
+}
+
+TEST_F(MotionModelOfArm, ValvesOfAnotherArmAreRefused) {
+  EXPECT_THAT([&] { MotionModel(no_load_, ValveModel::ideal(2)); },
+              ThrowsMessage<InputError>(HasSubstr("valves of 2 channels; the model of arm")));
 }
 
 }  // namespace

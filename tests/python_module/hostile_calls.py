@@ -20,7 +20,7 @@ import tempfile
 import numpy as np
 
 import limber
-from chain import ROOT, chain
+from chain import ROOT, TWO_SEGMENT, chain
 
 LONGEST_S = 100.0  # of a call: none has much to do, but the machine may have
 REFUSALS = (limber.InputError, TypeError, ValueError, OverflowError, AttributeError, IndexError,
@@ -36,6 +36,14 @@ def with_values(episode, **changed):
     fields = {name: getattr(episode, name) for name in
               ("time_s", "pressure_kpa", "setpoint_kpa", "backbone", "motion_index", "tracked")}
     return limber.Episode(**{**fields, **changed})
+
+
+def finer_arm(folder):
+    """The two-segment arm, with more plates."""
+    text = TWO_SEGMENT.read_text(encoding="utf-8")
+    path = folder / "finer.yaml"
+    path.write_text(text.replace("name: two_segment", "name: finer").replace("gaps: 5", "gaps: 9"), encoding="utf-8")
+    return limber.load_arm(path)
 
 
 class Arguments:
@@ -100,6 +108,8 @@ class Arguments:
                 setpoint_kpa=np.hstack([e.setpoint_kpa, e.setpoint_kpa])) for e in episodes]}
         stopped = limber.train(self.arm, self.good["data"], quick, lambda _: False).model
         halves = [stopped, limber.TrainingData([]), limber.TrainingSettings()]
+        finer = finer_arm(folder)
+        of_finer = limber.ForwardModel(finer)
         self.odd = [
             None, True, 0, 1, -1, 2**31, 2**63, 2**64, -2**63, 1e308, float("nan"), float("inf"),
             -0.0, 1j, "", "x", "a\0b", "\ud800", b"x", [], [1], [None], {}, {"a": 1}, (),
@@ -108,7 +118,8 @@ class Arguments:
             np.zeros((100000, 3), np.float32), np.array("x"), np.array([None] * 3),
             np.zeros(n, complex), np.ones((3, 3, 3, 3)), lambda *a: None, lambda *a: 1 / 0,
             object(), sys, int, str(folder / "none"), str(folder / "null"), str(folder), "x" * 5000,
-            *halves, self.other_arm, limber.ForwardModel(self.other_arm), *self.of_space(),
+            *halves, self.other_arm, limber.ForwardModel(self.other_arm), finer, of_finer,
+            limber.MotionModel(of_finer), *self.of_space(),
             *self.good.values()]
 
     def of_space(self):

@@ -10,7 +10,7 @@ import numpy as np
 
 import limber
 from chain import ROOT, InFolder, chain
-from hostile_calls import Arguments, with_values
+from hostile_calls import Arguments, finer_arm, with_values
 
 SEED = 38
 CALLS = 500
@@ -76,6 +76,33 @@ class ReachingPastTheEnd(InFolder):
         environment = limber.load_environment(ROOT / "environments" / "01_pillar.yaml")
         with self.assertRaisesRegex(limber.InputError, "stay_within: of 2 segments"):
             limber.PlanningProblem(other, model, environment, stay_within=region)
+
+    def test_a_model_of_another_arm(self):
+        arm, environment = chain().arm, chain().environment
+        own = limber.MotionModel(limber.ForwardModel(arm))
+        plan = limber.make_planner().plan(limber.PlanningProblem(arm, own, environment),
+                                          limber.PlannerLimits(iterations=300), 5).plan
+        finer = finer_arm(self.folder)
+        other = limber.MotionModel(limber.ForwardModel(finer))
+
+        class Own(limber.Controller):
+            model = other
+
+            def step(self, arm):
+                return None
+        for function in (lambda: limber.PlanningProblem(arm, other, environment),
+                         lambda: limber.problem_with_room(arm, other, environment,
+                                                          limber.error_room(other.forward)),
+                         lambda: limber.plan(arm, other, environment),
+                         lambda: limber.ClosedLoop(arm, other, environment),
+                         lambda: limber.execute(arm, environment, plan, limber.VirtualArm(arm),
+                                                controller=Own())):
+            with self.assertRaisesRegex(limber.InputError, "arm 'finer', with 2 .* of 9, 9 gaps; "
+                                                           "arm 'two_segment' has 2 and 5, 5"):
+                function()
+        three = limber.load_arm(ROOT / "arms" / "three_segment.yaml")
+        with self.assertRaisesRegex(limber.InputError, "valves of 3 .* arm 'two_segment' has 2"):
+            limber.MotionModel(limber.ForwardModel(arm), limber.ValveModel(three))
 
     def test_a_state_without_its_past(self):
         arm = chain().arm

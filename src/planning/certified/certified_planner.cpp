@@ -51,6 +51,7 @@ class CertifiedPlanner final : public Planner {
   PlanResult plan(const PlanningProblem& asked, const PlannerLimits& limits, std::uint64_t seed,
                   const PlannerCallback& callback) override {
     require_planar(asked.arm, "a planner");
+    require_model_of_arm(asked.arm, asked.model, "a planner");
     require_margin(asked.margin_m);  // before it is raised to what a certificate asks for
     require_goal_margin(asked.goal_margin);
     const SteadyTime start = std::chrono::steady_clock::now();

@@ -153,6 +153,7 @@ PlanResult plan_along(const PlanningProblem& given, const std::vector<Pressures>
                       const std::string& planner, std::uint64_t seed) {
   const auto start = std::chrono::steady_clock::now();
   require_planar(given.arm, "plan_along");
+  require_model_of_arm(given.arm, given.model, "plan_along");
   require_margin(given.margin_m);
   require_goal_margin(given.goal_margin);
   require_limits(given.limits, given.arm);

@@ -134,6 +134,7 @@ struct ClosedLoop::Motion {
 ClosedLoop::ClosedLoop(const ArmDescription& arm, const MotionModel& model,
                        const Environment& environment, const ErrorRoom& room,
                        const ClosedLoopSettings& settings, std::uint64_t seed) {
+  require_model_of_arm(arm, model, "closed loop");
   if (!model.has_network()) {
     throw InputError(
         "the closed loop needs a network: the no-load model errs as much after a correction as "

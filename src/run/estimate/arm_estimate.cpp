@@ -192,6 +192,7 @@ struct ArmEstimate::Parts {
 ArmEstimate::ArmEstimate(const ArmDescription& arm, const EstimateModel& with)
     : parts_(std::make_unique<Parts>(arm)) {
   if (with.model != nullptr) {
+    require_model_of_arm(arm, *with.model, "controller");
     parts_->predicted.emplace(arm, with);
   }
 }

@@ -2,6 +2,7 @@
 // For those who ask a model where the arm goes.
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "limber/arm/arm_description.hpp"
@@ -36,6 +37,7 @@ class NoLoadModel {
   /// e ≥ 1.
   explicit NoLoadModel(const ArmDescription& arm);
 
+  const std::string& arm_name() const { return arm_name_; }
   int segment_count() const { return static_cast<int>(segments_.size()); }
   int channel_count() const { return channel_count_; }  ///< as in ArmDescription
   Dimension dimension() const { return dimension_; }
@@ -79,6 +81,7 @@ class NoLoadModel {
   void chain(const Eigen::Ref<const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>>& pressures_kpa,
              Eigen::Ref<BackboneOf<Scalar>>& backbone) const;
 
+  std::string arm_name_;
   std::vector<Segment> segments_;
   NoLoadKind kind_;
   Command command_;

@@ -40,8 +40,8 @@ class MotionModel {
   /// forward model.
   MotionModel(const ForwardModel& forward);  // NOLINT(google-explicit-constructor)
   MotionModel(ForwardModel&& forward) = delete;
-  /// @pre the valves are those of an arm with as many segments
-  /// @throws InputError for valves before a network that learnt from set points.
+  /// @throws InputError for valves of another number of channels, or before a network that learnt
+  /// from set points.
   MotionModel(const ForwardModel& forward, ValveModel valves);
   MotionModel(ForwardModel&& forward, ValveModel valves) = delete;
 
@@ -90,6 +90,13 @@ class MotionModel {
   const ForwardModel* forward_;
   ValveModel valves_;
 };
+
+/// What arm and model pass to each other has to fit: nothing in the loops behind it asks again.
+/// @param where  who takes both
+/// @throws InputError naming both arms where the model's channels, or its segments' gaps, are not
+/// as many as the arm's.
+void require_model_of_arm(const ArmDescription& arm, const MotionModel& model,
+                          const std::string& where);
 
 /// For a model that takes set points for the pressures though it learnt from pressures: a sentence
 /// that says so, and why no valves are known. Empty: it has valves, or needs none.

@@ -56,7 +56,7 @@ struct PlanningProblem {
   PlanCallback on_plan = {};
 };
 
-/// The problem, its plans keeping `room`.
+/// The problem, its plans keeping `room`. @throws InputError for a model of another arm.
 PlanningProblem problem_with_room(const ArmDescription& arm, const MotionModel& model,
                                   const Environment& environment, const ErrorRoom& room);
 /// Checker of the arm with everything that its plans keep free.

@@ -66,6 +66,7 @@ class ArmEstimate {
   /// After so long without a shape nobody knows where the arm is. [s]
   static constexpr double kUnknownAfterS = 0.25;
 
+  /// @throws InputError for a model of another arm.
   explicit ArmEstimate(const ArmDescription& arm, const EstimateModel& with = {});
   ~ArmEstimate();
   ArmEstimate(const ArmEstimate&) = delete;

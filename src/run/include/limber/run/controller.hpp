@@ -94,7 +94,7 @@ class Controller {
 /// environment and what the model borrows. One run. Threads: as Controller.
 /// @param adapts  a model that `adapt` made from a family: which arm of it this is, is followed
 ///                while it moves (ExecutionResult::arm)
-/// @throws InputError if the model has no network
+/// @throws InputError if the model is of another arm, or has no network
 std::unique_ptr<Controller> make_closed_loop(const ArmDescription& arm, const MotionModel& model,
                                              const Environment& environment, const ErrorRoom& room,
                                              std::uint64_t seed, bool adapts = true);

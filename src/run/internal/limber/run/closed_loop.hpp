@@ -30,7 +30,8 @@ struct ClosedLoopSettings {
 /// An arm that was never tracked runs open loop. Borrows arm, model and environment. One run.
 class ClosedLoop final : public PlanController {
  public:
-  /// @throws InputError if the model has no network: it errs as much after a correction as before.
+  /// @throws InputError if the model is of another arm, or has no network: it errs as much after a
+  /// correction as before.
   ClosedLoop(const ArmDescription& arm, const MotionModel& model, const Environment& environment,
              const ErrorRoom& room, const ClosedLoopSettings& settings, std::uint64_t seed);
   ~ClosedLoop() override;
