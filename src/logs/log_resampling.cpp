@@ -156,9 +156,9 @@ std::vector<bool> moving_frames(const FrameMatrix& values, const ArmDescription&
   return moves;
 }
 
-/// Frames that set points stand still before a motion begins. Along a path they stand for some frames
-/// after each change, and the motion goes on: one has to be given twice. Steps, which change as
-/// often to another side, are motions of their own.
+/// Frames that set points stand still before a motion begins. Along a path they stand for some
+/// frames after each change, and the motion goes on: one has to be given twice. Steps, which change
+/// as often to another side, are motions of their own.
 int still_frames_of(const FrameMatrix& setpoints, double frame_period_s) {
   std::vector<double> apart;  // frames from one change to the next
   std::size_t onward = 0;     // of those, to the same side

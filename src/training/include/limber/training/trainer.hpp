@@ -59,9 +59,9 @@ TrainingData hold_back_validation(std::vector<Episode> episodes, double fraction
 
 /// Then holds back for `data.unseen` about `fraction` of the frames of training and validation:
 /// whole training episodes, chosen by `seed`, of which one stays; or the end of the longest one,
-/// if that is more than twice as long; of those that measure an error. Nothing if that is too short.
-/// Validation episodes stay as they are. Call it after `hold_back_validation`, or before validation episodes come from
-/// elsewhere.
+/// if that is more than twice as long; of those that measure an error. Nothing if that is too
+/// short. Validation episodes stay as they are. Call it after `hold_back_validation`, or before
+/// validation episodes come from elsewhere.
 void hold_back_unseen(TrainingData& data, double fraction, std::uint64_t seed);
 
 /// For a family: holds back whole arms, with all of their episodes, for validation: about
