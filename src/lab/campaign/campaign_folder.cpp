@@ -27,8 +27,8 @@ namespace fs = std::filesystem;
 constexpr std::size_t kFan = 1000;                        // entries of a folder
 constexpr std::size_t kIdentityDigits = 16;               // of a marker's name
 constexpr std::streamoff kEnd = std::streamoff{1} << 16;  // bytes of a file's beginning and end
-constexpr const char* kArm = "arm";                       // flags
-constexpr const char* kEnvironments = "environments";
+constexpr const char* kArmFlag = "arm";                   // flags
+constexpr const char* kEnvironmentsFlag = "environments";
 constexpr const char* kCampaignFile = "campaign.json";
 constexpr const char* kCheckpoint = "model.safetensors.checkpoint";
 
@@ -48,10 +48,10 @@ std::string fingerprint_of(const fs::path& path) {
 
 /// What a verb reads for a flag's value: a file, or limber's own of that name; else empty.
 fs::path file_of(const std::string& flag, const std::string& value) {
-  if (flag == kArm) {
+  if (flag == kArmFlag) {
     return own_file(value, "arms", ".yaml");
   }
-  if (flag == kEnvironments) {
+  if (flag == kEnvironmentsFlag) {
     return own_file(value, "environments", ".yaml");
   }
   if (flag == "model" || flag == "from") {
@@ -212,9 +212,9 @@ std::string CampaignFolder::identity(const CampaignUnit& unit) {
   for (const auto& [name, values] : unit.flags) {
     std::ranges::for_each(values, [&](const std::string& value) { add(name, value); });
   }
-  add(kArm, arm_of(unit));
-  if (campaign_.verb == "experiment" && values_in(unit.flags, kEnvironments) == nullptr) {
-    add(kEnvironments, (data_folder() / "environments").string());
+  add(kArmFlag, arm_of(unit));
+  if (campaign_.verb == "experiment" && values_in(unit.flags, kEnvironmentsFlag) == nullptr) {
+    add(kEnvironmentsFlag, (data_folder() / "environments").string());
   }
   const Json json = {{"verb", campaign_.verb},
                      {"cpu", to_string(campaign_.cpu)},
@@ -231,7 +231,7 @@ const std::string& CampaignFolder::fingerprint(const std::string& flag, const st
     found->second = fingerprint_of(file);
   }
   // Values of other flags may be called like a folder by chance, such as the campaign's own.
-  if (is_new && flag == kEnvironments && fs::is_directory(path, error)) {
+  if (is_new && flag == kEnvironmentsFlag && fs::is_directory(path, error)) {
     found->second = fingerprint_of_environments(path);
   }
   return found->second;
