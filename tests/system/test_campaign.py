@@ -185,7 +185,10 @@ class Campaigns(InFolder):
     def test_the_verbs_that_need_a_model(self):
         """What collect joined is learnt from; models are evaluated, and an experiment's table is that of one process."""
         self.campaign("--out", "family")
+        stale = self.folder / "family/recording_000.h5"  # of an earlier one that took several files
+        stale.write_bytes(b"")
         self.campaign("--out", "family", "--collect")
+        self.assertFalse(stale.exists())
         self.write("train.yaml", "schema: limber/campaign/1\nverb: train\n"
                    "flags: {arm: two_segment, data: family/recording.h5, epochs: 4, keep-broken: true}\n"
                    "grid: {hidden: [[8, 8], [12, 12, 12]]}\n")

@@ -217,6 +217,7 @@ class Experiment(InFolder):
             (("--environments", "environments", "--planner", "fast"), "planner 'fast'"),
             (("--environments", "none"), "--environment none: no such file"),
             (("--environments", "environments", "--trials", 0), "--trials 0"),
+            (("--environments", "environments", "--motion-queries", 500), "are of closed loop"),
         ):
             with self.subTest(message=message):
                 error = self.run_limber(
