@@ -200,7 +200,8 @@ void lower_by_motion(const std::vector<ObstacleShape>& shapes, const GapMotion& 
     return;
   }
   known = std::max(known, here.value_m - reach);
-  if (!(reach > kMotionToleranceM)) {
+  // A gap that no arm has may travel infinitely far, in however short a time.
+  if (!(reach > kMotionToleranceM && reach < kInfinity)) {
     if (known < best.value_m) {
       best = {known, gap, here.obstacle};
     }

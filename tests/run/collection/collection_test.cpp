@@ -99,13 +99,13 @@ TEST_F(Collection, NamesASetPointThatIsNeverReachedAndVents) {
 // Segment 1 is 7.3 kPa off, 400 kPa · exp(−4), and within its own tolerance.
 TEST_F(Collection, NamesTheSegmentThatIsMostTolerancesOff) {
   arm_.segments[0].pressure_limit_kpa = 10.0;
-  arm_.segments[1].pressure_limit_kpa = 1000.0;
+  arm_.segments[1].pressure_limit_kpa = 100.0;
   CollectionSettings settings = quick_settings();
   settings.hold_limit_s = 0.4;
   FakeFaults faults;
   faults.stuck_kpa = 3.0F;
   FakeArm driver(arm_, kLag_s, faults);
-  const EpisodeSchedule schedule{Pressures::Zero(2), {{Eigen::Vector2f(8.0F, 400.0F), 0.1, true}}};
+  const EpisodeSchedule schedule{Pressures::Zero(2), {{Eigen::Vector2f(8.0F, 40.0F), 0.1, true}}};
   EXPECT_THAT([&] { record_episode(arm_, driver, schedule, settings); },
               ThrowsMessage<SystemFault>(HasSubstr("segment 0 is at 3.0 kPa after 0.4 s at set "
                                                    "point 8.0 kPa; expected to be within 0.2")));
