@@ -56,7 +56,7 @@ class Demo(InFolder):
         loaded = re.findall(r"""(?:src|href)\s*=\s*["'](?!#)[^"']*|url\([^)]*|<script[^>]*""",
                             without_namespace)
         self.assertEqual(loaded, ["<script"])  # its own, within the page
-        self.assertIn("1 plans of each model, 5 s each", html)
+        self.assertIn("1 plan of each model, 5 s each", html)
         self.assertIn("over planning time", html)
         self.assertNotIn("nan", re.findall(r'="[^"]*\bnan\b', html))
 
