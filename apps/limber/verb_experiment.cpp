@@ -67,6 +67,8 @@ class RunFlags {
     return once_each(names);
   }
 
+  /// Several runs may be told the same of closed loop, whatever each runs.
+  bool names_controller() const { return replan_ || !controllers_.empty(); }
   bool replans() const { return std::ranges::count(controllers(), "replan") > 0; }
 
   /// In the order given, empty for none; none alone if nothing is given.
@@ -146,7 +148,7 @@ class ExperimentVerb final : public Verb {
 
   int run(const CommonFlags& flags) override {
     forest_.require_use();
-    if (replan_.has_settings() && !runs_.replans()) {
+    if (replan_.has_settings() && !runs_.names_controller()) {
       throw InputError(
           "--motion-queries, --adapt and --no-adapt are of closed loop: add --replan, or leave "
           "them out");
