@@ -118,10 +118,10 @@ class CampaignVerb final : public Verb {
     work.list = [&] {
       folder.prepare(flags.force);
       std::vector<std::size_t> units = missing_units(campaign, folder);
+      std::erase_if(units, [&](std::size_t unit) { return unit % step != first; });
       if (!flags.force) {
         folder.require_none_finished_otherwise(units);
       }
-      std::erase_if(units, [&](std::size_t unit) { return unit % step != first; });
       say(flags, "{} units to do", units.size());
       if (!shares && !units.empty()) {
         progress.emplace("campaign", "units", units.size(), flags.progress());

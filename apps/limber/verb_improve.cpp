@@ -148,9 +148,12 @@ class ImproveVerb final : public Verb {
     }
     refuse_to_overwrite(result, flags.force);
     for (int round = 1; fs::exists(folder_of(folder, round)); ++round) {
+      for (const char* file : {"plans.h5", "model.safetensors"}) {
+        refuse_to_overwrite(folder_of(folder, round) / file, flags.force);
+      }
+    }
+    for (int round = 1; fs::exists(folder_of(folder, round)); ++round) {
       const fs::path here = folder_of(folder, round);
-      refuse_to_overwrite(here / "plans.h5", flags.force);
-      refuse_to_overwrite(here / "model.safetensors", flags.force);
       for (const char* verb : {"collect", "train"}) {
         fs::remove(kept(here, verb));
       }

@@ -116,7 +116,7 @@ CsvCell CsvReader::read_quoted_cell() {
         break;
       }
       ++position_;
-    } else if (c == '\n' || (c == '\r' && text_.substr(position_ + 1, 1) != "\n")) {
+    } else if (c == '\n' || (c == '\r' && text_.compare(position_, 2, "\r\n") != 0)) {
       ++next_line_;
       line_begin_ = position_ + 1;
     }

@@ -196,6 +196,16 @@ class Family(WithFiles):
         error = self.run_limber("family", *ARM, *SMALL, "--out", "stopped.safetensors", "--resume", code=2).stderr
         self.assertIn("stopped.safetensors: exists already", error)
 
+    def test_runs_of_another_tube_are_refused_and_stay(self):
+        tube = self.folder / "kept.safetensors.parts/tube/calibration.json"
+        tube.parent.mkdir(parents=True)
+        tube.write_text('{"schema": "limber/calibration/6", "test_runs": 400}', encoding="utf-8")
+        error = self.run_limber("family", *ARM, "--hours", 0.05, "--epochs", 2, "--vary-physics", 1.5, "--tube-runs", 100,
+                                "--resume", "--out", "kept.safetensors", code=2).stderr
+        self.assertIn("calibration.json", error)
+        self.assertTrue(tube.exists())
+        self.assertFalse((self.folder / "kept.safetensors").exists())
+
 
 if __name__ == "__main__":
     unittest.main()
