@@ -6,6 +6,7 @@
 #include <iterator>
 #include <string>
 #include <system_error>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -134,7 +135,7 @@ void DataFlags::add_to(CLI::App& app) {
       "learns from everything");
   app.add_option("--unseen", unseen_,
                  "Recording for measuring the model's error, used neither for training nor for "
-                 "choosing; else whole episodes are held back, as for --validation");
+                 "choosing; else as for --validation");
   app.add_flag("--keep-broken", keep_broken_,
                "Learn also from episodes in which the arm does not do what it does in the others");
   app.add_flag("--setpoints", setpoints_,
@@ -208,17 +209,35 @@ NamedEpisodes DataFlags::load_validation(const CommonFlags& flags, EpisodeReader
   return validation;
 }
 
+NamedEpisodes DataFlags::load_unseen(EpisodeReader& reader) const {
+  NamedEpisodes unseen;
+  if (!unseen_.empty()) {
+    if (reader.is_source(unseen_) ||
+        (!validation_.empty() && file_hash(unseen_) == file_hash(validation_))) {
+      throw InputError(fmt::format(
+          "--unseen {}: learnt from, or validated on, too; the error on it would say too little",
+          unseen_));
+    }
+    unseen.add(unseen_, reader.read(unseen_).episodes);
+  }
+  return unseen;
+}
+
 std::vector<std::string> DataFlags::leave_out(const ArmDescription& arm, NamedEpisodes& all,
-                                              NamedEpisodes& validation) const {
+                                              NamedEpisodes& validation,
+                                              NamedEpisodes& unseen) const {
   if (keep_broken_) {
     return {};
   }
-  std::vector<std::string> broken = leave_out_broken(arm, all, validation);
-  if (!validation_.empty() && validation.episodes.empty()) {
-    throw InputError(fmt::format(
-        "--validation {}: the arm does nothing there of what it does in --data, so nothing "
-        "would validate ({}); --keep-broken takes it as it is",
-        validation_, fmt::join(broken, "; ")));
+  std::vector<std::string> broken = leave_out_broken(arm, {&all, &validation, &unseen});
+  for (const auto& [flag, file, part] : {std::tuple{"--validation", &validation_, &validation},
+                                         std::tuple{"--unseen", &unseen_, &unseen}}) {
+    if (!file->empty() && part->episodes.empty()) {
+      throw InputError(fmt::format(
+          "{} {}: the arm does nothing there of what it does in --data ({}); --keep-broken takes "
+          "it as it is",
+          flag, *file, fmt::join(broken, "; ")));
+    }
   }
   return broken;
 }
@@ -228,10 +247,11 @@ EpisodeChoice DataFlags::load(const CommonFlags& flags, const ArmDescription& ar
                               IdentifiedValves& valves) const {
   NamedEpisodes all = reader.read_all(data_);
   NamedEpisodes validation = load_validation(flags, reader);
-  std::vector<std::string> broken = leave_out(arm, all, validation);
+  NamedEpisodes unseen = load_unseen(reader);
+  std::vector<std::string> broken = leave_out(arm, all, validation, unseen);
   valves = valves_of(all.episodes, arm);
   EpisodeChoice choice;
-  if (may_be_little && validation_.empty() && unseen_.empty() && is_little(arm, all.episodes)) {
+  if (may_be_little && validation_.empty() && is_little(arm, all.episodes)) {
     choice.is_little = true;
     choice.data.training = std::move(all.episodes);
   } else {
@@ -240,13 +260,7 @@ EpisodeChoice DataFlags::load(const CommonFlags& flags, const ArmDescription& ar
   }
   choice.broken = std::move(broken);
   if (!unseen_.empty()) {
-    if (reader.is_source(unseen_) ||
-        (!validation_.empty() && file_hash(unseen_) == file_hash(validation_))) {
-      throw InputError(fmt::format(
-          "--unseen {}: learnt from, or validated on, too; the error on it would say too little",
-          unseen_));
-    }
-    choice.data.unseen = reader.read(unseen_).episodes;
+    choice.data.unseen = std::move(unseen.episodes);
   }
   for (const std::string& path : data_) {
     if (!choice.is_little && reader.was_learnt_before(path)) {

@@ -43,8 +43,9 @@ class DataFlags {
  private:
   IdentifiedValves valves_of(const std::vector<Episode>& episodes, const ArmDescription& arm) const;
   NamedEpisodes load_validation(const CommonFlags& flags, EpisodeReader& reader) const;
+  NamedEpisodes load_unseen(EpisodeReader& reader) const;
   std::vector<std::string> leave_out(const ArmDescription& arm, NamedEpisodes& all,
-                                     NamedEpisodes& validation) const;
+                                     NamedEpisodes& validation, NamedEpisodes& unseen) const;
 
   std::vector<std::string> data_;
   std::string validation_;

@@ -129,14 +129,16 @@ std::vector<Episode> EpisodeReader::read_part(const std::string& path,
   return std::move(recording.episodes);
 }
 
-std::vector<std::string> leave_out_broken(const ArmDescription& arm, NamedEpisodes& all,
-                                          NamedEpisodes& validation) {
-  std::vector<Episode> both = all.episodes;
-  both.insert(both.end(), validation.episodes.begin(), validation.episodes.end());
-  const EpisodeErrors errors = episode_errors(arm, both);
+std::vector<std::string> leave_out_broken(const ArmDescription& arm,
+                                          std::initializer_list<NamedEpisodes*> parts) {
+  std::vector<Episode> together;
+  for (const NamedEpisodes* part : parts) {
+    together.insert(together.end(), part->episodes.begin(), part->episodes.end());
+  }
+  const EpisodeErrors errors = episode_errors(arm, together);
   std::vector<std::string> broken;
   std::size_t i = 0;
-  for (NamedEpisodes* part : {&all, &validation}) {
+  for (NamedEpisodes* part : parts) {
     NamedEpisodes whole;
     for (std::size_t k = 0; k < part->episodes.size(); ++k, ++i) {
       if (errors.episodes[i].is_outlier) {

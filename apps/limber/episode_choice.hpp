@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <map>
 #include <set>
 #include <span>
@@ -86,10 +87,10 @@ struct EpisodeChoice {
   bool is_little = false;               ///< nothing is held back (cross_validate)
 };
 
-/// Takes out of both those in which the arm does not do what it does in the others
+/// Takes out of all parts those in which the arm does not do what it does in the others
 /// (`episode_errors` of all of them together). @return their names, and what is wrong with them
-std::vector<std::string> leave_out_broken(const ArmDescription& arm, NamedEpisodes& all,
-                                          NamedEpisodes& validation);
+std::vector<std::string> leave_out_broken(const ArmDescription& arm,
+                                          std::initializer_list<NamedEpisodes*> parts);
 
 /// Of the frames: what is held back to choose the epoch.
 inline constexpr double kValidationShare = 0.1;

@@ -251,6 +251,9 @@ class TrainVerb final : public Verb {
       return kExitNoSolution;
     }
     record_origin(result.model, sources, settings, choice);
+    if (!choice.data.unseen.empty()) {
+      note_unseen(arm, result.model, choice.data.unseen, flags.jobs);
+    }
     result.model.training["cross_validation"] = to_text(found);
     if (!found.widest_where.empty()) {
       result.model.training["widest_where"] = found.widest_where;
