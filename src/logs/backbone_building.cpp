@@ -344,11 +344,9 @@ Eigen::MatrixXd poses_of_plates(const PointTracks& tracks, const std::vector<boo
   return poses;
 }
 
-}  // namespace
-
-BackboneTrack build_backbone(const std::string& log, PointTracks tracks,
-                             const ImportMapping& mapping, const ArmDescription& arm,
-                             RunReport& report) {
+/// What comes before frame B is looked for.
+BackboneTrack bridge_points(const std::string& log, const ImportMapping& mapping,
+                            const ArmDescription& arm, PointTracks& tracks, RunReport& report) {
   if (!mapping.headings_measured && tracks.has_headings()) {
     report.note("logged headings left out: 'headings: tangent'");
     tracks.theta_rad.resize(0, 0);
@@ -361,6 +359,22 @@ BackboneTrack build_backbone(const std::string& log, PointTracks tracks,
   fill_gaps(log, mapping.longest_gap_s, tracks, track, report, bridge);
   // Before looking for the base: a wrong unit or order would cause a stranger message there.
   require_distances(log, track.tracked, mapping, arm, tracks, report);
+  return track;
+}
+
+}  // namespace
+
+BaseSighting sight_base(const std::string& log, PointTracks tracks, const ImportMapping& mapping,
+                        const ArmDescription& arm) {
+  RunReport unused;
+  const BackboneTrack track = bridge_points(log, mapping, arm, tracks, unused);
+  return sight_base(log, track.tracked, mapping.alignment, arm, tracks);
+}
+
+BackboneTrack build_backbone(const std::string& log, PointTracks tracks,
+                             const ImportMapping& mapping, const ArmDescription& arm,
+                             RunReport& report) {
+  BackboneTrack track = bridge_points(log, mapping, arm, tracks, report);
   const bool base_tracked = tracks.plates.front() == 0;
   align_base(log, track.tracked, mapping.alignment, arm, tracks, report);
   if (!base_tracked) {

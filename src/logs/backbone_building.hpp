@@ -5,8 +5,15 @@
 #include "limber/logs/import_mapping.hpp"
 #include "limber/logs/import_report.hpp"
 #include "log_rows.hpp"
+#include "shared_base.hpp"
 
 namespace limber {
+
+/// Where these points have the base. @param tracks  in order of time
+/// @pre is_base_sought(mapping.alignment)
+/// @throws InputError as `build_backbone` does
+BaseSighting sight_base(const std::string& log, PointTracks tracks, const ImportMapping& mapping,
+                        const ArmDescription& arm);
 
 /// The whole backbone in frame B from points tracked in a log's plane (docs/importing.md):
 ///

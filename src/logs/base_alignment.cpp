@@ -29,13 +29,8 @@ class BaseFinder {
     }
   }
 
-  Pose find() const {
-    if (alignment_.kind == BaseAlignment::Kind::none) {
-      return {};
-    }
-    if (alignment_.kind == BaseAlignment::Kind::fixed) {
-      return alignment_.pose;
-    }
+  /// @pre base or straight
+  BaseSighting sight() const {
     if (tracks_.plates.front() != 0) {
       refuse("no point is the base, plate 0");
     }
@@ -43,9 +38,17 @@ class BaseFinder {
       refuse(fmt::format("no row from {} s to {} s, the time named straight, has all points",
                          alignment_.straight_from_s, alignment_.straight_to_s));
     }
-    const double heading_rad =
-        alignment_.kind == BaseAlignment::Kind::straight ? straight_heading() : base_heading();
-    return {median(tracks_.x_m), median(tracks_.y_m), heading_rad};
+    BaseSighting sighting;
+    sighting.base = {median(tracks_.x_m), median(tracks_.y_m), 0.0};
+    if (alignment_.kind == BaseAlignment::Kind::straight) {
+      sighting.base.theta_rad = straight_heading();
+    } else if (tracks_.has_headings()) {
+      sighting.base.theta_rad =
+          mean_direction([&](Eigen::Index t) { return tracks_.theta_rad(t, 0); });
+    } else {
+      see_first_turns(sighting);
+    }
+    return sighting;
   }
 
   /// Mean heading that each point shows while the arm lies straight.
@@ -94,24 +97,31 @@ class BaseFinder {
         [&](Eigen::Index t) { return tracks_.direction_rad(t, 0, tracks_.point_count() - 1); });
   }
 
-  /// The measured one; else the tangent at the base of the arc through the first three points.
-  double base_heading() const {
-    if (tracks_.has_headings()) {
-      return mean_direction([&](Eigen::Index t) { return tracks_.theta_rad(t, 0); });
-    }
+  /// The direction to the second point, and how it changes with the turn there.
+  void see_first_turns(BaseSighting& sighting) const {
     if (tracks_.point_count() < 3 || tracks_.plates[2] > arm_.segments.front().gaps) {
       refuse(
           "headings were not logged, and fewer than three points lie on the first segment, so "
           "that its tangent at the base is unknown");
     }
     const std::vector<double> rest_m = rest_positions_m(arm_);
-    const double first = rest_m[std::size_t(tracks_.plates[1])];
-    const double both = rest_m[std::size_t(tracks_.plates[2])];
-    return mean_direction([&](Eigen::Index t) {
-      const double chord = tracks_.direction_rad(t, 0, 1);
-      const double turn = std::remainder(tracks_.direction_rad(t, 1, 2) - chord, 2.0 * M_PI);
-      return chord - turn * first / both;
-    });
+    sighting.arc_share =
+        rest_m[std::size_t(tracks_.plates[1])] / rest_m[std::size_t(tracks_.plates[2])];
+    const auto direction = [&](Eigen::Index t) { return tracks_.direction_rad(t, 0, 1); };
+    const auto turn = [&](Eigen::Index t) {
+      return std::remainder(tracks_.direction_rad(t, 1, 2) - direction(t), 2.0 * M_PI);
+    };
+    sighting.base.theta_rad = mean_direction(direction);
+    sighting.rows = double(rows_.size());
+    for (const Eigen::Index t : rows_) {
+      sighting.turn_rad += turn(t) / sighting.rows;
+    }
+    for (const Eigen::Index t : rows_) {
+      const double off = turn(t) - sighting.turn_rad;
+      sighting.turn_squares += off * off;
+      sighting.turn_products +=
+          off * std::remainder(direction(t) - sighting.base.theta_rad, 2.0 * M_PI);
+    }
   }
 
   const std::string& log_;
@@ -212,11 +222,22 @@ void show_still_base(PointTracks& tracks, RunReport& report) {
               std::ssize(hidden));
 }
 
+bool is_base_sought(const BaseAlignment& alignment) {
+  return alignment.kind == BaseAlignment::Kind::base ||
+         alignment.kind == BaseAlignment::Kind::straight;
+}
+
+BaseSighting sight_base(const std::string& log, const std::vector<bool>& tracked,
+                        const BaseAlignment& alignment, const ArmDescription& arm,
+                        const PointTracks& tracks) {
+  return BaseFinder(log, tracked, alignment, arm, tracks).sight();
+}
+
 void align_base(const std::string& log, const std::vector<bool>& tracked,
                 const BaseAlignment& alignment, const ArmDescription& arm, PointTracks& tracks,
                 RunReport& report) {
   const BaseFinder finder(log, tracked, alignment, arm, tracks);
-  report.base = finder.find();
+  report.base = is_base_sought(alignment) ? base_of(finder.sight()) : alignment.pose;
   if (alignment.kind == BaseAlignment::Kind::straight && tracks.has_headings()) {
     tracks.theta_rad.rowwise() -= finder.heading_offsets().transpose();
     tracks.theta_rad.array() += report.base.theta_rad;

@@ -11,6 +11,7 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/common/units.hpp"
+#include "shared_base.hpp"
 
 namespace limber {
 
@@ -357,6 +358,7 @@ nlohmann::ordered_json to_json(const ImportReport& report) {
   for (const RunReport& run : report.runs) {
     json["logs"].push_back(to_json(run));
   }
+  json["base"] = report.base ? to_json(*report.base) : nlohmann::ordered_json();
   json["columns"] = to_json(report.columns);
   json["episode_errors"] =
       report.episode_errors ? to_json(*report.episode_errors) : nlohmann::ordered_json();
@@ -370,6 +372,7 @@ std::string to_text(const ImportReport& report) {
     text += (many ? one_line(run) : to_text(run)) + "\n";
   }
   text += many ? notes_of_all(report.runs) : std::string();
+  text += report.base ? to_text(*report.base, std::ssize(report.runs)) : std::string();
   text += report.columns.empty() ? "" : to_text(report.columns);
   if (report.episode_errors) {
     text += episodes_to_text(*report.episode_errors);

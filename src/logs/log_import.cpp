@@ -2,11 +2,14 @@
 
 #include <cmath>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "backbone_building.hpp"
+#include "base_alignment.hpp"
 #include "clock_match.hpp"
 #include "column_check.hpp"
 #include "command_check.hpp"
@@ -147,12 +150,49 @@ void bring_clocks_together(const std::string& log, const std::string& command_lo
   report.clock = clock;
 }
 
+/// A run, and what it is from.
+template <class Tracks>
+struct ReadRun {
+  std::string name;  ///< in messages
+  std::string command_log;
+  RunOf<Tracks> run;
+  BaseAlignment alignment;
+};
+
+/// An arm stays bolted down from log to log. What each log alone gets wrong of the base's heading
+/// would turn the same arm anew in every log.
+std::optional<LogsBase> share_base(const ImportMapping& mapping, const ArmDescription& arm,
+                                   std::vector<ReadRun<PointTracks>>& runs) {
+  using Kind = BaseAlignment::Kind;
+  const bool counts_headings_anew =
+      mapping.alignment.kind == Kind::straight && runs.front().run.points.has_headings();
+  if (runs.size() < 2 || !is_base_sought(mapping.alignment) || counts_headings_anew) {
+    return {};
+  }
+  std::vector<BaseSighting> sightings;
+  for (const ReadRun<PointTracks>& read : runs) {
+    throw_if_interrupted();
+    PointTracks points = read.run.points;
+    RunReport unused;
+    put_in_order(read.name, points, unused);
+    sightings.push_back(sight_base(read.name, std::move(points), mapping, arm));
+  }
+  const SharedBase shared = share_base(sightings);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    runs[i].alignment.kind = Kind::fixed;
+    runs[i].alignment.pose = shared.bases[i].base;
+    if (shared.report && !shared.bases[i].is_shared) {
+      runs[i].run.report.note("the base lies elsewhere than in the other logs: it keeps its own");
+    }
+  }
+  return shared.report;
+}
+
 /// @param levels  gets those of the run, of an arm in the plane
 template <class Tracks>
-std::vector<Episode> import_run(const fs::path& log, const std::string& command_log,
-                                const ImportOptions& options, const ArmDescription& arm,
-                                RunOf<Tracks>& run, std::vector<LevelTable>& levels) {
-  const std::string name = name_of(log, run.report);
+std::vector<Episode> import_run(ReadRun<Tracks>& read, const ImportOptions& options,
+                                const ArmDescription& arm, std::vector<LevelTable>& levels) {
+  auto& [name, command_log, run, alignment] = read;
   put_in_order(name, run.points, run.report);
   const std::string& commands_from = command_log.empty() ? name : command_log;
   // On one clock the same rows would be noted twice.
@@ -162,8 +202,10 @@ std::vector<Episode> import_run(const fs::path& log, const std::string& command_
   sum_commands(options.mapping, arm, run.commands, run.report);
   check_commands(commands_from, with_sums_named(options.mapping, arm), arm, run.commands,
                  run.report);
+  ImportMapping mapping = options.mapping;
+  mapping.alignment = alignment;
   const BackboneTrack motion =
-      build_backbone(name, std::move(run.points), options.mapping, arm, run.report);
+      build_backbone(name, std::move(run.points), mapping, arm, run.report);
   if (!run.one_clock || options.time_offset_s) {
     bring_clocks_together(name, commands_from, options, arm, motion, run.commands, run.report);
   }
@@ -179,52 +221,70 @@ std::vector<Episode> import_run(const fs::path& log, const std::string& command_
   return episodes;
 }
 
-/// Reads every log again for its rate alone, so that one message says what all of them ask for.
-template <class ReadRuns>
-[[noreturn]] void refuse_all_slow_logs(const std::vector<fs::path>& logs,
-                                       const ImportOptions& options, const ArmDescription& arm,
-                                       const ReadRuns& read_runs) {
-  std::vector<std::string> names;
-  std::vector<double> rates_hz;
-  for (std::size_t i = 0; i < logs.size(); ++i) {
-    throw_if_interrupted();
-    for (auto& run : read_runs(logs[i], i, options, arm)) {
-      const std::string name = name_of(logs[i], run.report);
-      RunReport unused;
-      put_in_order(name, run.points, unused);
-      names.push_back(name);
-      rates_hz.push_back(median_rate_hz(run.points.time_s));
-    }
-  }
-  refuse_slow_logs(names, rates_hz, arm);
-}
+/// (log, its number, options, arm) to its runs
+template <class Tracks>
+using RunReader = std::vector<RunOf<Tracks>>(const fs::path&, std::size_t, const ImportOptions&,
+                                             const ArmDescription&);
 
-/// @param read_runs  (log, its number, options, arm) to its runs
-template <class ReadRuns>
-ImportResult import_logs(const std::vector<fs::path>& logs, const ImportOptions& options,
-                         const ArmDescription& arm, const char* kind, const ReadRuns& read_runs) {
-  require_options(logs, options);
-  ImportResult result{make_recording(arm, "", 0), {}};
-  std::vector<std::string> run_names;
-  std::vector<LevelTable> levels;
+template <class Tracks>
+std::vector<ReadRun<Tracks>> read_all(const std::vector<fs::path>& logs,
+                                      const ImportOptions& options, const ArmDescription& arm,
+                                      RunReader<Tracks>* read_runs) {
+  std::vector<ReadRun<Tracks>> runs;
   for (std::size_t i = 0; i < logs.size(); ++i) {
     throw_if_interrupted();
     const std::string command_log =
         options.command_logs.empty() ? std::string() : options.command_logs[i].string();
-    for (auto& run : read_runs(logs[i], i, options, arm)) {
-      run_names.push_back(name_of(logs[i], run.report));
-      try {
-        for (Episode& episode : import_run(logs[i], command_log, options, arm, run, levels)) {
-          result.recording.episodes.push_back(std::move(episode));
-        }
-      } catch (const SlowLog&) {
-        if (logs.size() > 1) {
-          refuse_all_slow_logs(logs, options, arm, read_runs);
-        }
-        throw;
-      }
-      result.report.runs.push_back(std::move(run.report));
+    for (RunOf<Tracks>& run : read_runs(logs[i], i, options, arm)) {
+      std::string name = name_of(logs[i], run.report);
+      runs.push_back({std::move(name), command_log, std::move(run), options.mapping.alignment});
     }
+  }
+  return runs;
+}
+
+/// Reads every log again for its rate alone, so that one message says what all of them ask for.
+template <class Tracks>
+[[noreturn]] void refuse_all_slow_logs(const std::vector<fs::path>& logs,
+                                       const ImportOptions& options, const ArmDescription& arm,
+                                       RunReader<Tracks>* read_runs) {
+  std::vector<std::string> names;
+  std::vector<double> rates_hz;
+  for (ReadRun<Tracks>& read : read_all(logs, options, arm, read_runs)) {
+    RunReport unused;
+    put_in_order(read.name, read.run.points, unused);
+    names.push_back(read.name);
+    rates_hz.push_back(median_rate_hz(read.run.points.time_s));
+  }
+  refuse_slow_logs(names, rates_hz, arm);
+}
+
+template <class Tracks>
+ImportResult import_logs(const std::vector<fs::path>& logs, const ImportOptions& options,
+                         const ArmDescription& arm, const char* kind,
+                         RunReader<Tracks>* read_runs) {
+  require_options(logs, options);
+  std::vector<ReadRun<Tracks>> runs = read_all(logs, options, arm, read_runs);
+  ImportResult result{make_recording(arm, "", 0), {}};
+  if constexpr (std::is_same_v<Tracks, PointTracks>) {
+    result.report.base = share_base(options.mapping, arm, runs);
+  }
+  std::vector<std::string> run_names;
+  std::vector<LevelTable> levels;
+  for (ReadRun<Tracks>& read : runs) {
+    throw_if_interrupted();
+    run_names.push_back(read.name);
+    try {
+      for (Episode& episode : import_run(read, options, arm, levels)) {
+        result.recording.episodes.push_back(std::move(episode));
+      }
+    } catch (const SlowLog&) {
+      if (logs.size() > 1) {
+        refuse_all_slow_logs(logs, options, arm, read_runs);
+      }
+      throw;
+    }
+    result.report.runs.push_back(std::move(read.run.report));
   }
   if (!arm.is_spatial()) {
     check_columns(run_names, levels, with_sums_named(options.mapping, arm), arm,

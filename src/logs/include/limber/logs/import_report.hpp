@@ -109,9 +109,18 @@ struct SegmentCheck {
   std::string undecidable;      ///< why these logs can't tell; empty: they can
 };
 
+/// The base that logs of an arm in the plane share.
+struct LogsBase {
+  Pose base;                  ///< of frame B in the logs' plane
+  int logs = 0;               ///< that get it; the others' bases are elsewhere
+  double most_off_m = 0.0;    ///< of what one of them says alone
+  double most_off_rad = 0.0;  ///< the same of the heading
+};
+
 /// Everything that an import did to its logs.
 struct ImportReport {
   std::vector<RunReport> runs;
+  std::optional<LogsBase> base;       ///< none: each log has its own
   std::vector<SegmentCheck> columns;  ///< one for each segment, base first
   /// The simple model's error in every episode, in the recording's order; none where nothing was
   /// tracked.
