@@ -29,10 +29,10 @@ class EnvironmentVerb final : public Verb {
              "  limber environment check my_environments/random_7_001.yaml") {}
 
   void add_flags(CLI::App& app) override {
-    app.add_option("action", words_,
-                   "check FILE: is the start free, and the goal in reach and free?")
-        ->expected(0, 2)
-        ->option_text("[check FILE]");
+    app.add_option("check", check_,
+                   "The word check: is the file's start free, and its goal in reach and free?")
+        ->type_name("");
+    app.add_option("file", file_, "Environment to check, or the name of one of limber's own");
     app.add_flag("--random", random_, "Sample environments about motions of the arm");
     auto* witness =
         app.add_option(
@@ -58,8 +58,8 @@ class EnvironmentVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
-    const bool check = words_.size() == 2 && words_.front() == "check";
-    if (check == random_ || (!check && !words_.empty())) {
+    const bool check = check_ == "check" && !file_.empty();
+    if (check == random_ || (!check && !check_.empty())) {
       throw InputError(
           "expected either 'limber environment check FILE' or "
           "'limber environment --random --count N --out DIR'");
@@ -84,7 +84,7 @@ class EnvironmentVerb final : public Verb {
 
  private:
   int run_check(const ArmDescription& arm, const MotionModel& model, const CommonFlags& flags) {
-    const Environment environment = load_environment(find_environment_file(words_[1]), arm);
+    const Environment environment = load_environment(find_environment_file(file_), arm);
     refuse_to_overwrite_given({svg_}, flags);
     const PlanningProblem problem{arm, model, environment, margin_m_};
     const CollisionChecker checker(arm, environment.obstacles, margin_m_);
@@ -103,10 +103,10 @@ class EnvironmentVerb final : public Verb {
     json["straight_line_solves"] = easy;
     std::string text =
         check.refusal
-            ? fmt::format("{}: {}: {}", words_[1], to_string(*check.refusal), check.reason)
+            ? fmt::format("{}: {}: {}", file_, to_string(*check.refusal), check.reason)
             : fmt::format(
                   "{}: '{}' is fine: {} obstacles, start {}, a straight motion of set points {} it",
-                  words_[1], environment.name, environment.obstacles.size(),
+                  file_, environment.name, environment.obstacles.size(),
                   has_clearance ? fmt::format("{:.2f} cm clear of {}", start.value_m * kCmPerM,
                                               obstacle_name(environment, start.obstacle))
                                 : "free",
@@ -169,7 +169,8 @@ class EnvironmentVerb final : public Verb {
     return kExitDone;
   }
 
-  std::vector<std::string> words_;
+  std::string check_;
+  std::string file_;
   bool random_ = false;
   std::string witness_ = "arm";
   int count_ = 1;
