@@ -39,11 +39,11 @@ def expectation(line):
 
 
 class FirstDay(InFolder):
-    def run_block(self, command):
+    def run_block(self, command, answer=LEFT):
         for pattern, longer in SHORTER:
             command = re.sub(pattern, lambda match: match.expand(longer.replace("\\1", "\\g<1>")), command)
         command = re.sub(r"^limber", shlex.quote(PROGRAM), command)
-        return subprocess.run(["bash", "-o", "pipefail", "-c", command], cwd=self.folder, input=ENTER + LEFT,
+        return subprocess.run(["bash", "-o", "pipefail", "-c", command], cwd=self.folder, input=ENTER + answer,
                               capture_output=True, encoding="utf-8")
 
     def test_the_ten_commands_print_what_the_page_says(self):
@@ -62,6 +62,14 @@ class FirstDay(InFolder):
                 for line in text.splitlines():
                     self.assertRegex(said, expectation(line))
         self.assertEqual(ran, 10)
+
+    def test_a_wrong_answer_may_be_why_the_base_is_not_known(self):
+        shutil.copy(ROOT / "arms" / "two_segment.yaml", self.folder / "mine.yaml")
+        second = [text for language, text in blocks() if language == "sh"][1]
+        result = self.run_block(second.strip(), answer="r\n")
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertIn("the base's frame is known to ±", result.stderr)
+        self.assertIn("Left and right exchanged (--handedness) do this too", result.stderr)
 
     def test_without_a_calibration_it_stops_and_says_why(self):
         shutil.copy(ROOT / "arms" / "two_segment.yaml", self.folder / "mine.yaml")

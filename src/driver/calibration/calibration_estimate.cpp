@@ -308,7 +308,8 @@ WireCalibration estimate(const ArmDescription& arm, const CalibrationLog& log,
     throw CalibrationRefused(
         fmt::format("the base's frame is known to ± {:.2f} mm and ± {:.5f} rad only; asked for "
                     "are {:.2f} mm and {:.5f} rad. Say where the base's marker body sits as "
-                    "built (--base-marker), or ask for less (--tolerance-m, --tolerance-rad)",
+                    "built (--base-marker), or ask for less (--tolerance-m, --tolerance-rad). "
+                    "Left and right exchanged (--handedness) do this too",
                     1e3 * tracker.position_interval_m, tracker.heading_interval_rad,
                     1e3 * tolerance.position_m, tolerance.heading_rad));
   }
