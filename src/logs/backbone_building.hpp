@@ -2,10 +2,10 @@
 
 #include <string>
 
+#include "base_sighting.hpp"
 #include "limber/logs/import_mapping.hpp"
 #include "limber/logs/import_report.hpp"
 #include "log_rows.hpp"
-#include "shared_base.hpp"
 
 namespace limber {
 

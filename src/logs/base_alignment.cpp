@@ -237,7 +237,7 @@ void align_base(const std::string& log, const std::vector<bool>& tracked,
                 const BaseAlignment& alignment, const ArmDescription& arm, PointTracks& tracks,
                 RunReport& report) {
   const BaseFinder finder(log, tracked, alignment, arm, tracks);
-  report.base = is_base_sought(alignment) ? base_of(finder.sight()) : alignment.pose;
+  report.base = is_base_sought(alignment) ? bases_of({finder.sight()}).front() : alignment.pose;
   if (alignment.kind == BaseAlignment::Kind::straight && tracks.has_headings()) {
     tracks.theta_rad.rowwise() -= finder.heading_offsets().transpose();
     tracks.theta_rad.array() += report.base.theta_rad;

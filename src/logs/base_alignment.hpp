@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
+#include "base_sighting.hpp"
 #include "limber/logs/import_mapping.hpp"
 #include "limber/logs/import_report.hpp"
 #include "log_rows.hpp"
-#include "shared_base.hpp"
 
 namespace limber {
 

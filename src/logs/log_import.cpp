@@ -9,7 +9,6 @@
 #include <fmt/ranges.h>
 
 #include "backbone_building.hpp"
-#include "base_alignment.hpp"
 #include "clock_match.hpp"
 #include "column_check.hpp"
 #include "command_check.hpp"
@@ -24,6 +23,7 @@
 #include "log_table.hpp"
 #include "motive_csv.hpp"
 #include "motive_plates.hpp"
+#include "shared_base.hpp"
 #include "space_backbone.hpp"
 #include "space_tracks.hpp"
 
@@ -150,49 +150,11 @@ void bring_clocks_together(const std::string& log, const std::string& command_lo
   report.clock = clock;
 }
 
-/// A run, and what it is from.
-template <class Tracks>
-struct ReadRun {
-  std::string name;  ///< in messages
-  std::string command_log;
-  RunOf<Tracks> run;
-  BaseAlignment alignment;
-};
-
-/// An arm stays bolted down from log to log. What each log alone gets wrong of the base's heading
-/// would turn the same arm anew in every log.
-std::optional<LogsBase> share_base(const ImportMapping& mapping, const ArmDescription& arm,
-                                   std::vector<ReadRun<PointTracks>>& runs) {
-  using Kind = BaseAlignment::Kind;
-  const bool counts_headings_anew =
-      mapping.alignment.kind == Kind::straight && runs.front().run.points.has_headings();
-  if (runs.size() < 2 || !is_base_sought(mapping.alignment) || counts_headings_anew) {
-    return {};
-  }
-  std::vector<BaseSighting> sightings;
-  for (const ReadRun<PointTracks>& read : runs) {
-    throw_if_interrupted();
-    PointTracks points = read.run.points;
-    RunReport unused;
-    put_in_order(read.name, points, unused);
-    sightings.push_back(sight_base(read.name, std::move(points), mapping, arm));
-  }
-  const SharedBase shared = share_base(sightings);
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    runs[i].alignment.kind = Kind::fixed;
-    runs[i].alignment.pose = shared.bases[i].base;
-    if (shared.report && !shared.bases[i].is_shared) {
-      runs[i].run.report.note("the base lies elsewhere than in the other logs: it keeps its own");
-    }
-  }
-  return shared.report;
-}
-
 /// @param levels  gets those of the run, of an arm in the plane
 template <class Tracks>
 std::vector<Episode> import_run(ReadRun<Tracks>& read, const ImportOptions& options,
                                 const ArmDescription& arm, std::vector<LevelTable>& levels) {
-  auto& [name, command_log, run, alignment] = read;
+  auto& [name, command_log, run, mapping] = read;
   put_in_order(name, run.points, run.report);
   const std::string& commands_from = command_log.empty() ? name : command_log;
   // On one clock the same rows would be noted twice.
@@ -202,8 +164,6 @@ std::vector<Episode> import_run(ReadRun<Tracks>& read, const ImportOptions& opti
   sum_commands(options.mapping, arm, run.commands, run.report);
   check_commands(commands_from, with_sums_named(options.mapping, arm), arm, run.commands,
                  run.report);
-  ImportMapping mapping = options.mapping;
-  mapping.alignment = alignment;
   const BackboneTrack motion =
       build_backbone(name, std::move(run.points), mapping, arm, run.report);
   if (!run.one_clock || options.time_offset_s) {
@@ -237,7 +197,7 @@ std::vector<ReadRun<Tracks>> read_all(const std::vector<fs::path>& logs,
         options.command_logs.empty() ? std::string() : options.command_logs[i].string();
     for (RunOf<Tracks>& run : read_runs(logs[i], i, options, arm)) {
       std::string name = name_of(logs[i], run.report);
-      runs.push_back({std::move(name), command_log, std::move(run), options.mapping.alignment});
+      runs.push_back({std::move(name), command_log, std::move(run), options.mapping});
     }
   }
   return runs;
@@ -266,9 +226,7 @@ ImportResult import_logs(const std::vector<fs::path>& logs, const ImportOptions&
   require_options(logs, options);
   std::vector<ReadRun<Tracks>> runs = read_all(logs, options, arm, read_runs);
   ImportResult result{make_recording(arm, "", 0), {}};
-  if constexpr (std::is_same_v<Tracks, PointTracks>) {
-    result.report.base = share_base(options.mapping, arm, runs);
-  }
+  result.report.base = share_base(options.mapping, arm, runs);
   std::vector<std::string> run_names;
   std::vector<LevelTable> levels;
   for (ReadRun<Tracks>& read : runs) {

@@ -2,114 +2,183 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <utility>
 
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
+#include "backbone_building.hpp"
+#include "base_alignment.hpp"
+#include "limber/common/interrupt.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/common/units.hpp"
 #include "limber/data/log_units.hpp"
+#include "space_alignment.hpp"
 
 namespace limber {
 
 namespace {
 
-// Headings of a base that is bolted down: taken from an arm that bends now this way, now that, they
-// differ by less; a base that was mounted anew may differ by more.
-constexpr double kSameHeading_rad = 0.05;
-// Root mean square of the turn about its mean, below which noise would choose the share.
-constexpr double kLeastTurn_rad = 0.05;
+// Where a bolted arm points, by logs in which it bends now this way, now that, differs by less; a
+// base that was mounted anew may differ by more.
+constexpr double kSameDirection_rad = 0.05;
 
-/// How much of the turn at the second point lies before it, by all logs: as much as the direction
-/// to that point changes with it.
-double arc_share_of(const std::vector<BaseSighting>& sightings) {
-  double rows = 0.0;
-  double squares = 0.0;
-  double products = 0.0;
-  for (const BaseSighting& sighting : sightings) {
-    rows += sighting.rows;
-    squares += sighting.turn_squares;
-    products += sighting.turn_products;
+/// A base, in the plane at z 0.
+struct Place {
+  Eigen::Vector3d position_m;
+  Eigen::Vector3d x_axis;
+};
+
+double off_m(const Place& place, const Place& other) {
+  return (place.position_m - other.position_m).norm();
+}
+
+double off_rad(const Place& place, const Place& other) {
+  return std::atan2(place.x_axis.cross(other.x_axis).norm(), place.x_axis.dot(other.x_axis));
+}
+
+Place median_of(const std::vector<Place>& places) {
+  Place result;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    std::vector<double> positions;
+    std::vector<double> directions;
+    for (const Place& place : places) {
+      positions.push_back(place.position_m[axis]);
+      directions.push_back(place.x_axis[axis]);
+    }
+    result.position_m[axis] = median(std::move(positions));
+    result.x_axis[axis] = median(std::move(directions));
   }
-  return squares > rows * kLeastTurn_rad * kLeastTurn_rad ? std::clamp(products / squares, 0.0, 1.0)
-                                                          : sightings.front().arc_share;
+  result.x_axis.normalize();
+  return result;
 }
 
-Pose base_with(const BaseSighting& sighting, double arc_share) {
-  Pose base = sighting.base;
-  base.theta_rad = std::remainder(base.theta_rad - arc_share * sighting.turn_rad, 2.0 * M_PI);
-  return base;
-}
+struct SharedPlace {
+  Place place;
+  std::vector<bool> has_it;
+  LogsBase report;
+};
 
-double heading_off_rad(const Pose& base, const Pose& other) {
-  return std::remainder(base.theta_rad - other.theta_rad, 2.0 * M_PI);
-}
-
-double off_m(const Pose& base, const Pose& other) {
-  return std::hypot(base.x_m - other.x_m, base.y_m - other.y_m);
-}
-
-bool is_same(const Pose& base, const Pose& other) {
-  return off_m(base, other) < kBaseStandsStill_m &&
-         std::abs(heading_off_rad(base, other)) < kSameHeading_rad;
-}
-
-Pose median_of(const std::vector<Pose>& bases) {
-  std::vector<double> x_m;
-  std::vector<double> y_m;
-  std::vector<double> off_rad;
-  for (const Pose& base : bases) {
-    x_m.push_back(base.x_m);
-    y_m.push_back(base.y_m);
-    off_rad.push_back(heading_off_rad(base, bases.front()));
-  }
-  return {median(std::move(x_m)), median(std::move(y_m)),
-          std::remainder(bases.front().theta_rad + median(std::move(off_rad)), 2.0 * M_PI)};
-}
-
-}  // namespace
-
-Pose base_of(const BaseSighting& sighting) {
-  return base_with(sighting, arc_share_of({sighting}));
-}
-
-SharedBase share_base(const std::vector<BaseSighting>& sightings) {
-  const double arc_share = arc_share_of(sightings);
-  std::vector<Pose> alone;
-  for (const BaseSighting& sighting : sightings) {
-    alone.push_back(base_with(sighting, arc_share));
-  }
-  const Pose middle = median_of(alone);
-  SharedBase shared;
-  std::vector<Pose> same;
-  for (const Pose& base : alone) {
-    shared.bases.push_back({base, is_same(base, middle)});
-    if (shared.bases.back().is_shared) {
-      same.push_back(base);
+/// None where most do not agree.
+std::optional<SharedPlace> shared_place(const std::vector<Place>& places) {
+  const Place middle = median_of(places);
+  SharedPlace shared;
+  std::vector<Place> same;
+  for (const Place& place : places) {
+    shared.has_it.push_back(off_m(place, middle) < kBaseStandsStill_m &&
+                            off_rad(place, middle) < kSameDirection_rad);
+    if (shared.has_it.back()) {
+      same.push_back(place);
     }
   }
-  if (same.size() < 2 || 2 * same.size() <= alone.size()) {
-    return shared;
+  if (same.size() < 2 || 2 * same.size() <= places.size()) {
+    return {};
   }
-  LogsBase& report = shared.report.emplace();
-  report.base = median_of(same);
-  report.logs = int(same.size());
-  for (auto& [base, is_shared] : shared.bases) {
-    if (is_shared) {
-      report.most_off_m = std::max(report.most_off_m, off_m(base, report.base));
-      report.most_off_rad =
-          std::max(report.most_off_rad, std::abs(heading_off_rad(base, report.base)));
-      base = report.base;
-    }
+  shared.place = median_of(same);
+  shared.report.logs = int(same.size());
+  for (const Place& place : same) {
+    shared.report.most_off_m = std::max(shared.report.most_off_m, off_m(place, shared.place));
+    shared.report.most_off_rad = std::max(shared.report.most_off_rad, off_rad(place, shared.place));
   }
   return shared;
 }
 
+template <class Tracks>
+void note_others(const SharedPlace& shared, std::vector<ReadRun<Tracks>>& runs) {
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (!shared.has_it[i]) {
+      runs[i].run.report.note("the base lies elsewhere than in the other logs: it keeps its own");
+    }
+  }
+}
+
+/// The points of each run in order of time. @param sight  (name, points)
+template <class Tracks, class Sight>
+void sight_each(const std::vector<ReadRun<Tracks>>& runs, const Sight& sight) {
+  for (const ReadRun<Tracks>& read : runs) {
+    throw_if_interrupted();
+    Tracks points = read.run.points;
+    RunReport unused;
+    put_in_order(read.name, points, unused);
+    sight(read.name, std::move(points));
+  }
+}
+
+std::string text_of(const Eigen::Vector3d& v) {
+  return fmt::format("[{:.5f}, {:.5f}, {:.5f}]", v.x(), v.y(), v.z());
+}
+
+}  // namespace
+
+std::optional<LogsBase> share_base(const ImportMapping& mapping, const ArmDescription& arm,
+                                   std::vector<ReadRun<PointTracks>>& runs) {
+  using Kind = BaseAlignment::Kind;
+  const bool counts_headings_anew =
+      mapping.alignment.kind == Kind::straight && runs.front().run.points.has_headings();
+  if (runs.size() < 2 || !is_base_sought(mapping.alignment) || counts_headings_anew) {
+    return {};
+  }
+  std::vector<BaseSighting> sightings;
+  sight_each(runs, [&](const std::string& name, PointTracks points) {
+    sightings.push_back(sight_base(name, std::move(points), mapping, arm));
+  });
+  const std::vector<Pose> bases = bases_of(sightings);
+  std::vector<Place> places;
+  for (const Pose& base : bases) {
+    places.push_back(
+        {{base.x_m, base.y_m, 0.0}, {std::cos(base.theta_rad), std::sin(base.theta_rad), 0.0}});
+  }
+  const std::optional<SharedPlace> shared = shared_place(places);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const Place& place = shared && shared->has_it[i] ? shared->place : places[i];
+    runs[i].mapping.alignment.kind = Kind::fixed;
+    runs[i].mapping.alignment.pose = {place.position_m.x(), place.position_m.y(),
+                                      std::atan2(place.x_axis.y(), place.x_axis.x())};
+  }
+  if (!shared) {
+    return {};
+  }
+  note_others(*shared, runs);
+  LogsBase report = shared->report;
+  report.alignment = fmt::format("{{x_m: {:.5f}, y_m: {:.5f}, heading_rad: {:.5f}}}",
+                                 shared->place.position_m.x(), shared->place.position_m.y(),
+                                 std::atan2(shared->place.x_axis.y(), shared->place.x_axis.x()));
+  return report;
+}
+
+std::optional<LogsBase> share_base(const ImportMapping& mapping, const ArmDescription& /*arm*/,
+                                   std::vector<ReadRun<SpaceTracks>>& runs) {
+  const SpaceAlignment& asked = mapping.space_alignment;
+  if (runs.size() < 2 || !asked.rest_s || asked.x_axis) {
+    return {};
+  }
+  std::vector<Place> places;
+  sight_each(runs, [&](const std::string& name, const SpaceTracks& points) {
+    const SpacePose X_LB = frame_in_log(name, asked, points);
+    places.push_back({X_LB.position_m, X_LB.rotation * Eigen::Vector3d::UnitX()});
+  });
+  const std::optional<SharedPlace> shared = shared_place(places);
+  if (!shared) {
+    return {};
+  }
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (shared->has_it[i]) {
+      runs[i].mapping.space_alignment.position_m = shared->place.position_m;
+      runs[i].mapping.space_alignment.x_axis = shared->place.x_axis;
+    }
+  }
+  note_others(*shared, runs);
+  LogsBase report = shared->report;
+  report.alignment =
+      fmt::format("{{position_m: {}, x_axis: {}{}, rest_s: [{:.6g}, {:.6g}]}}",
+                  text_of(shared->place.position_m), text_of(shared->place.x_axis),
+                  asked.y_axis ? fmt::format(", y_axis: {}", text_of(*asked.y_axis)) : "",
+                  asked.rest_s->x(), asked.rest_s->y());
+  return report;
+}
+
 nlohmann::ordered_json to_json(const LogsBase& shared) {
-  return {{"x_m", shared.base.x_m},
-          {"y_m", shared.base.y_m},
-          {"heading_rad", shared.base.theta_rad},
+  return {{"alignment", shared.alignment},
           {"logs", shared.logs},
           {"most_off_m", shared.most_off_m},
           {"most_off_rad", shared.most_off_rad}};
@@ -118,9 +187,8 @@ nlohmann::ordered_json to_json(const LogsBase& shared) {
 std::string to_text(const LogsBase& shared, std::ptrdiff_t runs) {
   return fmt::format(
       "base: one for {} of {} logs, each of which alone has it within {:.1f} mm and {:.4f} rad of "
-      "there. For later logs: 'alignment: {{x_m: {:.5f}, y_m: {:.5f}, heading_rad: {:.5f}}}'\n",
-      shared.logs, runs, kMmPerM * shared.most_off_m, shared.most_off_rad, shared.base.x_m,
-      shared.base.y_m, shared.base.theta_rad);
+      "there. For later logs: 'alignment: {}'\n",
+      shared.logs, runs, kMmPerM * shared.most_off_m, shared.most_off_rad, shared.alignment);
 }
 
 }  // namespace limber

@@ -7,36 +7,32 @@
 
 #include <nlohmann/json.hpp>
 
-#include "limber/arm/backbone.hpp"
+#include "limber/logs/import_mapping.hpp"
 #include "limber/logs/import_report.hpp"
+#include "log_runs.hpp"
+#include "space_tracks.hpp"
 
 namespace limber {
 
-/// What one log says of where the base is. An arm whose points have no headings leaves its base
-/// along `base.theta_rad` − share · `turn_rad`, where the share is the arm's own (`base_of`).
-struct BaseSighting {
-  Pose base;                   ///< median position; mean heading, or direction to the next point
-  double turn_rad = 0.0;       ///< mean turn at that point; 0 where headings were measured
-  double arc_share = 0.0;      ///< of an arc, which bends evenly
-  double rows = 0.0;           ///< of these moments about the means:
-  double turn_squares = 0.0;   ///< Σ turn²
-  double turn_products = 0.0;  ///< Σ turn · direction
+/// A run, and how it is made poses.
+template <class Tracks>
+struct ReadRun {
+  std::string name;  ///< in messages
+  std::string command_log;
+  RunOf<Tracks> run;
+  ImportMapping mapping;
 };
 
-/// By one log alone.
-Pose base_of(const BaseSighting& sighting);
-
-/// The base of an arm that stays bolted down from log to log: medians over those that agree, which
-/// get it. Where most do not, each keeps its own.
-struct SharedBase {
-  struct OfLog {
-    Pose base;
-    bool is_shared = false;
-  };
-  std::optional<LogsBase> report;  ///< none: nothing is shared
-  std::vector<OfLog> bases;        ///< of each log
-};
-SharedBase share_base(const std::vector<BaseSighting>& sightings);
+/// An arm stays bolted down from log to log: what each log alone gets wrong of where it points
+/// would turn the same arm anew in every log. Logs whose bases agree get one, the median of
+/// theirs, in their mappings; the others, which are noted, and all where most do not agree, keep
+/// their own.
+/// @return none where the mapping says where the base is, or nothing is shared
+/// @throws InputError as `build_backbone` does
+std::optional<LogsBase> share_base(const ImportMapping& mapping, const ArmDescription& arm,
+                                   std::vector<ReadRun<PointTracks>>& runs);
+std::optional<LogsBase> share_base(const ImportMapping& mapping, const ArmDescription& arm,
+                                   std::vector<ReadRun<SpaceTracks>>& runs);
 
 nlohmann::ordered_json to_json(const LogsBase& shared);
 /// A line. @param runs  all logs

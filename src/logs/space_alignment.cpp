@@ -215,6 +215,11 @@ void settle_base(const std::string& log, const SpaceAlignment& alignment, SpaceT
 
 }  // namespace
 
+SpacePose frame_in_log(const std::string& log, const SpaceAlignment& alignment,
+                       const SpaceTracks& tracks) {
+  return find_frame(log, alignment, tracks).X_LB;
+}
+
 void align_in_space(const std::string& log, const SpaceAlignment& alignment, SpaceTracks& tracks,
                     RunReport& report) {
   const SpaceFrame frame = find_frame(log, alignment, tracks);

@@ -109,12 +109,12 @@ struct SegmentCheck {
   std::string undecidable;      ///< why these logs can't tell; empty: they can
 };
 
-/// The base that logs of an arm in the plane share.
+/// The base that logs share: the arm stood there in all of them.
 struct LogsBase {
-  Pose base;                  ///< of frame B in the logs' plane
+  std::string alignment;      ///< what a mapping of later logs says of it
   int logs = 0;               ///< that get it; the others' bases are elsewhere
   double most_off_m = 0.0;    ///< of what one of them says alone
-  double most_off_rad = 0.0;  ///< the same of the heading
+  double most_off_rad = 0.0;  ///< the same of where the arm points
 };
 
 /// Everything that an import did to its logs.

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "limber/arm/backbone.hpp"
+
+namespace limber {
+
+/// What one log says of where the base is. An arm whose points have no headings leaves its base
+/// along `base.theta_rad` − share · `turn_rad`, where the share is the arm's own.
+struct BaseSighting {
+  Pose base;                   ///< median position; mean heading, or direction to the next point
+  double turn_rad = 0.0;       ///< mean turn at that point; 0 where headings were measured
+  double arc_share = 0.0;      ///< of an arc, which bends evenly
+  double rows = 0.0;           ///< of these moments about the means:
+  double turn_squares = 0.0;   ///< Σ turn²
+  double turn_products = 0.0;  ///< Σ turn · direction
+};
+
+/// Each log's base, the share taken from all of them. @pre at least one
+std::vector<Pose> bases_of(const std::vector<BaseSighting>& sightings);
+
+}  // namespace limber
