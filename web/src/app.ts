@@ -88,7 +88,7 @@ export class App {
     this.stage = new Stage(byId<HTMLCanvasElement>('canvas'), () => this.scene(), {
       down: (at, reach, event) => this.down(at, reach, event),
       drag: (at, event) => this.entered.drag?.(at, event.timeStamp),
-      up: () => this.entered.up?.(),
+      up: (isCut) => this.entered.up?.(isCut),
     });
     this.stage.painted = () => this.painted();
     byId('folder').textContent = `${this.project.folder} · limber ${this.project.version}`;

@@ -63,7 +63,6 @@ export class FollowMode implements Mode {
 
   down(at: Point): boolean {
     this.drawn = [at];
-    this.run = null;
     return true;
   }
   drag(at: Point): void {
@@ -72,10 +71,16 @@ export class FollowMode implements Mode {
     this.drawn.push(at);
     this.app.stage.draw();
   }
-  up(): void {
-    if (this.drawn.length > 2) this.path = pathOf(this.drawn);
+  up(isCut: boolean): void {
+    const { drawn, isStroke } = this;
     this.drawn = [];
+    this.app.stage.draw();
+    if (!isStroke || isCut) return; // the path before stays, and its run
+    this.path = pathOf(drawn);
     this.ask();
+  }
+  private get isStroke(): boolean {
+    return this.drawn.length > 2;
   }
 
   private timed(): number[] {
@@ -91,7 +96,9 @@ export class FollowMode implements Mode {
     if (this.path.length < 2) return this.say('There is no path yet.');
     this.say('The arm follows …');
     const { tab, armName: arm, model, environment } = this.app;
-    void this.app.attempt(() => post('follow', { tab, request: ++this.request, arm, model, environment, path: this.timed() }));
+    const request = ++this.request;
+    void this.app.attempt(() => post<void>('follow', { tab, request, arm, model, environment, path: this.timed() })
+      .catch((error: Error) => this.onFault(request, error.message)));
   }
 
   onFollowed(run: Followed): void {
@@ -113,7 +120,7 @@ export class FollowMode implements Mode {
 
   scene(): Partial<Scene> {
     const { run, app } = this;
-    const path = this.drawn.length > 0 ? this.drawn : this.path;
+    const path = this.isStroke ? this.drawn : this.path;
     const atRest = { shape: app.arm.rest, colour: 'virtual_arm' as const };
     return { path, hidesGoal: true, figures: run ? figuresAt(run, this.shown, this.player.time_s) : [atRest] };
   }

@@ -14,7 +14,8 @@ export interface Mode {
   down?(at: Point, reach_m: number): boolean;
   /** @param at_ms  when the hand was there */
   drag?(at: Point, at_ms: number): void;
-  up?(): void;
+  /** @param isCut  by something else than the hand */
+  up?(isCut: boolean): void;
   /** What stands for what on the stage: class of the swatch, and words. */
   legend(): [string, string][];
 }

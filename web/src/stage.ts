@@ -10,7 +10,8 @@ export type StageEvents = {
   /** Something is grabbed: true; or the stage itself is moved: false. */
   down(at: Point, reach_m: number, event: PointerEvent): boolean;
   drag(at: Point, event: PointerEvent): void;
-  up(): void;
+  /** @param isCut  by a second finger, or by the browser */
+  up(isCut: boolean): void;
 };
 
 const kFinger_px = 22;
@@ -137,7 +138,7 @@ export class Stage {
     this.canvas.setPointerCapture(event.pointerId);
     this.pointers.set(event.pointerId, this.at(event));
     if (this.pointers.size > 1) {
-      this.letGo();
+      this.letGo(true);
       return;
     }
     const reach = (event.pointerType === 'touch' ? kFinger_px : kMouse_px) * this.camera.m_per_px;
@@ -169,12 +170,12 @@ export class Stage {
 
   private up(event: PointerEvent): void {
     this.pointers.delete(event.pointerId);
-    this.letGo();
+    this.letGo(event.type === 'pointercancel');
   }
-  private letGo(): void {
+  private letGo(isCut: boolean): void {
     const held = this.grabbed;
     this.grabbed = false;
-    if (held) this.events.up();
+    if (held) this.events.up(isCut);
   }
 
   private wheel(event: WheelEvent): void {

@@ -24,6 +24,9 @@ pageTest('a path is drawn by hand, and the arm follows it', async (page) => {
   assert.ok((await rms_cm(page)) < 1.5, await outcome(page).textContent());
   assert.match(await page.textContent('.plots'), /Pressure of segment 2.*Tip from the path.*Clearance/s);
   await page.waitForFunction(() => document.querySelector('.play input').valueAsNumber > 0.3);
+  const before = await outcome(page).textContent();
+  await page.mouse.click(...(await pixelsOf(page, [0.5, 0.1])));
+  assert.equal(await outcome(page).textContent(), before, 'a tap draws nothing');
 });
 
 pageTest('a circle is followed by keyboard alone, and its file by the program', async (page) => {
