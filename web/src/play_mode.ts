@@ -1,4 +1,4 @@
-import { type ArmFrame, type Environment, type Motion, post, type Run, type TrackKey } from './api';
+import { type ArmFrame, type Environment, type Motion, type Plan, post, type Run, type TrackKey } from './api';
 import type { App } from './app';
 import { ArmPanel } from './arm_panel';
 import { button, changeText, checkbox, h } from './dom';
@@ -20,7 +20,8 @@ export class PlayMode implements Mode {
   private readonly options: RunOptions = { replan: false, obstacle: false }; // as they were ticked
   private trail: Point[] = []; // of the arm's tip, while it moves
   private seen: ArmFrame | null = null; // the last one of the trail
-  private armScene: Environment | null = null; // of the arm's run
+  private armRun: { plan: Plan | null; environment: Environment; motion: Motion | null } | null = null; // the last one
+  private boxes = h('div', { class: 'checks' });
   private player: Player = new Player(() => (this.run ? durationOf(this.run) : 0), () => this.app.refresh(), () => this.toggle());
   private stop = button('Stop', () => void this.app.attempt(() => this.app.armLink.stop().then(() => {})));
   private tracks = h('div');
@@ -46,12 +47,13 @@ export class PlayMode implements Mode {
     const choose = (label: string, key: 'replan' | 'obstacle') =>
       checkbox(label, this.options[key], (on) => {
         this.options[key] = on;
+        this.armRun = null; // it was run otherwise
         this.ask();
       });
+    this.boxes.replaceChildren(...(app.model === '' ? [] : [choose('Closed loop', 'replan')]),
+      choose('Drop an obstacle into the way', 'obstacle'));
     panel.append(
-      h('section', {}, h('h2', {}, 'Time'), this.player.element,
-        h('div', { class: 'checks' }, app.model !== '' && choose('Closed loop', 'replan'),
-          choose('Drop an obstacle into the way', 'obstacle'))),
+      h('section', {}, h('h2', {}, 'Time'), this.player.element, this.boxes),
       arm,
       h('section', {}, h('h2', {}, 'The same plan, moved by'), this.tracks),
       h('section', {}, h('h2', {}, 'Over time'), this.plots.element),
@@ -88,18 +90,27 @@ export class PlayMode implements Mode {
     if (request === this.request) this.tracks.replaceChildren(h('p', { class: 'warning' }, message));
   }
 
-  /** The arm's own motion, once it is over: beside the models' of the same plan. */
+  /** The arm's own motion, once it is over: shown with the models', now or when they are there. */
   onArmRun(motion: Motion): void {
-    const { app } = this;
-    if (!this.run || !app.armLink.ownRun) return;
-    if (app.environment !== this.armScene) return app.say('The arm’s run was of the scene before: it is recorded');
-    const models = this.run.tracks.filter(({ key }) => key !== 'arm' && key !== 'virtual_arm');
+    const { app, armRun } = this;
+    if (!armRun || !app.armLink.ownRun) return;
     this.trail = [];
-    this.show({ ...motion, tracks: [...models, ...motion.tracks] });
-    this.player.seek(durationOf(motion));
+    armRun.motion = motion;
+    if (armRun.plan !== app.planner.plan) return app.say('The arm’s run was of the plan before: it is recorded');
+    if (!this.run) return;
+    this.show(this.run);
+    this.player.seek(durationOf(this.run));
+  }
+  /** Beside the models' motions of the same plan. */
+  private withArm(run: Motion): Motion {
+    const { motion, plan } = this.armRun ?? {};
+    if (!motion || plan !== this.app.planner.plan) return run;
+    const models = run.tracks.filter(({ key }) => key !== 'arm' && key !== 'virtual_arm');
+    return { ...motion, tracks: [...models, ...motion.tracks] };
   }
 
-  private show(run: Motion): void {
+  private show(motion: Motion): void {
+    const run = this.withArm(motion);
     this.run = run;
     this.tracks.replaceChildren(tracksPanel(run, this.shown, () => {
       this.plot();
@@ -120,7 +131,7 @@ export class PlayMode implements Mode {
       const { armLink } = app;
       if (armLink.runs) return void app.attempt(() => armLink.pause(!armLink.paused));
       this.trail = [];
-      this.armScene = app.environment;
+      this.armRun = { plan: app.planner.plan, environment: app.environment, motion: null };
       this.player.seek(0);
       return void app.attempt(() => armLink.run({ ...possible(this.options, app.model), limit_scale: this.armPanel.limitScale }));
     }
@@ -140,6 +151,7 @@ export class PlayMode implements Mode {
       this.seen = live;
     }
     player.slider.disabled = isLive;
+    for (const box of this.boxes.querySelectorAll('input')) box.disabled = isLive; // they are as it began
     player.press.disabled = isLive && !armLink.isMine;
     changeText(player.press, isLive
       ? (armLink.paused ? 'Go on' : 'Pause')
@@ -154,7 +166,7 @@ export class PlayMode implements Mode {
     if (!live) {
       return run ? { environment: environmentAt(environment, run, time_s), figures: figuresAt(run, this.shown, time_s), showReach: false, showTree } : {};
     }
-    const around = this.armScene ?? environment;
+    const around = this.armRun?.environment ?? environment;
     const models = new Set([...this.shown].filter((key) => key !== 'arm' && key !== 'virtual_arm'));
     const now: Figure[] = live.shape ? [{ shape: live.shape, pressures_kpa: live.pressure_kpa, colour: 'arm', trail: this.trail }] : [];
     return {

@@ -60,9 +60,12 @@ test('armed by hand, the arm runs the plan within its limits, pauses, goes on an
   await page.getByLabel(/limits that the arm may use/).selectOption({ label: '100 %' });
   await play(page);
   await moving(page);
+  assert.ok(await page.getByLabel('Drop an obstacle').isDisabled(), 'it is as it was when the arm began');
   await page.getByRole('button', { name: 'Pause' }).dispatchEvent('click');
   await says(page, 'Holds: paused');
   await page.waitForTimeout(1000); // five frames: a fast page would go on before three are over
+  await page.getByRole('tab', { name: 'Follow' }).click();
+  await page.getByRole('tab', { name: 'Play' }).click(); // its run is not lost by that
   await page.getByRole('button', { name: 'Go on' }).click();
   await says(page, /vented: .* kPa/);
   assert.match(await page.textContent('.tracks'), /Simple model.*The arm.*(arrives|misses|strikes)/s);
