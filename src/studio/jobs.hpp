@@ -31,7 +31,8 @@ struct PlanJob : SceneJob {
   double time_limit_s = 5.0;
   std::uint64_t seed = 1;
   bool with_tree = false;
-  double limit_scale = 1.0;  ///< of the arm's pressure limits, kMinLimitScale to 1
+  double limit_scale = 1.0;        ///< of the arm's pressure limits, kMinLimitScale to 1
+  std::optional<double> margin_m;  ///< from obstacles; none: what the model's error asks for
 };
 /// The plan that stands, by every model.
 struct RunJob {

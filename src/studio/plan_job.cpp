@@ -100,7 +100,9 @@ class PlanReporter {
   double now_s() const { return seconds_since(begin_); }
   /// What may be in the way, as far as the simple model tells; else what has not been found yet.
   std::string doubt() const {
-    const ErrorRoom room = error_room(scene_.motion().forward());
+    AskedRoom asked;
+    asked.margin_m = job_.margin_m;
+    const ErrorRoom room = error_room(scene_.motion().forward(), asked);
     const PlanningProblem problem =
         problem_with_room(scene_.arm(), scene_.motion(), environment_, room);
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(kDoubtForS);
@@ -142,6 +144,7 @@ void run_plan_job(const PlanJob& job, const StudioScene& scene, const std::atomi
   PlanSettings settings;
   settings.callback = [&](const PlannerProgress& progress) { return reporter.note(progress); };
   settings.on_plan = [&](const Plan& plan) { reporter.take(plan); };
+  settings.room.margin_m = job.margin_m;
   settings.within = limits_of(with_scaled_limits(scene.arm(), job.limit_scale));
   PlannerLimits limits;
   limits.time_s = job.time_limit_s;

@@ -226,6 +226,9 @@ class Studio::Server {
       job.seed = body.at("seed").count(UINT32_MAX);
       job.with_tree = body.at("tree").boolean();
       job.limit_scale = body.at("limit_scale").number(kMinLimitScale, 1.0);
+      if (const JsonReader margin = body.at("margin_m"); !margin.is_null()) {
+        job.margin_m = margin.number();
+      }
       return job;
     });
     post("/api/run", [this](const JsonReader& body, Response& response) {

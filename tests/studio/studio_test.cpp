@@ -114,6 +114,7 @@ class StudioServer : public ::testing::Test {
             {"environment", nlohmann::json::parse(answer.substr(answer.find("\r\n\r\n") + 4))},
             {"time_limit_s", 20.0},
             {"limit_scale", 1.0},
+            {"margin_m", nullptr},
             {"seed", 1},
             {"tree", true}};
   }
@@ -312,7 +313,8 @@ TEST_F(StudioServer, ATreeIsShownWhileItGrows) {
 
 TEST_F(StudioServer, APageGetsACertifiedPlanAndSavesIt) {
   RawClient page(studio_->port());
-  const nlohmann::json request = question(page);
+  nlohmann::json request = question(page);
+  request["margin_m"] = 0.001;
   EXPECT_THAT(post("/api/plan", request.dump()), StartsWith("HTTP/1.1 200"));
   EXPECT_THAT(page.read_until("event: plan"), HasSubstr("event: plan"));
   EXPECT_THAT(page.read_until("event: result"), HasSubstr("\"status\":\"solved\""));
@@ -321,6 +323,7 @@ TEST_F(StudioServer, APageGetsACertifiedPlanAndSavesIt) {
   EXPECT_THAT(post("/api/plan/save", save.dump()), HasSubstr("plans/first.json"));
   EXPECT_THAT(post("/api/plan/save", save.dump()), StartsWith("HTTP/1.1 412"));
   EXPECT_TRUE(read_plan(folder_ / "project/plans/first.json").certified);
+  EXPECT_EQ(read_plan(folder_ / "project/plans/first.json").margin_m, 0.001);
 
   save["arm"] = request["arm"];
   save["environment"] = request["environment"];

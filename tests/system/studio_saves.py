@@ -60,7 +60,7 @@ def save_all(page, arm):
     for k in range(ENVIRONMENTS):
         page.post("/api/environment", {**scene, "name": f"e{k:02d}"})
     page.post("/api/plan", {**scene, "request": 1, "model": "", "time_limit_s": 20.0, "limit_scale": 1.0, "seed": 1,
-                            "tree": False})
+                            "tree": False, "margin_m": None})
     page.wait_for("^event: plan")
     page.post("/api/plan/save", {**scene, "name": "p"})
 

@@ -44,6 +44,7 @@ export class App {
   live = true;
   timeLimit_s = 5;
   limitScale = 1; // of the pressures that plans may use
+  margin_m: number | null = null; // that plans keep from obstacles; null: what the model's error asks for
   view = { tree: false, tube: false, reach: true };
   readonly planner = new LivePlanner(() => this.tab, (seen = true) => this.refreshSoon(seen));
   readonly armLink = new ArmLink(() => this.tab, () => this.armChanged());
@@ -177,13 +178,14 @@ export class App {
     this.history.reset(shown);
     this.saved = this.environment;
     this.environmentName = environmentName;
-    this.selected = null;
+    this.selected = this.margin_m = null;
     return true;
   }
   /** The model for the same arm and environment. */
   choose(model: string): boolean {
     ++this.choice;
     this.model = model;
+    this.margin_m = null;
     return true;
   }
 
@@ -272,7 +274,7 @@ export class App {
     this.planner.ask(
       {
         arm: this.armName, model: this.model, environment: this.environment,
-        time_limit_s: this.timeLimit_s, tree: this.view.tree, limit_scale: this.limitScale,
+        time_limit_s: this.timeLimit_s, tree: this.view.tree, limit_scale: this.limitScale, margin_m: this.margin_m,
       },
       at_ms,
     );

@@ -71,8 +71,17 @@ export function familyPanel(step: string, fit: () => void): HTMLElement {
 
 const kOfTheSimpleModel = "the no-load model's error is not known"; // said above in the page's own words
 
-/** What the search says. @param simple  whether the simple model plans */
-export function planPanel(planner: LivePlanner, unit: string, simple: boolean): HTMLElement {
+const kFlags = /: --(?:margin-m ([\d.e-]+)|goal-margin-m 0 keeps none)/g; // of limber plan, in reasons
+
+/** Why there is no plan, and where one keeps less: a button that asks for it. */
+function reasonParts(reason: string, keep: (margin_m: number) => void): HTMLElement[] {
+  const margin_m = [...reason.matchAll(kFlags)].map(([, found]) => Number(found)).find(Number.isFinite);
+  return [h('p', {}, reason.replaceAll(kFlags, '')),
+    ...(margin_m === undefined ? [] : [button(`Keep ${cm(margin_m)}`, () => keep(margin_m), { class: 'main' })])];
+}
+
+/** What the search says. @param simple  whether the simple model plans @param keep  asks for less clearance */
+export function planPanel(planner: LivePlanner, unit: string, simple: boolean, keep: (margin_m: number) => void): HTMLElement {
   const { plan, progress, result, fault, searching, isCurrent } = planner;
   if (fault) return h('div', { class: 'status bad' }, h('strong', {}, 'Not planned'), h('p', {}, fault));
   if (plan && isCurrent) {
@@ -109,7 +118,7 @@ export function planPanel(planner: LivePlanner, unit: string, simple: boolean): 
       goal_in_collision: 'The goal is not free',
       not_certified: 'No plan is certified',
     };
-    return h('div', { class: 'status bad' }, h('strong', {}, titles[result.status] ?? result.status), h('p', {}, result.reason));
+    return h('div', { class: 'status bad' }, h('strong', {}, titles[result.status] ?? result.status), ...reasonParts(result.reason, keep));
   }
   return h('div', { class: 'status' }, h('strong', {}, 'Not planned yet'));
 }

@@ -4,7 +4,7 @@ import { button, byId, changeText, checkbox, choice, field, h, refill } from './
 import { dragged, type Handle, hit, type Point, type Selection } from './environment';
 import { exportRow } from './export';
 import type { Mode } from './mode';
-import { familyPanel, planPanel, scaleChoice, selectionPanel, thingsList } from './panels';
+import { cm, familyPanel, planPanel, scaleChoice, selectionPanel, thingsList } from './panels';
 import type { Scene } from './picture';
 
 /** Arm, obstacles and goal by hand; a plan that follows. */
@@ -67,8 +67,11 @@ export class PlanMode implements Mode {
     });
     if (this.nameOf !== app.saved) this.name.value = app.environment.name; // of another document
     this.nameOf = app.saved;
+    const { margin_m } = app;
     panel.append(
       h('section', {}, this.status,
+        margin_m === null ? '' : h('p', { class: 'warning' }, `Plans keep ${cm(margin_m)} from obstacles, less than the model’s error asks for. `,
+          button('Keep all of it', () => this.keep(null))),
         h('div', { class: 'row' },
           button('Plan', () => app.ask(), { class: 'main' }), stop, savePlan),
         h('div', { class: 'checks' },
@@ -105,6 +108,12 @@ export class PlanMode implements Mode {
     this.fitting = '';
     ++this.request;
   }
+  /** The clearance of plans from now on; null: what the model's error asks for. */
+  private keep(margin_m: number | null): void {
+    this.app.margin_m = margin_m;
+    this.app.show();
+    this.app.ask();
+  }
   /** The panel again, unless it was left. */
   private show(): void {
     if (this.name.isConnected) this.app.show();
@@ -140,7 +149,7 @@ export class PlanMode implements Mode {
     buttons.savePlan.disabled = !app.planner.plan || !app.planner.isCurrent;
     refill(this.status, app.isFamily
       ? familyPanel(this.fitting, () => void this.fit())
-      : planPanel(app.planner, app.unit, app.model === ''));
+      : planPanel(app.planner, app.unit, app.model === '', (margin_m) => this.keep(margin_m)));
     changeText(byId('said'), this.status.querySelector('strong')?.firstChild?.textContent ?? '');
     if (this.drawn?.[0] === app.environment && this.drawn[1] === app.selected) return; // somebody may be typing
     if (app.stage.isHeld) return; // their numbers follow when the hand lets go

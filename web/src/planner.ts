@@ -7,6 +7,7 @@ export type PlanQuestion = {
   time_limit_s: number;
   tree: boolean;
   limit_scale: number;
+  margin_m: number | null; // null: what the model's error asks for
 };
 
 /** So long a search goes on although there is a newer question: else a quick hand sees no plan. */

@@ -1,7 +1,7 @@
 import { describe, expect, it, vi } from 'vitest';
 import { LivePlanner, type PlanQuestion } from '../src/planner';
 
-const question = { arm: 'a', model: '', time_limit_s: 1, tree: false } as PlanQuestion;
+const question = { arm: 'a', model: '', time_limit_s: 1, tree: false, margin_m: null } as PlanQuestion;
 const plan = (request: number) => ({ request }) as never;
 
 /** Requests that wait until they are answered. @return of each, what it says of `key` */
