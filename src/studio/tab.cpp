@@ -41,7 +41,7 @@ void Tab::post(Job job) {
   std::optional<FoundPlan> gone;  // without the lock, which an arm's frames may wait for
   {
     const std::lock_guard lock(mutex_);
-    if (std::holds_alternative<PlanJob>(job) || std::holds_alternative<OpenJob>(job)) {
+    if (std::holds_alternative<PlanJob>(job)) {
       gone.swap(found_);  // of another scene: nothing may run it any more
     }
     next_ = std::move(job);

@@ -319,6 +319,11 @@ TEST_F(StudioServer, APageGetsACertifiedPlanAndSavesIt) {
   EXPECT_THAT(page.read_until("event: plan"), HasSubstr("event: plan"));
   EXPECT_THAT(page.read_until("event: result"), HasSubstr("\"status\":\"solved\""));
 
+  const nlohmann::json open = {
+      {"tab", request["tab"]}, {"request", 8}, {"folder", "none"}, {"run", "none"}};
+  EXPECT_THAT(post("/api/plan/open", open.dump()), StartsWith("HTTP/1.1 200"));
+  EXPECT_THAT(page.read_until("\"request\":8"), HasSubstr("event: fault"));
+
   nlohmann::json save = {{"tab", request["tab"]}, {"name", "first"}, {"overwrite", false}};
   EXPECT_THAT(post("/api/plan/save", save.dump()), HasSubstr("plans/first.json"));
   EXPECT_THAT(post("/api/plan/save", save.dump()), StartsWith("HTTP/1.1 412"));

@@ -14,6 +14,7 @@ import type { Scene } from './picture';
 import { PlanMode } from './plan_mode';
 import { LivePlanner } from './planner';
 import { PlayMode } from './play_mode';
+import { playOf } from './results';
 import { ResultsMode } from './results_mode';
 import { fragmentOf, linkOf } from './scene_link';
 import { Stage } from './stage';
@@ -216,14 +217,17 @@ export class App {
     return location.href;
   }
 
-  /** A plan of an experiment, with all that it was made for: it is played. */
+  /** A plan of an experiment, with all that it was made for: it is played as its row was executed, as far as Play can. */
   async onOpened({ request, arm, model, environment, plan }: Opened): Promise<void> {
     if (!this.planner.isAwaited(request)) return;
     if (!(await this.open(arm, environment))) return;
     this.choose(model);
     this.planner.take(plan);
     this.link();
+    const { options, leftOut } = playOf(this.modes.results.played!);
+    Object.assign(this.modes.play.options, options);
     this.enter('play');
+    if (leftOut) this.say(`Played without what the experiment had: ${leftOut}`);
   }
 
   /** After another arm, model or environment was chosen. */

@@ -21,6 +21,7 @@ export function handlersOf(app: App): Handlers {
     opened: (opened) => void app.attempt(() => app.onOpened(opened)),
     measuring: ({ request, share }) => modes.results.onMeasuring(request, share),
     measured: (measured) => modes.results.onMeasured(measured),
-    fault: ({ request, message }) => app.entered.onFault(request, message),
+    fault: ({ request, message }) =>
+      planner.isRefused(request) ? app.say(message) : app.entered.onFault(request, message),
   };
 }

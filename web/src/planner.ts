@@ -25,6 +25,7 @@ export class LivePlanner {
   fault = '';
   searching = false;
   private request = 0;
+  private awaited = 0; // the request of a plan that is being opened; 0: none
   private sending = false;
   private next: { question: PlanQuestion; asked_ms: number } | null = null;
   private asked_ms = 0;
@@ -36,9 +37,9 @@ export class LivePlanner {
     private readonly changed: (seen?: boolean) => void,
   ) {}
 
-  /** Whether the plan answers the last question. */
+  /** Whether the plan answers the last question, and none takes its place. */
   get isCurrent(): boolean {
-    return this.plan !== null && this.plan.request === this.request;
+    return this.plan !== null && this.plan.request === this.request && this.awaited === 0;
   }
   /** When the event happened that the plan answers. [ms of performance.now] */
   get askedAt_ms(): number {
@@ -54,6 +55,7 @@ export class LivePlanner {
   /** What was said of the question before is over. */
   private begin(): void {
     this.searching = true;
+    this.awaited = 0;
     this.progress = this.result = this.tree = null;
     this.fault = '';
   }
@@ -72,17 +74,31 @@ export class LivePlanner {
   forget(): void {
     this.end();
     ++this.request;
+    this.awaited = 0;
     this.plan = this.progress = this.result = this.tree = null;
     this.fault = '';
   }
 
-  /** Takes no other plan than one that is opened. @return the request that it answers */
+  /** A plan is being opened; until it is there, the one before stays. @return the request that it answers */
   expect(): number {
-    this.forget();
-    return this.request;
+    this.giveUp();
+    this.end();
+    this.awaited = this.request + 1;
+    return this.awaited;
   }
   isAwaited(request: number): boolean {
-    return request === this.request;
+    return request !== 0 && request === this.awaited;
+  }
+  /** Where it was not refused, the studio may have opened it already: then the one before is no more. */
+  giveUp(): void {
+    if (this.awaited !== 0) this.forget();
+  }
+  /** @return whether that was the plan to be opened: the one before is current again */
+  isRefused(request: number): boolean {
+    if (!this.isAwaited(request)) return false;
+    this.awaited = 0;
+    this.changed();
+    return true;
   }
 
   async stop(): Promise<void> {
@@ -94,6 +110,7 @@ export class LivePlanner {
   /** One that was opened. */
   take(plan: Plan): void {
     this.request = plan.request;
+    this.awaited = 0;
     this.onPlan(plan);
   }
   onPlan(plan: Plan): void {

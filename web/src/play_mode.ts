@@ -17,7 +17,7 @@ export class PlayMode implements Mode {
   private run: Motion | null = null;
   private shown = new Set<TrackKey>(['simple', 'network', 'virtual_arm', 'arm']);
   private request = 0;
-  private readonly options: RunOptions = { replan: false, obstacle: false }; // as they were ticked
+  readonly options: RunOptions = { replan: false, obstacle: false }; // as they were ticked
   private trail: Point[] = []; // of the arm's tip, while it moves
   private seen: ArmFrame | null = null; // the last one of the trail
   private armRun: { plan: Plan | null; environment: Environment; motion: Motion | null } | null = null; // the last one

@@ -2,6 +2,7 @@
 
 import type { Arm, Coverage, Experiment, Horizons, Row, TrialRun } from './api';
 import { button, h, svg } from './dom';
+import type { RunOptions } from './motion';
 
 const kWidth = 308;
 const kHeight = 150;
@@ -24,6 +25,15 @@ export function wayOf({ model, planner, controller, disturbance }: Row): string 
     controller === 'open' ? '' : controller,
     disturbance,
   ].filter((word) => word !== '').join(', ');
+}
+
+/** How Play moves a row's plans, and what of the row it leaves out. */
+export function playOf({ controller, disturbance }: Row): { options: RunOptions; leftOut: string } {
+  const others = disturbance.split(',').filter((kind) => kind !== '' && kind !== 'obstacle');
+  return {
+    options: { replan: controller === 'replan', obstacle: disturbance.split(',').includes('obstacle') },
+    leftOut: [...(['open', 'replan'].includes(controller) ? [] : [controller]), ...others].join(', '),
+  };
 }
 
 /** How a run ended. */

@@ -1,4 +1,4 @@
-import { type Experiment, get, type Measured, post, type TrialRun } from './api';
+import { type Experiment, get, type Measured, post, type Row, type TrialRun } from './api';
 import type { App } from './app';
 import { button, choice, field, h } from './dom';
 import type { Mode } from './mode';
@@ -10,6 +10,7 @@ export class ResultsMode implements Mode {
   private experiment: Experiment | null = null;
   private open: number | null = null; // the row whose runs are shown
   private runs: TrialRun[] | null = null;
+  played: Row | null = null; // of the run that was clicked last
   private table = h('div');
   private onRecording = h('section');
   private recording = '';
@@ -47,6 +48,7 @@ export class ResultsMode implements Mode {
 
   leave(): void {
     if (this.measuring) this.end();
+    this.app.planner.giveUp();
   }
 
   private show(): void {
@@ -81,14 +83,20 @@ export class ResultsMode implements Mode {
   private play({ id }: TrialRun): void {
     const { app } = this;
     if (!app.mayLose('Open the scene of this run?')) return;
+    this.played = this.experiment?.rows[this.open ?? 0] ?? null;
     const request = app.planner.expect();
     this.measuring = false; // the tab does one thing at a time
     this.refresh();
-    void app.attempt(() => post('plan/open', { tab: app.tab, request, folder: this.experiment?.folder, run: id }));
+    void app.attempt(() => post<void>('plan/open', { tab: app.tab, request, folder: this.experiment?.folder, run: id })
+      .catch((error: Error) => {
+        app.planner.isRefused(request);
+        throw error;
+      }));
   }
 
   private measure(): void {
     const { app } = this;
+    app.planner.giveUp();
     this.measuring = true;
     this.bar.value = 0;
     this.measured.replaceChildren();
@@ -125,10 +133,7 @@ export class ResultsMode implements Mode {
     this.refresh();
   }
   onFault(request: number, message: string): void {
-    if (!this.measuring || request !== this.request) {
-      this.app.say(message); // of a plan that can't be opened
-      return;
-    }
+    if (!this.measuring || request !== this.request) return;
     this.measuring = false;
     this.measured.replaceChildren(h('p', { class: 'warning' }, message));
     this.refresh();

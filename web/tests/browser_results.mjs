@@ -16,6 +16,9 @@ const results = async (page) => {
 };
 
 pageTest('a run of the last experiment is opened from its row, and played', async (page) => {
+  await page.getByRole('tab', { name: 'Play' }).click();
+  await page.getByLabel('Closed loop').check();
+  await page.getByRole('tab', { name: 'Plan', exact: true }).click();
   await page.getByLabel('Model').selectOption('');
   await results(page);
   assert.match(await page.textContent('#panel'), /results\/table/);
@@ -30,6 +33,7 @@ pageTest('a run of the last experiment is opened from its row, and played', asyn
   await page.waitForSelector('.tracks li');
   assert.equal(await page.getByRole('tab', { name: 'Play' }).getAttribute('aria-selected'), 'true');
   assert.match(await page.textContent('.tracks'), /Simple model.*Network.*Virtual arm/s);
+  assert.equal(await page.getByLabel('Closed loop').isChecked(), false, 'as the row was executed');
   assert.match(decodeURIComponent(page.url()), /model=(given|models).*environments\/01_pillar/);
   await page.getByRole('tab', { name: 'Plan', exact: true }).click();
   assert.match(await page.textContent('.status.good'), /Certified plan/);

@@ -131,6 +131,22 @@ describe('the live planner', () => {
     expect(planner.searching).toBe(false);
   });
 
+  it('keeps its plan where another can’t be opened, and plays neither meanwhile', async () => {
+    vi.stubGlobal('fetch', () => new Promise(() => {}));
+    const planner = new LivePlanner(() => 'tab', () => {});
+    planner.ask(question, 0);
+    planner.onPlan(plan(1));
+    const request = planner.expect();
+    expect([planner.isCurrent, planner.isAwaited(request)]).toEqual([false, true]);
+    expect(planner.isRefused(request)).toBe(true);
+    expect(planner.isCurrent).toBe(true);
+    planner.take(plan(planner.expect()));
+    expect(planner.isCurrent).toBe(true);
+    planner.expect();
+    planner.giveUp(); // the studio may have opened it
+    expect(planner.plan).toBeNull();
+  });
+
   it('has a stale plan once another is asked for while there is no tab', () => {
     vi.stubGlobal('fetch', () => new Promise(() => {}));
     let tab = 'tab';

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Row, TrialRun } from '../src/api';
-import { coveredShare, endOf, wayOf } from '../src/results';
+import { coveredShare, endOf, playOf, wayOf } from '../src/results';
 
 const run: TrialRun = {
   id: 'a', status: 'solved', cost_kpa: 400, goal_reached: true, collided: false, stopped_ahead: false,
@@ -16,6 +16,12 @@ describe('an experiment', () => {
     expect(endOf({ ...run, goal_reached: false, stopped_ahead: true })).toBe('stops, 0.31 cm');
     expect(endOf({ ...run, goal_reached: null, collided: null, distance_to_goal_cm: null })).toBe('not executed');
     expect(endOf({ ...run, status: 'limit' })).toBe('no plan');
+  });
+  it('is played as its row was executed, and names what is not', () => {
+    expect(playOf({ ...row, controller: 'replan', disturbance: 'obstacle' })).toEqual({ options: { replan: true, obstacle: true }, leftOut: '' });
+    expect(playOf({ ...row, controller: 'jacobian', disturbance: 'tip_load=0.1,obstacle' }))
+      .toEqual({ options: { replan: false, obstacle: true }, leftOut: 'jacobian, tip_load=0.1' });
+    expect(playOf(row)).toEqual({ options: { replan: false, obstacle: false }, leftOut: '' });
   });
   it('leaves out of a row what is as usual', () => {
     expect(wayOf(row)).toBe('network');
