@@ -1,7 +1,7 @@
 import { type Arm, type Environment, get, listen, type Opened, post, type Project, type Refusal } from './api';
 import { ArmLink } from './arm_link';
 import { toWorld } from './camera';
-import { byId, changeText, h, refilled } from './dom';
+import { byId, changeText, h, refilled, tool } from './dom';
 import { DriveMode } from './drive_mode';
 import { added, newObstacle, type Point, removed, type Selection, stillSelected } from './environment';
 import { handlersOf } from './events';
@@ -93,6 +93,10 @@ export class App {
       up: (isCut) => this.entered.up?.(isCut),
     });
     this.stage.painted = () => this.painted();
+    byId('tools').after(
+      tool('−', 'Zoom out', () => this.stage.zoom(0.8)),
+      tool('+', 'Zoom in', () => this.stage.zoom(1.25)),
+      tool('⤢', 'Show everything', () => this.stage.refit()));
     byId('folder').textContent = `${this.project.folder} · limber ${this.project.version}`;
     await this.attempt(async () => void (await this.openLink(location.hash)));
     if (!this.environmentName) await this.openLink('');
@@ -107,9 +111,7 @@ export class App {
     for (const [i, tab] of tabs.entries()) {
       tab.addEventListener('keydown', ({ key }) => tabs[tabAfter(tabs.length, i, key) ?? i].focus());
     }
-    document.addEventListener('keydown', (event) => {
-      if (this.mode === 'plan') onKey(this, event);
-    });
+    document.addEventListener('keydown', (event) => onKey(this, event, this.mode === 'plan'));
     addEventListener('beforeunload', (event) => {
       if (this.isChanged) event.preventDefault();
     });
@@ -250,7 +252,6 @@ export class App {
       tab.ariaSelected = String(name === mode);
       tab.tabIndex = name === mode ? 0 : -1; // arrow keys lead to the others
     }
-    byId('tools').hidden = mode !== 'plan';
     if (isAnother && byId('panel').contains(document.activeElement)) byId(`mode-${mode}`).focus();
     this.show();
   }

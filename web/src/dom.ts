@@ -30,6 +30,10 @@ export function button(text: string, press: () => void, attributes: Attributes =
   return h('button', { type: 'button', onclick: press, ...attributes }, text);
 }
 
+/** One that shows a sign instead of its name. */
+export const tool = (sign: string, name: string, press: () => void): HTMLButtonElement =>
+  button(sign, press, { title: name, 'aria-label': name });
+
 /** Where it differs: else a screen reader would say the same words again. */
 export function changeText(element: HTMLElement, text: string): void {
   if (element.textContent !== text) element.textContent = text;

@@ -2,10 +2,13 @@ import type { Environment } from './api';
 import type { App } from './app';
 import { byId } from './dom';
 import { centreOf, dragged, type Handle, type Point, rotated, type Selection } from './environment';
+import type { Stage } from './stage';
 
 const kStep_m = 0.002;
 const kLargeStep_m = 0.01;
 const kTurn_rad = 0.05;
+const kPan_px = 40;
+const kWays: Record<string, Point> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 /** What a key on the stage does to what is selected; null: nothing. */
 export function keyEdit(
@@ -17,22 +20,27 @@ export function keyEdit(
   if (selected === null) return null;
   if (key === '[' || key === ']') return rotated(environment, selected, key === '[' ? kTurn_rad : -kTurn_rad);
   const step = shift ? kLargeStep_m : kStep_m;
-  const ways: Record<string, Point> = {
-    ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, step], ArrowDown: [0, -step],
-  };
-  const by = ways[key];
+  const by = kWays[key];
   if (by === undefined) return null;
   const handle: Handle = { of: selected, part: 'body' };
   const from: Point =
     selected === 'goal'
       ? [environment.goal.x_m, environment.goal.y_m]
       : centreOf(environment.obstacles[selected]);
-  return dragged(environment, handle, from, [from[0] + by[0], from[1] + by[1]]);
+  return dragged(environment, handle, from, [from[0] + step * by[0], from[1] + step * by[1]]);
 }
 
-/** Undo and redo anywhere; on the stage, what changes the scene and the view. */
-export function onKey(app: App, event: KeyboardEvent): void {
-  if (event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement) return;
+/** On the stage, what changes the view; null: nothing. */
+export function viewAct(stage: Pick<Stage, 'zoom' | 'refit' | 'pan'>, key: string): (() => void) | null {
+  if (key in kWays) {
+    const [x, y] = kWays[key];
+    return () => stage.pan(-kPan_px * x, kPan_px * y);
+  }
+  return { '+': () => stage.zoom(1.25), '-': () => stage.zoom(0.8), '0': () => stage.refit() }[key] ?? null;
+}
+
+/** Undo and redo anywhere; on the stage, what changes the scene. @return whether it was such a key */
+function onSceneKey(app: App, event: KeyboardEvent): boolean {
   const control = event.ctrlKey || event.metaKey;
   const letter = event.key.toLowerCase();
   if (control && (letter === 'z' || letter === 'y')) {
@@ -40,19 +48,26 @@ export function onKey(app: App, event: KeyboardEvent): void {
     if (letter === 'y' || event.shiftKey) app.redo();
     else app.undo();
   }
-  if (control || event.target !== byId('canvas')) return;
+  if (control || event.target !== byId('canvas')) return false;
   const acts: Record<string, () => void> = {
     Escape: () => app.select(null),
     Delete: () => app.removeSelected(),
     Backspace: () => app.removeSelected(),
-    '+': () => app.stage.zoom(1.25),
-    '-': () => app.stage.zoom(0.8),
-    '0': () => app.stage.refit(),
   };
   const next = keyEdit(app.environment, app.selected, event.key, event.shiftKey);
-  if (next || acts[event.key]) event.preventDefault();
   if (next) app.edit(next);
   else acts[event.key]?.();
+  return next !== null || event.key in acts;
+}
+
+/** @param edits  whether the mode changes the scene */
+export function onKey(app: App, event: KeyboardEvent, edits: boolean): void {
+  if (event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement) return;
+  const isScenes = edits && onSceneKey(app, event);
+  if (event.target !== byId('canvas') || event.ctrlKey || event.metaKey) return;
+  const act = isScenes ? null : viewAct(app.stage, event.key);
+  if (isScenes || act) event.preventDefault();
+  act?.();
 }
 
 /** Where a key leads from the i-th of `count` tabs; undefined: nowhere. */

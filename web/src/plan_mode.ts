@@ -1,6 +1,6 @@
 import { type Environment, type Fitted, type Fitting, post, Refusal } from './api';
 import type { App } from './app';
-import { button, byId, changeText, checkbox, choice, field, h, refill } from './dom';
+import { button, byId, changeText, checkbox, choice, field, h, refill, tool } from './dom';
 import { dragged, type Handle, hit, type Point, type Selection } from './environment';
 import { exportRow } from './export';
 import type { Mode } from './mode';
@@ -24,23 +24,18 @@ export class PlanMode implements Mode {
 
   enter(panel: HTMLElement): void {
     const { app } = this;
-    const { project, stage } = app;
+    const { project } = app;
     this.drawn = null;
     const undo = button('↶', () => app.undo(), { title: 'Undo (Ctrl+Z)', 'aria-label': 'Undo' });
     const redo = button('↷', () => app.redo(), { title: 'Redo (Ctrl+Y)', 'aria-label': 'Redo' });
     const stop = button('Stop', () => void app.attempt(() => app.planner.stop()));
     const savePlan = button('Save plan', () => this.save('plan/save', {}));
     this.buttons = { undo, redo, stop, savePlan };
-    const tool = (sign: string, label: string, press: () => void) =>
-      button(sign, press, { title: label, 'aria-label': label });
     byId('tools').replaceChildren(
       tool('●', 'Add a circle', () => app.add('circle')),
       tool('■', 'Add a rectangle', () => app.add('rectangle')),
       tool('▲', 'Add a polygon', () => app.add('polygon')),
       h('i'), undo, redo, h('i'),
-      tool('−', 'Zoom out', () => stage.zoom(0.8)),
-      tool('+', 'Zoom in', () => stage.zoom(1.25)),
-      tool('⤢', 'Show everything', () => stage.refit()),
     );
     const reopen = (open: () => Promise<boolean>) =>
       void app.attempt(async () => {

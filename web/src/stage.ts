@@ -88,6 +88,11 @@ export class Stage {
     this.draw();
   }
 
+  pan(dx_px: number, dy_px: number): void {
+    this.camera = panned(this.camera, dx_px, dy_px);
+    this.draw();
+  }
+
   private drawNow(): void {
     this.due = false;
     const { x, y, m_per_px, width, height } = this.camera;
@@ -155,8 +160,7 @@ export class Stage {
     } else if (this.grabbed) {
       this.events.drag(toWorld(this.camera, now), event);
     } else {
-      this.camera = panned(this.camera, now[0] - before[0], now[1] - before[1]);
-      this.draw();
+      this.pan(now[0] - before[0], now[1] - before[1]);
     }
   }
 

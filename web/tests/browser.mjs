@@ -231,10 +231,16 @@ pageTest('everything goes by keyboard alone', async (page) => {
   await page.keyboard.press('Shift+ArrowLeft');
   assert.ok(Math.abs((await fieldValue(page, /^x/)) - (x - 0.01)) < 1e-9);
   const label = () => page.locator('.grid-labels .x').first().evaluate((span) => span.style.left);
-  const before = await label();
-  await page.keyboard.press('+');
-  while ((await label()) === before) await page.waitForTimeout(50);
+  const changesView = async (key) => {
+    await page.focus('#canvas');
+    const before = await label();
+    await page.keyboard.press(key);
+    while ((await label()) === before) await page.waitForTimeout(50);
+  };
+  await changesView('+');
   await page.keyboard.press('0');
+  await page.keyboard.press('Escape');
+  await changesView('ArrowRight');
   const nameless = await page.evaluate(() =>
     [...document.querySelectorAll('button, input, select')]
       .filter((e) => !(e.ariaLabel || e.getAttribute('aria-label') || e.textContent.trim() || e.labels?.[0]?.textContent.trim()))
@@ -244,6 +250,9 @@ pageTest('everything goes by keyboard alone', async (page) => {
   await page.keyboard.press('ArrowLeft');
   await page.keyboard.press('Enter');
   await page.waitForSelector('#mode-results[aria-selected=true]:focus');
+  await changesView('ArrowLeft');
+  await changesView('-');
+  await page.getByRole('button', { name: 'Show everything' }).press('Enter');
 });
 
 pageTest('a finger drags, two fingers zoom', async (page) => {

@@ -1,9 +1,9 @@
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import type { Environment } from '../src/api';
 import {
   added, centreOf, dragged, handlesOf, hit, isInside, newObstacle, outlineOf, removed, rotated, stillSelected,
 } from '../src/environment';
-import { keyEdit, tabAfter } from '../src/keys';
+import { keyEdit, tabAfter, viewAct } from '../src/keys';
 
 const environment: Environment = {
   name: 'test',
@@ -98,6 +98,14 @@ describe('keys', () => {
     expect(keyEdit(environment, 0, 'x', false)).toBeNull();
     expect(keyEdit(environment, 'goal', 'ArrowUp', true)?.goal.y_m).toBeCloseTo(0.31);
     expect(keyEdit(environment, 'goal', '[', false)?.goal.theta_rad).toBeCloseTo(0.55);
+  });
+  it('move the picture, so that what lies in their direction comes into it', () => {
+    const stage = { pan: vi.fn(), zoom: vi.fn(), refit: vi.fn() };
+    for (const key of ['ArrowRight', 'ArrowUp', '-', '0']) viewAct(stage, key)!();
+    expect(stage.pan.mock.calls).toEqual([[-40, 0], [-0, 40]]);
+    expect(stage.zoom).toHaveBeenCalledWith(0.8);
+    expect(stage.refit).toHaveBeenCalled();
+    expect(viewAct(stage, 'Delete')).toBeNull();
   });
   it('turn a polygon about its middle', () => {
     let turned = environment;
