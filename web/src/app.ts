@@ -32,6 +32,7 @@ const kForeign = 'The studio was started again: open the address that it has pri
 export class App {
   project!: Project;
   saved: Environment | null = null; // as it was opened or saved last
+  isInFile = true; // what was opened; a link's scene is in none
   arm!: Arm;
   armName = '';
   model = '';
@@ -180,6 +181,7 @@ export class App {
     }
     this.history.reset(shown);
     this.saved = this.environment;
+    this.isInFile = environment === null;
     this.environmentName = environmentName;
     this.selected = this.margin_m = null;
     return true;
@@ -204,6 +206,7 @@ export class App {
       this.environmentName = environmentName;
       this.selected = null;
       this.saved = this.environment;
+      this.isInFile = false;
     } else if (asks && !this.mayLose('Open the link?')) {
       this.link(); // the address says again what is open; that makes no hashchange
       return false;

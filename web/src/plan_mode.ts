@@ -29,7 +29,7 @@ export class PlanMode implements Mode {
     const undo = button('↶', () => app.undo(), { title: 'Undo (Ctrl+Z)', 'aria-label': 'Undo' });
     const redo = button('↷', () => app.redo(), { title: 'Redo (Ctrl+Y)', 'aria-label': 'Redo' });
     const stop = button('Stop', () => void app.attempt(() => app.planner.stop()));
-    const savePlan = button('Save plan', () => this.save('plan/save', {}));
+    const savePlan = button('Save plan', () => void app.attempt(() => this.savePlan()));
     this.buttons = { undo, redo, stop, savePlan };
     byId('tools').replaceChildren(
       tool('●', 'Add a circle', () => app.add('circle')),
@@ -86,7 +86,7 @@ export class PlanMode implements Mode {
           reopen(async () =>
             app.mayLose('Open another environment?') && app.open(app.armName, name)))),
         field('Name', this.name),
-        h('div', { class: 'row' }, button('Save environment', () => this.saveEnvironment()),
+        h('div', { class: 'row' }, button('Save environment', () => void app.attempt(async () => this.said(await this.saveEnvironment()))),
           button('Copy link', () => void app.attempt(() => this.copyLink()),
             { title: 'A link that restores the scene' }))),
       h('section', {}, h('h2', {}, 'Goal and obstacles'), this.things, this.selection),
@@ -223,38 +223,48 @@ export class PlanMode implements Mode {
     app.say(`Fitted: ${model}` + (error_cm === null ? '' : `, ${error_cm.toFixed(1)} cm off on seconds that it had not seen`));
   }
 
-  /** The environment's file becomes what is open, unless that has changed meanwhile. */
-  private saveEnvironment(): void {
+  /** The plan; before it its environment, which limber verify compares, where no file has that yet. */
+  private async savePlan(): Promise<void> {
+    const { app } = this;
+    const name = this.name.value;
+    const environment = app.isChanged || !app.isInFile ? await this.saveEnvironment() : '';
+    if (environment !== null) this.said(await this.save('plan/save', {}, name), environment);
+  }
+  /** The environment's file becomes what is open, unless that has changed meanwhile. @return as `save` */
+  private async saveEnvironment(): Promise<string | null> {
     const { app } = this;
     const from = app.environment;
     const environment = this.named();
-    this.save('environment', { arm: app.armName, environment }, (name) => {
-      app.project = { ...app.project, environments: [...new Set([...app.project.environments, name])] };
-      if (app.environment === from) {
-        app.history.change(environment); // no step: undo would take back nothing that is seen
-        this.nameOf = app.saved = environment;
-        app.environmentName = name;
-        app.link();
-      }
-      this.show();
-    });
+    const name = await this.save('environment', { arm: app.armName, environment });
+    if (name === null) return null;
+    app.project = { ...app.project, environments: [...new Set([...app.project.environments, name])] };
+    if (app.environment === from) {
+      app.history.change(environment); // no step: undo would take back nothing that is seen
+      this.nameOf = app.saved = environment;
+      app.isInFile = true;
+      app.environmentName = name;
+      app.link();
+    }
+    this.show();
+    return name;
   }
-  /** Asks before it replaces a file, and replaces the one that it has asked about. */
-  private save(path: string, body: object, saved: (name: string) => void = () => {}): void {
+  private said(name: string | null, first = ''): void {
+    if (name !== null) this.app.say(`Saved ${first && `${first} and `}${name}`);
+  }
+  /**
+   * Asks before it replaces a file, and replaces the one that it has asked about.
+   * @param typed  another one may be typed meanwhile
+   * @return what was written; null: nothing
+   */
+  private async save(path: string, body: object, typed = this.name.value): Promise<string | null> {
     const { app } = this;
-    const name = this.name.value.trim(); // another one may be typed meanwhile
-    const send = async (overwrite: boolean): Promise<void> => {
-      const answer = await post<{ name: string }>(path, { ...body, tab: app.tab, name, overwrite });
-      saved(answer.name);
-      app.say(`Saved ${answer.name}`);
-    };
-    void app.attempt(async () => {
-      try {
-        await send(false);
-      } catch (error) {
-        if (!(error instanceof Refusal) || error.status !== 412) throw error;
-        if (app.confirms(`${error.message}. Replace it?`)) await send(true);
-      }
-    });
+    const send = async (overwrite: boolean): Promise<string> =>
+      (await post<{ name: string }>(path, { ...body, tab: app.tab, name: typed.trim(), overwrite })).name;
+    try {
+      return await send(false);
+    } catch (error) {
+      if (!(error instanceof Refusal) || error.status !== 412) throw error;
+      return app.confirms(`${error.message}. Replace it?`) ? send(true) : null;
+    }
   }
 }

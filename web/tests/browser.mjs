@@ -95,6 +95,14 @@ pageTest('what is saved is a file that limber verifies', async (page) => {
   const plan = join(shared.studio.project, 'plans/my own.json');
   assert.ok(existsSync(plan));
   execFileSync(program, ['verify', '--model', network, '--environment', environment, '--plan', plan]);
+  await page.getByRole('button', { name: 'Add a circle' }).click();
+  await page.getByRole('textbox', { name: 'Name to save as' }).fill('other');
+  await page.getByRole('button', { name: 'Plan', exact: true }).click();
+  await page.waitForFunction(() => document.querySelector('.status.good') && !document.querySelector('.status em'));
+  await page.getByRole('button', { name: 'Save plan' }).click();
+  await page.getByText('Saved environments/other.yaml and plans/other.json').waitFor();
+  const [others, its] = ['environments/other.yaml', 'plans/other.json'].map((name) => join(shared.studio.project, name));
+  execFileSync(program, ['verify', '--model', network, '--environment', others, '--plan', its]);
 });
 
 pageTest('another model and environment are chosen, and tree and tube shown', async (page) => {

@@ -11,20 +11,41 @@ it('a file is replaced under the name that was asked about, whatever is typed me
       ? new Response('{"error": "plans/a.json is there already"}', { status: 412 })
       : new Response('{"name": "plans/a.json"}');
   });
-  let done: Promise<void> = Promise.resolve();
   const questions: string[] = [];
   const mode = new PlanMode({
-    tab: 't', say: () => {}, attempt: (work: () => Promise<void>) => (done = work()),
-    confirms: (question: string) => {
+    tab: 't', confirms: (question: string) => {
       questions.push(question);
       fields.name.value = 'b';
       return true;
     },
   } as never);
-  const fields = mode as unknown as { name: { value: string }; save: (path: string, body: object) => void };
+  const fields = mode as unknown as { name: { value: string }; save: (path: string, body: object) => Promise<string> };
   fields.name.value = 'a ';
-  fields.save('plan/save', {});
-  await done;
+  expect(await fields.save('plan/save', {})).toBe('plans/a.json');
   expect(questions).toEqual(['plans/a.json is there already. Replace it?']);
   expect(sent.map(({ name, overwrite }) => [name, overwrite])).toEqual([['a', false], ['a', true]]);
+});
+
+it('a plan is saved with its environment where no file has that', async () => {
+  fakePage();
+  const sent: string[] = [];
+  vi.stubGlobal('fetch', async (path: string) => {
+    sent.push(path);
+    return new Response(`{"name": "${path}"}`);
+  });
+  const said: string[] = [];
+  const app = {
+    project: { environments: [] }, environment: {}, isChanged: true, isInFile: true, say: (text: string) => said.push(text), link: () => {},
+    history: { change: () => {} },
+  };
+  const mode = new PlanMode(app as never) as unknown as { savePlan: () => Promise<void>; name: { isConnected: boolean } };
+  mode.name.isConnected = false;
+  await mode.savePlan();
+  expect(said).toEqual(['Saved /api/environment and /api/plan/save']);
+  app.isChanged = false;
+  await mode.savePlan();
+  app.isInFile = false; // but of a link
+  await mode.savePlan();
+  const [environment, plan] = ['/api/environment', '/api/plan/save'];
+  expect(sent).toEqual([environment, plan, plan, environment, plan]);
 });
