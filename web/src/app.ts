@@ -57,6 +57,7 @@ export class App {
   };
   private mode: ModeName = 'plan';
   private readonly latency = new Latency(this.planner);
+  private readonly models = new Map<string, string>(); // chosen last, by arms
   private choice = 0; // of arm, environment and model: the last one wins
   private due = false; // a refresh
   private late: ReturnType<typeof setTimeout> | undefined; // a drag's frame, if no other comes first
@@ -83,6 +84,12 @@ export class App {
 
   async readProject(): Promise<void> {
     this.project = await get<Project>('project');
+  }
+  /** Files come and go beside the page: Plan's lists follow. */
+  private async readAgain(): Promise<void> {
+    const before = JSON.stringify(this.project);
+    await this.readProject();
+    if (this.mode === 'plan' && JSON.stringify(this.project) !== before) this.show();
   }
 
   async start(): Promise<void> {
@@ -117,6 +124,7 @@ export class App {
       if (this.isChanged) event.preventDefault();
     });
     this.enter('plan');
+    addEventListener('focus', () => void this.readAgain().catch(() => {}));
     listen(handlersOf(this), (isRefused) => this.lost(isRefused), (on) => this.armLink.sees(on));
   }
 
@@ -190,8 +198,14 @@ export class App {
   choose(model: string): boolean {
     ++this.choice;
     this.model = model;
+    this.models.set(this.armName, model);
     this.margin_m = null;
     return true;
+  }
+  /** The one that was chosen last for the arm; else the simple one. */
+  modelBefore(): string {
+    const model = this.models.get(this.armName) ?? '';
+    return this.project.models.includes(model) ? model : '';
   }
 
   /**
@@ -257,6 +271,7 @@ export class App {
     }
     if (isAnother && byId('panel').contains(document.activeElement)) byId(`mode-${mode}`).focus();
     this.show();
+    if (isAnother && mode === 'plan') void this.readAgain().catch(() => {}); // it is lost, and says so
   }
   /** The mode's panel and legend, from the start. */
   show(): void {

@@ -63,7 +63,7 @@ export function numberInput(value: number, step: number, change: (value: number)
   return input;
 }
 
-export function checkbox(label: string, on: boolean, change: (on: boolean) => void): HTMLElement {
+export function checkbox(label: string, on: boolean, change: (on: boolean) => void): HTMLLabelElement {
   const input = h('input', { type: 'checkbox', checked: on });
   input.addEventListener('change', () => change(input.checked));
   return h('label', { class: 'check' }, input, label);

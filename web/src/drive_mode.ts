@@ -2,6 +2,7 @@ import { type Drive, type Family, get, post, type TrackKey } from './api';
 import type { App } from './app';
 import { button, facts, h } from './dom';
 import type { Point } from './environment';
+import { exportRow } from './export';
 import type { Mode } from './mode';
 import { trackNames } from './names';
 import { cm, driveSliders, familySliders } from './panels';
@@ -37,6 +38,7 @@ export class DriveMode implements Mode {
       h('section', {}, h('h2', {}, 'Tips'), this.readout,
         h('p', { class: 'hint' }, 'Bend the arm and go back to zero: the simple model returns to where it was. ' +
           'The virtual arm, held by friction, does not quite.')),
+      h('section', {}, h('h2', {}, 'Save the picture'), exportRow(this.app)),
     );
     this.e = [];
     this.arms.hidden = true;
@@ -58,6 +60,7 @@ export class DriveMode implements Mode {
     this.arms.hidden = false;
     this.arms.replaceChildren(
       h('h2', {}, family.is_family ? 'Which arm of the family' : 'Another arm of the model’s family'),
+      h('p', { class: 'hint' }, 'The network becomes that arm. The virtual arm stays as it is.'),
       familySliders(family, this.e.length ? this.e : family.e, this.showsAll, become, () => {
         this.showsAll = !this.showsAll;
         this.showFamily();

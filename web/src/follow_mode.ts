@@ -2,7 +2,7 @@ import { type Followed, post } from './api';
 import type { App } from './app';
 import { button, choice, field, h } from './dom';
 import type { Point } from './environment';
-import { save } from './export';
+import { exportRow, save } from './export';
 import type { Mode } from './mode';
 import { durationOf, figuresAt, mainOf } from './motion';
 import { csvOf, figureOf, pathOf, timed } from './path';
@@ -51,7 +51,8 @@ export class FollowMode implements Mode {
         }), 's'))),
       h('section', {}, h('h2', {}, 'Time'), this.player.element),
       h('section', {}, this.outcome),
-      h('section', {}, h('h2', {}, 'Over time'), this.plots.element));
+      h('section', {}, h('h2', {}, 'Over time'), this.plots.element),
+      h('section', {}, h('h2', {}, 'Save the picture'), exportRow(this.app)));
     this.ask();
   }
   leave(): void {

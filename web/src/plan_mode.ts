@@ -1,4 +1,4 @@
-import { type Environment, type Fitted, type Fitting, post, Refusal } from './api';
+import { type Environment, type Fitted, type Fitting, type Plan, post, Refusal } from './api';
 import type { App } from './app';
 import { button, byId, changeText, checkbox, choice, field, h, refill, tool } from './dom';
 import { dragged, type Handle, hit, type Point, type Selection } from './environment';
@@ -15,6 +15,7 @@ export class PlanMode implements Mode {
   private drawn: [Environment, Selection] | null = null; // what the lists show
   private request = 0; // of fitting
   private fitting = ''; // what is being done; empty: nothing
+  private tube = h('label');
   private buttons: Record<'undo' | 'redo' | 'stop' | 'savePlan', HTMLButtonElement> | null = null;
   private grip: { handle: Handle; from: Point; begin: Environment } | null = null;
   private nameOf: Environment | null = null; // as opened or saved
@@ -53,6 +54,7 @@ export class PlanMode implements Mode {
         if (key === 'tree' && on && app.planner.tree === null) app.ask();
         else app.refresh();
       });
+    this.tube = toggle('Tube', 'tube');
     const limits = h('select', { 'aria-label': 'Seconds to search for' },
       ...[1, 5, 20].map((s) => h('option', { value: s, selected: s === app.timeLimit_s }, `${s} s`)));
     limits.addEventListener('change', () => (app.timeLimit_s = Number(limits.value)));
@@ -71,13 +73,13 @@ export class PlanMode implements Mode {
           button('Plan', () => app.ask(), { class: 'main' }), stop, savePlan),
         h('div', { class: 'checks' },
           checkbox('Plan while dragging', app.live, (on) => (app.live = on)),
-          toggle('Search tree', 'tree'), toggle('Tube', 'tube'), toggle('Reach', 'reach')),
+          toggle('Search tree', 'tree'), this.tube, toggle('Reach', 'reach')),
         h('div', { class: 'row' }, field('Search for', limits), field('Pressures', scales))),
       h('section', {}, h('h2', {}, 'Scene'),
         field('Arm', choice(project.arms, app.armName, (name) =>
           reopen(async () => {
             if (!app.mayLose('Open another arm?')) return false;
-            return (await app.open(name, app.environmentName)) && app.choose('');
+            return (await app.open(name, app.environmentName)) && app.choose(app.modelBefore());
           }))),
         field('Model', choice(project.models, app.model, (name) =>
           reopen(async () => app.choose(name)), 'Simple model',
@@ -142,6 +144,7 @@ export class PlanMode implements Mode {
     buttons.redo.disabled = !app.history.canRedo;
     buttons.stop.disabled = !app.planner.searching;
     buttons.savePlan.disabled = !app.planner.plan || !app.planner.isCurrent;
+    this.showTube(app.planner.plan);
     refill(this.status, app.isFamily
       ? familyPanel(this.fitting, () => void this.fit())
       : planPanel(app.planner, app.unit, app.model === '', (margin_m) => this.keep(margin_m)));
@@ -152,6 +155,15 @@ export class PlanMode implements Mode {
     refill(this.things, thingsList(app.environment, app.selected, (what) => app.select(what)));
     refill(this.selection,
       selectionPanel(app.environment, app.selected, (next) => app.edit(next), () => app.removeSelected()));
+  }
+
+  /** Its box can't be ticked where the plan has none, and says why. */
+  private showTube(plan: Plan | null): void {
+    const hasNone = plan !== null && plan.tube === null;
+    const box = this.tube.querySelector('input');
+    if (box === null || box.disabled === hasNone) return;
+    box.disabled = hasNone;
+    this.tube.lastChild!.textContent = hasNone ? 'Tube: none in this plan, a calibrated model has one' : 'Tube';
   }
 
   scene(): Partial<Scene> {

@@ -2,10 +2,10 @@
 
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { existsSync, readFileSync } from 'node:fs';
+import { copyFileSync, existsSync, mkdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pageTest, serve, shared } from './page_test.mjs';
-import { drag, fieldValue, network, openPage, pixelsOf, program } from './studio.mjs';
+import { drag, fieldValue, network, openPage, pixelsOf, program, root } from './studio.mjs';
 
 serve();
 const certified = (page) => page.waitForSelector('.status.good');
@@ -111,11 +111,31 @@ pageTest('another model and environment are chosen, and tree and tube shown', as
   await page.locator('.field', { hasText: /^Environment/ }).locator('select').selectOption('limber:05_between_pillars');
   await page.waitForURL(/05_between_pillars/);
   await certified(page);
-  for (const name of ['Search tree', 'Tube', 'Reach']) await page.getByRole('checkbox', { name }).click();
+  await page.waitForFunction(() => document.querySelector('.status.good.unsure'));
+  assert.ok(await page.getByLabel('Tube: none in this plan').isDisabled(), 'the simple model has none');
+  for (const name of ['Search tree', 'Reach']) await page.getByRole('checkbox', { name }).click();
   await page.getByRole('button', { name: 'Plan', exact: true }).click();
   await page.getByRole('button', { name: 'Stop' }).click({ force: true }); // or it has just ended
   await page.waitForFunction(() =>
     [...document.querySelectorAll('button')].find((b) => b.textContent === 'Stop').disabled);
+});
+
+pageTest('an arm keeps the model that was chosen for it, and lists show files that come', async (page) => {
+  const model = () => page.getByLabel('Model').inputValue();
+  const arms = page.locator('.field', { hasText: /^Arm/ }).locator('select');
+  const [mine, before] = [await arms.inputValue(), await model()];
+  assert.notEqual(before, '');
+  await arms.selectOption('limber:two_segment');
+  await page.waitForURL(/two_segment/);
+  assert.equal(await model(), '');
+  await arms.selectOption(mine);
+  await page.waitForURL((url) => !url.hash.includes('two_segment'));
+  assert.equal(await model(), before);
+  const folder = join(shared.studio.project, 'environments');
+  mkdirSync(folder, { recursive: true });
+  copyFileSync(join(root, 'environments/01_pillar.yaml'), join(folder, 'come.yaml'));
+  await page.evaluate(() => dispatchEvent(new Event('focus')));
+  await page.locator('option[value="environments/come.yaml"]').waitFor({ state: 'attached' });
 });
 
 pageTest('a link restores the scene, and undo still works', async (page) => {

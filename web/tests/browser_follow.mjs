@@ -42,6 +42,14 @@ pageTest('a circle is followed by keyboard alone, and its file by the program', 
   execFileSync(program, ['execute', '--track', file, '--model', network, '--quiet']);
 });
 
+pageTest('pictures are saved from Follow and Drive too', async (page) => {
+  for (const name of ['Follow', 'Drive']) {
+    await page.getByRole('tab', { name }).click();
+    const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'SVG' }).click()]);
+    assert.match(download.suggestedFilename(), /\.svg$/);
+  }
+});
+
 pageTest('a path that leaves the arm’s reach is refused in words', async (page) => {
   await page.getByRole('tab', { name: 'Follow' }).click();
   await page.mouse.move(...(await pixelsOf(page, [0.75, 0.2])));

@@ -73,6 +73,7 @@ pageTest('what a family’s arms differ in moves its network at once; it is not 
   await page.getByRole('tab', { name: 'Drive' }).click();
   await page.waitForSelector('#family');
   assert.equal(await page.locator('#family input').count(), 8);
+  await page.getByText('The virtual arm stays as it is').waitFor();
   await page.getByRole('slider', { name: /friction on the table, of the arm file 0\.250/ }).waitFor();
   const numbers = page.getByRole('button', { name: 'The numbers behind it: 12' });
   await numbers.press('Enter');
