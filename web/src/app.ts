@@ -286,13 +286,13 @@ export class App {
     });
   }
 
-  /** Asks for a plan of what is shown. */
-  ask(): void {
-    this.question(performance.now());
+  /** Asks for a plan of what is shown. @param again  by other samples */
+  ask(again = false): void {
+    this.question(performance.now(), again);
     this.refresh();
   }
   /** @param at_ms  when the hand asked */
-  private question(at_ms: number): void {
+  private question(at_ms: number, again = false): void {
     if (this.isFamily) return this.forget();
     this.planner.ask(
       {
@@ -300,6 +300,7 @@ export class App {
         time_limit_s: this.timeLimit_s, tree: this.view.tree, limit_scale: this.limitScale, margin_m: this.margin_m,
       },
       at_ms,
+      again,
     );
   }
 

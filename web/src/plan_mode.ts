@@ -70,7 +70,7 @@ export class PlanMode implements Mode {
         margin_m === null ? '' : h('p', { class: 'warning' }, `Plans keep ${cm(margin_m)} from obstacles, less than the model’s error asks for. `,
           button('Keep all of it', () => this.keep(null))),
         h('div', { class: 'row' },
-          button('Plan', () => app.ask(), { class: 'main' }), stop, savePlan),
+          button('Plan', () => app.ask(true), { class: 'main' }), stop, savePlan),
         h('div', { class: 'checks' },
           checkbox('Plan while dragging', app.live, (on) => (app.live = on)),
           toggle('Search tree', 'tree'), this.tube, toggle('Reach', 'reach')),

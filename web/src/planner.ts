@@ -27,7 +27,9 @@ export class LivePlanner {
   private request = 0;
   private awaited = 0; // the request of a plan that is being opened; 0: none
   private sending = false;
-  private next: { question: PlanQuestion; asked_ms: number } | null = null;
+  private seed = 1;
+  private scene: Environment | null = null; // of the question before
+  private next: { question: PlanQuestion & { seed: number }; asked_ms: number } | null = null;
   private asked_ms = 0;
   private heard = () => {}; // the question that was sent needs no more patience
 
@@ -46,8 +48,12 @@ export class LivePlanner {
     return this.asked_ms;
   }
 
-  ask(question: PlanQuestion, asked_ms: number): void {
-    this.next = { question, asked_ms };
+  /** @param again  by other samples, if the scene is that of the question before */
+  ask(question: PlanQuestion, asked_ms: number, again = false): void {
+    if (question.environment !== this.scene) this.seed = 1;
+    else if (again) ++this.seed;
+    this.scene = question.environment;
+    this.next = { question: { ...question, seed: this.seed }, asked_ms };
     if (this.tab() === '') ++this.request; // nobody answers for now: the plan is of another scene
     this.begin();
     void this.send();
@@ -162,7 +168,7 @@ export class LivePlanner {
       setTimeout(done, kPatience_ms);
     });
     try {
-      await post('plan', { ...question, request, seed: 1, tab: this.tab() });
+      await post('plan', { ...question, request, tab: this.tab() });
       await heard;
     } catch (error) {
       this.onFault(request, (error as Error).message);

@@ -118,7 +118,7 @@ export class Plots {
     this.charts.push({ plot, show });
     return h('figure', {},
       h('figcaption', {}, `${title}, ${unit}`,
-        h('span', {}, ...series.map(({ swatch, name }, i) => h('span', { title: name }, h('i', { class: `swatch ${swatch}` }), outputs[i])))),
+        h('span', {}, ...series.map(({ swatch, name }, i) => h('span', {}, h('i', { class: `swatch ${swatch}` }), `${name} `, outputs[i])))),
       at);
   }
 }

@@ -200,7 +200,7 @@ pageTest('a plan is played by both models and the virtual arm', async (page) => 
   assert.equal(await slider.inputValue(), there);
   await slider.focus();
   await page.keyboard.press('End');
-  assert.match(await page.textContent('.plots'), /Pressure of segment 2.*Tip from the virtual arm’s.*Clearance/s);
+  assert.match(await page.textContent('.plots'), /Pressure of segment 2.*set .*Network .*Virtual arm .*Tip from the virtual arm’s.*Clearance/s);
   const plot = await page.locator('.plots .u-over').first().boundingBox();
   const cursor = () => page.locator('.plots .u-cursor-x').first().boundingBox().then(({ x }) => x - plot.x);
   const end = await cursor();

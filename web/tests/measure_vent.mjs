@@ -55,7 +55,7 @@ async function openTab() {
 const environment = await (await fetch(`${origin}/api/environment?arm=limber:three_segment&name=limber:01_pillar`, { headers })).json();
 const { first_arm, first_model } = await (await fetch(`${origin}/api/project`, { headers })).json();
 const question = (tab, time_limit_s) => ({
-  tab: tab.id, request: 1, arm: first_arm, model: first_model, environment, time_limit_s, seed: 1, tree: false, limit_scale: 1,
+  tab: tab.id, request: 1, arm: first_arm, model: first_model, environment, time_limit_s, seed: 1, tree: false, limit_scale: 1, margin_m: null,
 });
 const own = await openTab();
 const planned = own.until('result');

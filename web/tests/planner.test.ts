@@ -26,6 +26,19 @@ describe('the live planner', () => {
     answers[1](); // a page's next post waits for it
   });
 
+  it('searches the same scene by other samples where it is asked again, and a new one by the first', async () => {
+    const { sent, answers } = heldFetch('seed');
+    const planner = new LivePlanner(() => 'tab', () => {});
+    const [first, second] = [{}, {}].map((environment) => ({ ...question, environment }) as PlanQuestion);
+    for (const [k, [asked, again]] of ([[first, false], [first, true], [first, false], [second, true]] as const).entries()) {
+      planner.ask(asked, 0, again);
+      await vi.waitFor(() => expect(sent).toHaveLength(k + 1));
+      planner.onPlan(plan(k + 1));
+      answers[k]();
+    }
+    expect(sent).toEqual([1, 2, 2, 1]);
+  });
+
   it('keeps no verdict of a question on the one that waited for it', async () => {
     const { sent, answers } = heldFetch('request');
     const planner = new LivePlanner(() => 'tab', () => {});
