@@ -1,4 +1,5 @@
-import type { Point } from './environment';
+import type { Environment } from './api';
+import { centreOf, type Point, type Selection } from './environment';
 
 /** Where the page looks: `x`, `y` [m] in the middle of `width` × `height` pixels. */
 export type Camera = { x: number; y: number; m_per_px: number; width: number; height: number };
@@ -58,4 +59,17 @@ export function axisLabels(c: Camera): { axis: 'x' | 'y'; at: number; text: stri
     ...steps(bottom, top).map((y) => ({ axis: 'y' as const, at: rounded(toPixels(c, [0, y])[1]), text: y.toFixed(digits) }))
       .filter(({ at }) => at > 64 && at < c.height - 28),
   ];
+}
+
+/** Numbers of obstacles, as messages name them, in their middles; those of a selected polygon's corners above these. [px] */
+export function thingLabels(c: Camera, environment: Environment | null, selected: Selection): { at: Point; text: string }[] {
+  const kAbove_px = 15; // clear of the corner's handle
+  const label = (point: Point, i: number, above_px = 0) => {
+    const [x, y] = toPixels(c, point);
+    return { at: [Math.round(x), Math.round(y - above_px)] as Point, text: String(i) };
+  };
+  const obstacles = environment?.obstacles ?? [];
+  const chosen = typeof selected === 'number' ? obstacles[selected] : undefined;
+  const corners = chosen && 'polygon' in chosen ? chosen.polygon : [];
+  return [...obstacles.map((obstacle, i) => label(centreOf(obstacle), i)), ...corners.map((corner, i) => label(corner, i, kAbove_px))];
 }

@@ -203,6 +203,15 @@ export function added(environment: Environment, obstacle: Obstacle): Environment
   return { ...environment, obstacles: [...environment.obstacles, obstacle] };
 }
 
+/** A corner more, in the middle of the longest edge. */
+export function withCorner(polygon: Point[]): Point[] {
+  const after = (i: number) => polygon[(i + 1) % polygon.length];
+  const lengths = polygon.map(([x, y], i) => Math.hypot(after(i)[0] - x, after(i)[1] - y));
+  const i = lengths.indexOf(Math.max(...lengths));
+  const middle: Point = [mm((polygon[i][0] + after(i)[0]) / 2), mm((polygon[i][1] + after(i)[1]) / 2)];
+  return [...polygon.slice(0, i + 1), middle, ...polygon.slice(i + 1)];
+}
+
 export function removed(environment: Environment, i: number): Environment {
   return { ...environment, obstacles: environment.obstacles.filter((_, k) => k !== i) };
 }

@@ -1,6 +1,6 @@
-import type { Arm, Environment, Family, Motion, Obstacle, TrackKey, Trait } from './api';
-import { button, checkbox, facts, field, h, numberInput } from './dom';
-import { kindOf, type Point, type Selection, withObstacle } from './environment';
+import type { Arm, Environment, Family, Motion, Obstacle, Polygon, TrackKey, Trait } from './api';
+import { button, checkbox, facts, field, h, numberInput, tool } from './dom';
+import { kindOf, type Point, type Selection, withCorner, withObstacle } from './environment';
 import { trackNames } from './names';
 import type { LivePlanner } from './planner';
 import { valueOf, withValue } from './traits';
@@ -50,7 +50,14 @@ export function selectionPanel(
       : 'circle' in obstacle
         ? row(obstacle.circle, (key, value) => set({ circle: { ...obstacle.circle, [key]: value } }))
         : row(obstacle.rectangle, (key, value) => set({ rectangle: { ...obstacle.rectangle, [key]: value } }));
-  return h('div', { class: 'fields' }, ...fields, button('Delete', remove, { class: 'danger', id: 'delete' }));
+  return h('div', { class: 'fields' }, ...fields, 'polygon' in obstacle && cornerRow(obstacle, set), button('Delete', remove, { class: 'danger', id: 'delete' }));
+}
+
+/** Adds and removes corners: as many as there are, three at least. */
+function cornerRow({ polygon }: Polygon, set: (next: Polygon) => void): HTMLElement {
+  return h('div', { class: 'row' }, button('Add a corner', () => set({ polygon: withCorner(polygon) })),
+    ...(polygon.length < 4 ? [] : polygon.map((_, i) =>
+      tool(`− ${i}`, `Remove corner ${i}`, () => set({ polygon: polygon.filter((_corner, k) => k !== i) })))));
 }
 
 /** Everything in the environment, to select without a pointer. */

@@ -1,5 +1,5 @@
 import * as THREE from 'three';
-import { axisLabels, type Camera, fitted, panned, toWorld, zoomed } from './camera';
+import { axisLabels, type Camera, fitted, panned, thingLabels, toWorld, zoomed } from './camera';
 import { h } from './dom';
 import type { Point } from './environment';
 import { Painter } from './painter';
@@ -103,21 +103,28 @@ export class Stage {
       bottom: y - (height / 2) * m_per_px,
     });
     this.view.updateProjectionMatrix();
-    this.picture.paint(this.scene(), this.camera);
+    const scene = this.scene();
+    this.picture.paint(scene, this.camera);
     this.renderer.render(this.world, this.view);
-    this.label();
+    this.label(scene);
     this.painted();
   }
 
-  private label(): void {
+  private label({ environment, selected }: Scene): void {
     const labels = axisLabels(this.camera);
-    const shown = JSON.stringify(labels);
+    const things = thingLabels(this.camera, environment, selected);
+    const shown = JSON.stringify([labels, things]);
     if (this.labels.dataset.shown === shown) return;
     this.labels.dataset.shown = shown;
     this.labels.replaceChildren(
       ...labels.map(({ axis, at, text }) => {
         const span = h('span', { class: axis }, text);
         span.style[axis === 'x' ? 'left' : 'top'] = `${at}px`;
+        return span;
+      }),
+      ...things.map(({ at: [x, y], text }) => {
+        const span = h('span', { class: 'thing' }, text);
+        Object.assign(span.style, { left: `${x}px`, top: `${y}px` });
         return span;
       }),
     );

@@ -68,6 +68,12 @@ pageTest('obstacles are added, moved, resized, turned and deleted', async (page)
     await page.getByRole('button', { name: `Add a ${kind}` }).click();
   }
   assert.equal(await count(), before + 2);
+  const labels = before - 1 + 2 + 3; // of obstacles, and of the selected one's corners
+  await page.waitForFunction((count) => document.querySelectorAll('.grid-labels .thing').length === count, labels);
+  await page.getByRole('button', { name: 'Add a corner' }).click();
+  assert.equal(await page.locator('.field', { hasText: /^x \d/ }).count(), 4);
+  await page.getByRole('button', { name: 'Remove corner 0' }).click();
+  assert.equal(await page.locator('.field', { hasText: /^x \d/ }).count(), 3);
   await page.getByRole('button', { name: 'Delete', exact: true }).click();
   assert.equal(await count(), before + 1);
 });

@@ -1,7 +1,7 @@
 import { describe, expect, it, vi } from 'vitest';
 import type { Environment } from '../src/api';
 import {
-  added, centreOf, dragged, handlesOf, hit, isInside, newObstacle, outlineOf, removed, rotated, stillSelected,
+  added, centreOf, dragged, handlesOf, hit, isInside, newObstacle, outlineOf, removed, rotated, stillSelected, withCorner,
 } from '../src/environment';
 import { keyEdit, tabAfter, viewAct } from '../src/keys';
 
@@ -129,6 +129,14 @@ describe('new and removed obstacles', () => {
       expect(y).toBeCloseTo(0.2);
       expect(removed(next, 3)).toEqual(environment);
     }
+  });
+});
+
+describe('a polygon', () => {
+  it('gets another corner in the middle of its longest edge, also the one that closes it', () => {
+    const corners: [number, number][] = [[0, 0], [0.1, 0], [0.2, 0.3]];
+    expect(withCorner(corners)).toEqual([[0, 0], [0.1, 0], [0.2, 0.3], [0.1, 0.15]]);
+    expect(withCorner([[0, 0], [0.4, 0], [0.2, 0.1]])[1]).toEqual([0.2, 0]);
   });
 });
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { fitted, gridStep_m, panned, toPixels, toWorld, zoomed } from '../src/camera';
+import { fitted, gridStep_m, panned, thingLabels, toPixels, toWorld, zoomed } from '../src/camera';
 import { History } from '../src/history';
 import { centreline, frameAt, sampled, tubeRadii } from '../src/shape';
 
@@ -66,6 +66,20 @@ describe('camera', () => {
       expect(step / m_per_px).toBeGreaterThanOrEqual(72 - 1e-9);
       expect([1, 2, 5]).toContain(Number(step.toExponential().slice(0, 1)));
     }
+  });
+});
+
+describe('numbers in the picture', () => {
+  it('stand in the middles of obstacles, and above the corners of the one that is selected', () => {
+    const camera = { x: 0, y: 0, m_per_px: 0.001, width: 400, height: 200 };
+    const environment = { obstacles: [
+      { circle: { x_m: 0.1, y_m: 0.05, radius_m: 0.02 } }, { polygon: [[0, 0], [0.06, 0], [0, 0.03]] },
+    ] } as never;
+    const middles = [{ at: [300, 50], text: '0' }, { at: [220, 90], text: '1' }];
+    expect(thingLabels(camera, environment, 0)).toEqual(middles);
+    expect(thingLabels(camera, environment, 1).slice(1)).toEqual(
+      [middles[1], { at: [200, 85], text: '0' }, { at: [260, 85], text: '1' }, { at: [200, 55], text: '2' }]);
+    expect(thingLabels(camera, null, null)).toEqual([]);
   });
 });
 
