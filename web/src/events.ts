@@ -22,6 +22,6 @@ export function handlersOf(app: App): Handlers {
     measuring: ({ request, share }) => modes.results.onMeasuring(request, share),
     measured: (measured) => modes.results.onMeasured(measured),
     fault: ({ request, message }) =>
-      planner.isRefused(request) ? app.say(message) : app.entered.onFault(request, message),
+      planner.refuse(request) ? app.say(message) : app.entered.onFault(request, message),
   };
 }

@@ -230,7 +230,7 @@ export class PlanMode implements Mode {
     const { app } = this;
     this.fitting = '';
     await app.readProject();
-    app.model = model;
+    app.choose(model);
     app.reopened();
     app.say(`Fitted: ${model}` + (error_cm === null ? '' : `, ${error_cm.toFixed(1)} cm off on seconds that it had not seen`));
   }

@@ -26,6 +26,7 @@ export class LivePlanner {
   searching = false;
   private request = 0;
   private awaited = 0; // the request of a plan that is being opened; 0: none
+  private opens = 2 ** 32; // these requests' numbers: no other work's fault is taken for theirs
   private sending = false;
   private seed = 1;
   private scene: Environment | null = null; // of the question before
@@ -89,7 +90,7 @@ export class LivePlanner {
   expect(): number {
     this.giveUp();
     this.end();
-    this.awaited = this.request + 1;
+    this.awaited = ++this.opens;
     return this.awaited;
   }
   isAwaited(request: number): boolean {
@@ -100,7 +101,7 @@ export class LivePlanner {
     if (this.awaited !== 0) this.forget();
   }
   /** @return whether that was the plan to be opened: the one before is current again */
-  isRefused(request: number): boolean {
+  refuse(request: number): boolean {
     if (!this.isAwaited(request)) return false;
     this.awaited = 0;
     this.changed();
@@ -115,9 +116,8 @@ export class LivePlanner {
 
   /** One that was opened. */
   take(plan: Plan): void {
-    this.request = plan.request;
     this.awaited = 0;
-    this.onPlan(plan);
+    this.onPlan({ ...plan, request: ++this.request });
   }
   onPlan(plan: Plan): void {
     if (plan.request !== this.request) return;

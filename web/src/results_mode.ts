@@ -89,7 +89,7 @@ export class ResultsMode implements Mode {
     this.refresh();
     void app.attempt(() => post<void>('plan/open', { tab: app.tab, request, folder: this.experiment?.folder, run: id })
       .catch((error: Error) => {
-        app.planner.isRefused(request);
+        app.planner.refuse(request);
         throw error;
       }));
   }

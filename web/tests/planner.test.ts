@@ -151,7 +151,7 @@ describe('the live planner', () => {
     planner.onPlan(plan(1));
     const request = planner.expect();
     expect([planner.isCurrent, planner.isAwaited(request)]).toEqual([false, true]);
-    expect(planner.isRefused(request)).toBe(true);
+    expect(planner.refuse(request)).toBe(true);
     expect(planner.isCurrent).toBe(true);
     planner.take(plan(planner.expect()));
     expect(planner.isCurrent).toBe(true);
