@@ -47,10 +47,11 @@ LiveArmFit::LiveArmFit(const ArmDescription& arm, const CompensationModel& adapt
   retired_ = {Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Zero(size)};
 }
 
+/// In the frames that are predicted: an arm that nobody saw in them tells nothing.
 bool LiveArmFit::has_moved() const {
   const double moved_m = kMovedShare * arm_.length_m();
   const Backbone& start = *recent_[1].shape;
-  return std::ranges::any_of(recent_, [&](const Frame& frame) {
+  return std::any_of(recent_.begin() + 2, recent_.end(), [&](const Frame& frame) {
     return frame.shape && largest_plate_distance_m(*frame.shape, start) > moved_m;
   });
 }

@@ -150,5 +150,15 @@ TEST_F(LiveFit, OfAnArmThatNobodySeesSaysNothing) {
   EXPECT_EQ(fit.largest_error_m(), 0.0);
 }
 
+TEST_F(LiveFit, OfAnArmThatIsLostAfterOneLongFrameSaysNothing) {
+  LiveArmFit fit(arm, arm_at(0));
+  Backbone shape = shape_at_no_load(ForwardModel(arm, arm_at(7)), 0);
+  for (int t = 0; t < kFrames; ++t) {
+    EXPECT_FALSE(fit.observe(pressures(t), t < 2 ? std::optional(shape) : std::nullopt));
+    shape.col(0).array() += 0.1F;  // [m]
+  }
+  EXPECT_EQ(fit.largest_error_m(), 0.0);
+}
+
 }  // namespace
 }  // namespace limber
