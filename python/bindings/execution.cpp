@@ -272,8 +272,8 @@ void bind_execution(py::module_& module) {
   module.def("execute", &execute_with, py::arg("arm"), py::arg("environment"), py::arg("plan"),
              py::arg("driver"), py::arg("settings") = ExecutionSettings{},
              py::arg("controller") = py::none(),
-             "Commands a plan's frames as they stand, then holds; or what a controller decides: a "
-             "ClosedLoop, or a Controller of your own. "
+             "Commands a plan's frames as they stand, then holds; or what a controller decides, no "
+             "faster than the plan was asked to move: a ClosedLoop, or a Controller of your own. "
              "driver: a VirtualArm, a ProcessDriver, or an ArmDriver of your own for "
              "simulation. The arm is vented before this returns, whatever happens; Ctrl-C "
              "raises KeyboardInterrupt. Raises InputError where arm, environment and plan do "

@@ -32,7 +32,7 @@ struct ClosedLoop::Motion {
          const Environment& the_environment, const ErrorRoom& the_room,
          const ClosedLoopSettings& the_settings, std::uint64_t the_seed)
       : arm(the_arm),
-        own(own_of(the_arm, the_model, the_settings)),
+        own(own_of(arm, the_model, the_settings)),
         model(own ? MotionModel(*own, the_model.valves()) : the_model),
         environment(the_environment),
         room(the_room),
@@ -40,7 +40,7 @@ struct ClosedLoop::Motion {
         seed(the_seed),
         planner(make_planner("default", settings.corrections.planner_jobs)),
         start(start_of(PlanningProblem{arm, model, environment, 0.0}).backbone),
-        feedback(the_arm, model.no_load(), model.valves()) {
+        feedback(arm, model.no_load(), model.valves()) {
     if (own) {
       family = family_of(own->compensation());
       fit.emplace(arm, own->compensation());
@@ -100,7 +100,7 @@ struct ClosedLoop::Motion {
     }
   }
 
-  const ArmDescription& arm;
+  ArmDescription arm;  // at the rate of the plan that the run begins with
   std::unique_ptr<ForwardModel> own;
   CompensationModel family;  // of `own`, for which each e gives the bits that `verify` has
   MotionModel model;
@@ -151,10 +151,13 @@ EstimateModel ClosedLoop::estimate_with() const {
 
 void ClosedLoop::begin(const RunStart& start) {
   PlanController::begin(start);
+  Motion& motion = *motion_;
+  motion.arm.pressure_rate_limit_kpa_per_s = start.arm.pressure_rate_limit_kpa_per_s;
+  motion.feedback = ShapeFeedback(motion.arm, motion.model.no_load(), motion.model.valves());
   if (!start.limits.empty()) {
-    motion_->settings.corrections.limits = start.limits;
+    motion.settings.corrections.limits = start.limits;
   }
-  motion_->move_in(motion_->environment);
+  motion.move_in(motion.environment);
 }
 
 /// The frames in between go unobserved: those beside them are no neighbours.

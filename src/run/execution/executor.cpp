@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "background_question.hpp"
+#include "limber/arm/arm_identity.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/units.hpp"
@@ -29,14 +30,14 @@ class Execution {
  public:
   Execution(const ArmDescription& arm, const Environment& environment, const Plan& plan,
             ArmDriver& driver, RunWatch::Look look, const ExecutionSettings& settings)
-      : arm_(arm),
+      : arm_(at_rate_of(plan.arm(), arm, "plan")),
         environment_(environment),
         plan_(plan),
-        driver_(arm, driver, true),
+        driver_(arm_, driver, true),
         settings_(settings),
         controller_(settings.controller != nullptr ? *settings.controller : open_loop_),
-        estimate_(arm, controller_.estimate_with()),
-        watch_(arm, environment, driver, estimate_, std::move(look), settings) {
+        estimate_(arm_, controller_.estimate_with()),
+        watch_(arm_, environment, driver, estimate_, std::move(look), settings) {
     result_.planned_goal_time_s = planned_goal_time_s(environment.goal, plan);
   }
 
@@ -178,7 +179,7 @@ class Execution {
     }
   }
 
-  const ArmDescription& arm_;
+  const ArmDescription arm_;
   const Environment& environment_;
   const Plan& plan_;
   const Plan* followed_ = nullptr;  // the one that was followed last

@@ -106,6 +106,19 @@ TEST_F(ClosedLoopTest, KeepsLimitsAndFrameRuleWithAnArmThatBendsFartherThanItsMo
             float(weaker.pressure_step_limit_kpa()) + 1e-3F);
 }
 
+TEST_F(ClosedLoopTest, KeepsThePlansOwnRateInCorrectionsToo) {
+  const ArmDescription weaker = bending(arm_, 0.6);
+  ArmDescription slowed = weaker;
+  slowed.pressure_rate_limit_kpa_per_s = 0.5 * weaker.pressure_rate_limit_kpa_per_s;
+  FakeArm driver(arm_, kInstant_s);
+  const ExecutionResult closed = run(weaker, plan_of(slowed), driver, few_queries());
+  EXPECT_GT(closed.replans, 0);
+  const auto& setpoints = closed.episode.setpoint_kpa;
+  const Eigen::Index last = setpoints.rows() - 1;
+  EXPECT_LE((setpoints.bottomRows(last) - setpoints.topRows(last)).cwiseAbs().maxCoeff(),
+            float(slowed.pressure_step_limit_kpa()) + 1e-3F);
+}
+
 /// Its device allows less than the arm's file.
 class LimitedArm final : public ArmDriver {
  public:

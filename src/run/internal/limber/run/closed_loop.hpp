@@ -27,7 +27,7 @@ struct ClosedLoopSettings {
 /// corrected by what is measured, the arm is led along its plan, and what is left of that is
 /// replaced where it is no longer any good. Corrections from rest follow.
 ///
-/// An arm that was never tracked runs open loop. Borrows arm, model and environment. One run.
+/// An arm that was never tracked runs open loop. Borrows model and environment. One run.
 class ClosedLoop final : public PlanController {
  public:
   /// @throws InputError if the model is of another arm, or has no network: it errs as much after a
