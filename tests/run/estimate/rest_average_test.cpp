@@ -39,5 +39,16 @@ TEST(RestAverage, TakesNoFramesFromBeforeOneThatWasNotTracked) {
   EXPECT_TRUE(rest.backbone());
 }
 
+// kRestS of an arm at 2 Hz.
+TEST(RestAverage, OneFrameIsNoRest) {
+  for (const float second_m : {1.0F, 1.01F}) {
+    RestAverage rest(1);
+    rest.observe(at(1.0F));
+    EXPECT_FALSE(rest.backbone());
+    rest.observe(at(second_m));
+    EXPECT_EQ(rest.backbone().has_value(), second_m == 1.0F);
+  }
+}
+
 }  // namespace
 }  // namespace limber

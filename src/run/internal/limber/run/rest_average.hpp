@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <optional>
 
@@ -14,8 +15,8 @@ namespace limber {
 /// tracker's noise counts a third as much. Of an arm that moves there is none.
 class RestAverage {
  public:
-  /// @param frames  that a mean is taken over, ≥ 2
-  explicit RestAverage(int frames) : frames_(static_cast<std::size_t>(frames)) {}
+  /// @param frames  that a mean is taken over; one has no halves, so at least two are
+  explicit RestAverage(int frames) : frames_(static_cast<std::size_t>(std::max(2, frames))) {}
 
   void observe(const std::optional<Backbone>& measured);
 
