@@ -65,6 +65,22 @@ TEST_F(OmplPlanner, EveryPlannerRunsAndWhatItSolvesIsCertified) {
   EXPECT_GE(solved, 2) << "an easy problem";
 }
 
+TEST_F(OmplPlanner, DependsOnItsSeedAndNotOnThePlansBefore) {
+  for (const std::string& name : ompl_planner_names()) {
+    for (const char* settings : {"", ",directed=0"}) {
+      SCOPED_TRACE(name + settings);
+      const auto waypoints = [](const PlanResult& result) {
+        return (result.plan ? result.plan : result.best_partial).value_or(Plan{}).waypoints_kpa;
+      };
+      const PlanResult first = plan(name + settings, 3000);
+      const PlanResult again = plan(name + settings, 3000);
+      EXPECT_EQ(first.statistics.nodes, again.statistics.nodes);
+      EXPECT_EQ(first.statistics.queries, again.statistics.queries);
+      EXPECT_EQ(waypoints(first), waypoints(again));
+    }
+  }
+}
+
 // SST goes on after its first plan. What it found earlier was certified then, so that a search that
 // ends in the middle of its work has a plan.
 TEST_F(OmplPlanner, SstIsCertifiedWhileItSearches) {

@@ -163,6 +163,9 @@ class ArmControlSampler final : public oc::ControlSampler {
       values(control)[i] = world_.random.uniform(-step, step);
     }
   }
+  unsigned int sampleStepCount(unsigned int min, unsigned int max) override {
+    return min + world_.random.index(max - min + 1);
+  }
 
  private:
   ArmWorld& world_;

@@ -32,7 +32,7 @@ namespace limber {
 namespace {
 
 /// OMPL's SST with its nodes counted, and with its best motion for whoever looks while it searches.
-class CountedSst final : public ompl::control::SST {
+class CountedSst : public ompl::control::SST {
  public:
   using SST::SST;
   /// Nodes may still be extended or are inactive: dominated, kept because they have children. In a
@@ -76,17 +76,28 @@ constexpr double kSecondsToFreeAState = 1e-6;  // including what belongs to it
 
 using Parameters = std::map<std::string, std::string>;
 
+/// OMPL seeds every generator from one sequence per process, in the order in which they are made.
+/// That of a planner is seeded here, and limber's samplers draw from ArmWorld::random. What is left
+/// is that of the nearest neighbours, which are exact whatever it draws.
 template <class OmplPlanner>
-ob::PlannerPtr make(const oc::SpaceInformationPtr& si) {
-  return std::make_shared<OmplPlanner>(si);
+class Seeded final : public OmplPlanner {
+ public:
+  Seeded(const oc::SpaceInformationPtr& si, std::uint64_t seed) : OmplPlanner(si) {
+    this->rng_.setLocalSeed(seed);
+  }
+};
+
+template <class OmplPlanner>
+ob::PlannerPtr make(const oc::SpaceInformationPtr& si, std::uint64_t seed) {
+  return std::make_shared<Seeded<OmplPlanner>>(si, seed);
 }
 
-const std::map<std::string, ob::PlannerPtr (*)(const oc::SpaceInformationPtr&)> kPlanners{
-    {"ompl:RRT", make<oc::RRT>},
-    {"ompl:SST", make<CountedSst>},
-    {"ompl:KPIECE1", make<oc::KPIECE1>},
-    {"ompl:EST", make<oc::EST>},
-    {"ompl:PDST", make<oc::PDST>}};
+const std::map<std::string, ob::PlannerPtr (*)(const oc::SpaceInformationPtr&, std::uint64_t)>
+    kPlanners{{"ompl:RRT", make<oc::RRT>},
+              {"ompl:SST", make<CountedSst>},
+              {"ompl:KPIECE1", make<oc::KPIECE1>},
+              {"ompl:EST", make<oc::EST>},
+              {"ompl:PDST", make<oc::PDST>}};
 
 OmplSettings take_settings(PlannerName& name) {
   OmplSettings settings;
@@ -125,7 +136,7 @@ class OmplRun {
     }
     find_goal_configurations();
     const oc::SpaceInformationPtr si = make_space_information(world_);
-    ob::PlannerPtr planner = kPlanners.at(name)(si);
+    ob::PlannerPtr planner = kPlanners.at(name)(si, seed_);
     if (!planner->params().setParams(parameters, false)) {
       refuse_parameters(*planner, parameters);
     }
@@ -289,10 +300,7 @@ class OmplPlanner final : public Planner {
                   const PlannerCallback& callback) override {
     require_limits(limits);
     static std::once_flag quiet;
-    std::call_once(quiet, [seed] {
-      ompl::msg::noOutputHandler();
-      ompl::RNG::setSeed(seed == 0 ? 1 : seed);
-    });
+    std::call_once(quiet, [] { ompl::msg::noOutputHandler(); });
     return OmplRun(problem, limits, seed, callback, settings_).run(name_, parameters_, text_);
   }
 
