@@ -10,6 +10,8 @@ namespace limber {
 
 namespace {
 
+constexpr double kUsualScaleKpa = 100.0;  // of the arms that steps in kPa were chosen on
+
 /// @param number  a member of the limits, or a function of them
 template <class Number>
 Pressures of_each(const std::vector<PressureLimits>& limits, Number number) {
@@ -48,6 +50,11 @@ Pressures pressure_limits_kpa(const ArmDescription& arm) {
 
 Pressures pressure_scales_kpa(const ArmDescription& arm) {
   return of_each(limits_of(arm), &PressureLimits::half_width_kpa);
+}
+
+double command_per_kpa(const ArmDescription& arm) {
+  return arm.command.is_pressure_kpa() ? 1.0
+                                       : double(pressure_scales_kpa(arm).mean()) / kUsualScaleKpa;
 }
 
 }  // namespace limber

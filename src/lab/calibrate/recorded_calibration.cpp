@@ -15,6 +15,7 @@
 #include "limber/common/error.hpp"
 #include "limber/lab/tube_calibration.hpp"
 #include "limber/lab/tube_score.hpp"
+#include "limber/world/pressure_box.hpp"
 
 namespace limber {
 
@@ -41,14 +42,15 @@ Tube plain_shape(const ArmDescription& arm, const CompensationModel& model) {
   return tube;
 }
 
-void require_run_of(const Plan& plan, const Episode& run, const std::string& plan_file,
-                    const std::string& file) {
+/// @param same_kpa  largest difference of set points that are the same
+void require_run_of(const Plan& plan, const Episode& run, double same_kpa,
+                    const std::string& plan_file, const std::string& file) {
   const std::vector<int> shown = shown_frames(plan, run);
   for (int k = 1; k < std::min(plan.frame_count(), int(run.frame_count())); ++k) {
     const auto frame = static_cast<std::size_t>(shown[static_cast<std::size_t>(k)]);
     const Pressures& planned = plan.frames[frame].setpoint_kpa;
     const double apart = (run.setpoint_kpa.row(k).transpose() - planned).cwiseAbs().maxCoeff();
-    if (!(apart <= kSameSetpointKpa)) {
+    if (!(apart <= same_kpa)) {
       throw InputError(fmt::format(
           "{}: {}: set points are {:.3g} from those of {}: it is not that plan's run, open "
           "loop. Give --plans in the order of --recordings",
@@ -77,7 +79,8 @@ double score_of(const RecordedCalibration& settings, std::size_t i, const Tube& 
                                  file, recording.episodes.size()));
   }
   const Episode& run = recording.episodes.front();
-  require_run_of(plan, run, settings.plans[i].string(), file);
+  require_run_of(plan, run, kSameSetpointKpa * command_per_kpa(settings.arm),
+                 settings.plans[i].string(), file);
   source = "recordings of " + recording.source;
   return tube_score(plan, run, shape);
 }

@@ -43,6 +43,7 @@ PlanImprover::PlanImprover(const PlanningProblem& problem, SecondOpinions& opini
     : problem_(problem),
       opinions_(opinions),
       aim_(problem),
+      min_gain_kpa_(kMinGainKpa * command_per_kpa(problem.arm)),
       seed_(seed),
       stream_(kFirstStream * (1 + stream)),
       space_{pressure_scales_kpa(problem.arm), setpoints_of(problem)} {}
@@ -109,7 +110,7 @@ Waypoints PlanImprover::repaired(const Miss& miss) const {
 
 std::optional<PlanImprover::Change> PlanImprover::cheaper(Waypoints waypoints_kpa) const {
   const double cost = path_cost_kpa(waypoints_kpa);
-  if (cost >= merit_kpa_ - kMinGainKpa) {
+  if (cost >= merit_kpa_ - min_gain_kpa_) {
     return std::nullopt;
   }
   std::size_t same = 1;
@@ -136,7 +137,7 @@ void PlanImprover::settle(std::vector<Change> changes, std::span<const PathOutco
       continue;
     }
     const double merit_kpa = aim_.merit_kpa(changes[k].cost_kpa, *outcomes[k].held_tip);
-    if (merit_kpa < merit_kpa_ - kMinGainKpa) {
+    if (merit_kpa < merit_kpa_ - min_gain_kpa_) {
       by_merit.emplace_back(merit_kpa, k);
     }
   }

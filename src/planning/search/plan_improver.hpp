@@ -79,6 +79,7 @@ class PlanImprover {
   const PlanningProblem& problem_;
   SecondOpinions& opinions_;
   GoalAim aim_;
+  double min_gain_kpa_;
   std::uint64_t seed_;
   std::uint64_t stream_;
   ChangeSpace space_;

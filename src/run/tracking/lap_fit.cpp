@@ -8,13 +8,14 @@
 #include "limber/common/interrupt.hpp"
 #include "limber/forward/rollout_batch.hpp"
 #include "limber/world/environment.hpp"
+#include "limber/world/pressure_box.hpp"
 #include "limber/world/straight_motion.hpp"
 
 namespace limber {
 
 namespace {
 
-/// One after another: in a lap that is run fast, then as it will be run.
+/// One after another: in a lap that is run fast, then as it will be run. In kPa (command_per_kpa).
 struct Stage {
   bool is_fast;
   double slope_kpa;          ///< of finite differences: far beyond a network's kinks
@@ -39,7 +40,8 @@ class LapFit {
         model_(model),
         rollouts_(model),
         is_periodic_(path.closes() && path.laps > 1),
-        stage_(stage),
+        stage_(in_unit_of(arm, stage)),
+        effort_m_per_kpa_(kEffortMPerKpa / command_per_kpa(arm)),
         intervals_(static_cast<int>(points_kpa.size()) - 1),
         frames_(
             std::min(static_cast<int>(std::lround(path.lap_s() / arm.frame_period_s())),
@@ -84,6 +86,12 @@ class LapFit {
   }
 
  private:
+  static Stage in_unit_of(const ArmDescription& arm, Stage stage) {
+    stage.slope_kpa *= command_per_kpa(arm);
+    stage.damping_per_frame /= command_per_kpa(arm) * command_per_kpa(arm);
+    return stage;
+  }
+
   Eigen::Index channels() const { return model_.channel_count(); }
   /// Points that are free: the last one of a lap that goes on is its first.
   int knots() const { return is_periodic_ ? intervals_ : intervals_ + 1; }
@@ -167,7 +175,7 @@ class LapFit {
   double cost(const Eigen::Ref<const Eigen::VectorXd>& knots_kpa,
               const Eigen::Ref<const Eigen::VectorXd>& tips_m) const {
     return (tips_m - wanted_m_).squaredNorm() +
-           kEffortMPerKpa * kEffortMPerKpa * steps_of(knots_kpa).squaredNorm();
+           effort_m_per_kpa_ * effort_m_per_kpa_ * steps_of(knots_kpa).squaredNorm();
   }
 
   /// The best of some damped steps, or none. @return the cost of where it starts
@@ -182,7 +190,7 @@ class LapFit {
     for (Eigen::Index i = 0; i < size; ++i) {
       differences.col(i) = steps_of(Eigen::VectorXd::Unit(size, i));
     }
-    const double effort = kEffortMPerKpa * kEffortMPerKpa;
+    const double effort = effort_m_per_kpa_ * effort_m_per_kpa_;
     const Eigen::MatrixXd square =
         slope.transpose() * slope + effort * differences.transpose() * differences;
     const Eigen::VectorXd downhill = slope.transpose() * (wanted_m_ - tips_m.col(0)) -
@@ -214,6 +222,7 @@ class LapFit {
   RolloutBatch rollouts_;
   bool is_periodic_;
   Stage stage_;
+  double effort_m_per_kpa_;
   int intervals_;
   int frames_;
   Eigen::VectorXd wanted_m_;

@@ -11,6 +11,7 @@
 #include "limber/arm/damped_solve.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/run/executor.hpp"
+#include "limber/world/pressure_box.hpp"
 #include "limber/world/straight_motion.hpp"
 
 namespace limber {
@@ -48,6 +49,7 @@ TipTracker::TipTracker(const ArmDescription& arm, const MotionModel& model, cons
       laps_(std::max(1, static_cast<int>(std::lround(path.lap_s() / arm.frame_period_s()))),
             path.laps > 1 ? settings.lap_share : 0.0),
       posture_(start.posture),
+      command_per_kpa_(command_per_kpa(arm)),
       seed_(seed) {
   const Pressures& start_kpa = start.setpoint_kpa;
   const Pressures vented_kpa = Pressures::Zero(arm.channel_count());
@@ -150,7 +152,7 @@ double TipTracker::cost(const Eigen::Ref<const Eigen::VectorXd>& knots_kpa,
   steps.tail(knots_kpa.size() - n) -= knots_kpa.head(knots_kpa.size() - n);
   steps.head(n) -= state_.setpoint_kpa().cast<double>();
   return (tips_m - wanted).squaredNorm() + off_posture(knots_kpa).squaredNorm() +
-         std::pow(kStepCostMPerKpa, 2) * steps.squaredNorm();
+         std::pow(kStepCostMPerKpa / command_per_kpa_, 2) * steps.squaredNorm();
 }
 
 /// Knots as near as limits and frame rule allow.
@@ -180,7 +182,7 @@ Eigen::VectorXd TipTracker::fitted_step(const Candidates& samples,
   difference.bottomLeftCorner(size - n, size - n).diagonal().array() -= 1.0;
   Eigen::VectorXd steps = difference * samples.knots_kpa.col(0);
   steps.head(n) -= state_.setpoint_kpa().cast<double>();
-  const double effort = std::pow(kStepCostMPerKpa, 2);
+  const double effort = std::pow(kStepCostMPerKpa / command_per_kpa_, 2);
   Eigen::MatrixXd left = slope.transpose() * slope + effort * difference.transpose() * difference;
   left.diagonal() += posture_weight_m_per_kpa_.cwiseAbs2();
   const Eigen::VectorXd right =
@@ -206,13 +208,14 @@ void TipTracker::search(const ArmEstimate& arm) {
   RandomStream random(seed_, static_cast<std::uint64_t>(frame_));
   knots_kpa_ = within_rule(knots_kpa_);
   posture_kpa_ = posture_of_knots();
+  const double spread_kpa = kSpreadKpa * command_per_kpa_;
   for (int round = 0; round < kRounds; ++round) {
     Candidates sampled;
     sampled.knots_kpa.resize(knots_kpa_.size(), samples);
     sampled.knots_kpa.col(0) = knots_kpa_;
     for (int c = 1; c < samples; ++c) {
       sampled.knots_kpa.col(c) = within_rule(
-          knots_kpa_.unaryExpr([&](double kpa) { return kpa + kSpreadKpa * random.normal(); }));
+          knots_kpa_.unaryExpr([&](double kpa) { return kpa + spread_kpa * random.normal(); }));
     }
     roll_out(sampled);
     const Eigen::VectorXd step = fitted_step(sampled, wanted);

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/world/environment.hpp"
+#include "limber/world/pressure_box.hpp"
 #include "src/run/tracking/lap_fit.hpp"
 #include "support/bending_arms.hpp"
 
@@ -110,6 +113,40 @@ TEST(LapFit, MovesTheSetPointsUntilAnotherModelKeepsThePath) {
     EXPECT_LE(kpa.cwiseAbs().maxCoeff(), 100.0);
   }
   EXPECT_TRUE(fitted.at(0.0).isApprox(fitted.at(10.0))) << "the lap closes";
+}
+
+// A power of two per kPa: no number differs by more than its exponent.
+TEST(LapFit, IsTheSameInAnyUnitOfTheCommand) {
+  constexpr double kPerKpa = 1.0 / 64.0;
+  constexpr double kRounding = 1e-9;  // share
+  const ArmDescription arm =
+      load_arm(std::filesystem::path(LIMBER_SOURCE_DIR) / "arms/three_segment.yaml");
+  ArmDescription other = arm;
+  other.command = {"pressure", "64 kPa"};
+  other.pressure_rate_limit_kpa_per_s *= kPerKpa;
+  for (Segment& segment : other.segments) {
+    segment.pressure_limit_kpa *= kPerKpa;
+    double power = 1.0;
+    for (double& coefficient : segment.strain_polynomial) {
+      coefficient /= power *= kPerKpa;
+    }
+  }
+  ASSERT_EQ(command_per_kpa(arm), 1.0);
+  ASSERT_EQ(command_per_kpa(other), kPerKpa);
+  const TipPath path = circle(2);
+  const LapPosture posture(NoLoadModel(arm), path, limits_of(arm), 1);
+  std::vector<Eigen::VectorXd> points = posture.points_kpa();
+  for (Eigen::VectorXd& point : points) {
+    point *= kPerKpa;
+  }
+  const ForwardModel forward(bending(arm, 0.8));
+  const ForwardModel of_other(bending(other, 0.8));
+  const LapPosture fitted = fitted_to(path, arm, MotionModel(forward), posture);
+  const LapPosture scaled =
+      fitted_to(path, other, MotionModel(of_other), posture.with_points(std::move(points)));
+  for (std::size_t k = 0; k < fitted.points_kpa().size(); ++k) {
+    EXPECT_TRUE(scaled.points_kpa()[k].isApprox(kPerKpa * fitted.points_kpa()[k], kRounding)) << k;
+  }
 }
 
 TEST(LapFit, LeavesALapOfFewFramesAsItIs) {

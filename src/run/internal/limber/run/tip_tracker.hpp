@@ -95,6 +95,7 @@ class TipTracker final : public Controller {
   TipTrackerSettings settings_;
   LapMemory laps_;
   LapPosture posture_;
+  double command_per_kpa_;
   Eigen::VectorXd posture_kpa_;               // of each knot, in this frame
   Eigen::VectorXd posture_weight_m_per_kpa_;  // what a knot costs off it
   std::uint64_t seed_;

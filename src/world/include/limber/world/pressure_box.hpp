@@ -32,5 +32,8 @@ Pressures pressure_limits_kpa(const ArmDescription& arm);
 /// Half the width of each segment's limits: what searches measure distances between set points in.
 /// Of symmetric limits the limit.
 Pressures pressure_scales_kpa(const ArmDescription& arm);
+/// What a step that was chosen in kPa, on arms of ± 100 kPa, is multiplied with to be one of this
+/// arm's command: 1 where that is a pressure in kPa, else the mean pressure scale's share of 100.
+double command_per_kpa(const ArmDescription& arm);
 
 }  // namespace limber
