@@ -58,11 +58,12 @@ class Campaigns(InFolder):
         return {path.parent: path.stat().st_mtime_ns
                 for path in (self.folder / out / "units").glob("*/*/done_*.json")}
 
-    def run_ranks(self, ranks, out):
+    def run_ranks(self, ranks, out, code=0):
         result = subprocess.run(
             [*MPIRUN, "-n", str(ranks), PROGRAM, "campaign", "c.yaml", "--out", out], cwd=self.folder,
             env=mpi_environment(), capture_output=True, encoding="utf-8", check=False)
-        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        self.assertEqual(result.returncode, code, result.stdout + result.stderr)
+        return result
 
     def test_one_process_and_shards_make_the_same_bytes(self):
         self.campaign("--out", "one")
@@ -79,6 +80,14 @@ class Campaigns(InFolder):
         for ranks in (1, 2, 4, 8):
             self.run_ranks(ranks, f"ranks_{ranks}")
             self.assertEqual(self.joined("one"), self.joined(f"ranks_{ranks}"), f"{ranks} ranks")
+
+    @unittest.skipUnless(HAS_MPI, "no mpirun, or limber was built without MPI")
+    def test_ranks_end_by_themselves_where_the_folder_is_refused(self):
+        self.campaign("--out", "one", "--shard", "0/6")
+        self.write("c.yaml", COLLECT.replace("count: 6", "count: 5"))
+        refused = self.run_ranks(3, "one", code=2).stderr
+        self.assertIn("of another campaign", refused)
+        self.assertNotIn("finalize", refused)  # as Open MPI says of a rank that left the others behind
 
     def test_the_bytes_do_not_depend_on_the_machines_cpu(self):
         """Neither on limber's kernels nor on those of the C library."""

@@ -10,9 +10,11 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <exception>
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <vector>
 
 #include "limber/common/seconds_since.hpp"
 #include "limber/lab/rank_work.hpp"
@@ -154,7 +156,21 @@ RankFigures run_ranks(const RankWork& work) {
 extern "C" limber::RankFigures limber_run_over_ranks(const limber::RankWork& work) {
   int provided = 0;
   MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
-  const limber::RankFigures figures = limber::run_ranks(work);
+  // The other ranks wait for an answer: where there is no list, that there is no more.
+  std::exception_ptr refusal;
+  limber::RankWork answered = work;
+  answered.list = [&] {
+    try {
+      return work.list();
+    } catch (...) {
+      refusal = std::current_exception();
+      return std::vector<std::size_t>();
+    }
+  };
+  const limber::RankFigures figures = limber::run_ranks(answered);
   MPI_Finalize();
+  if (refusal) {
+    std::rethrow_exception(refusal);
+  }
   return figures;
 }

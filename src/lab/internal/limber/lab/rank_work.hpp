@@ -9,7 +9,8 @@ namespace limber {
 
 /// Units that the ranks of an MPI job share out, or one process does alone.
 struct RankWork {
-  /// Numbers of the units, in the order in which they are handed out. Asked of rank 0 alone.
+  /// Numbers of the units, in the order in which they are handed out. Asked of rank 0 alone. What
+  /// it throws, rank 0 throws, after the other ranks were told that there is nothing to do.
   std::function<std::vector<std::size_t>()> list;
   /// Does a unit. It throws nothing.
   std::function<void(std::size_t)> run;
