@@ -102,13 +102,14 @@ OutputFolder::OutputFolder(fs::path folder, std::string verb, Start start,
           input.string(), folder_.string(), verb_));
     }
   }
-  require_usable(start, read_manifest());
+  require_usable(start, read_manifest());  // before the folder is made
   std::error_code error;
   fs::create_directories(folder_, error);
   if (error) {
     throw SystemFault(fmt::format("{}: can't be made: {}", folder_.string(), error.message()));
   }
   lock_.emplace(folder_, "limber " + verb_);
+  require_usable(start, read_manifest());  // as another run has left it, which ended meanwhile
   if (start != Start::resumed) {
     clear();
     list_left();
@@ -141,6 +142,7 @@ void OutputFolder::require_usable(Start start, bool has_manifest) const {
 }
 
 bool OutputFolder::read_manifest() {
+  files_.clear();
   if (!fs::is_regular_file(manifest_path())) {
     return false;
   }
