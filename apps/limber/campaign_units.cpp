@@ -15,6 +15,7 @@
 
 #include "command_line.hpp"
 #include "limber/common/atomic_file.hpp"
+#include "limber/common/descriptor.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/file_error.hpp"
 #include "limber/common/folder_lock.hpp"
@@ -35,7 +36,6 @@ constexpr const char* kLibraryVariable = "GLIBC_TUNABLES";
 constexpr const char* kArm = "arm";
 constexpr const char* kArmParameter = "arm.";
 constexpr const char* kEnvironments = "environments";
-constexpr mode_t kNewFile = 0666;
 
 /// glibc's sin, exp and the like have versions with FMA that round otherwise.
 const char* library_setting(CpuLevel level) {
@@ -47,17 +47,15 @@ const char* library_setting(CpuLevel level) {
 class Redirected {
  public:
   Redirected(int stream, const fs::path& path) : stream_(stream), kept_(flushed_copy(stream)) {
-    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, kNewFile);
-    if (file < 0) {
+    const Descriptor file(path, O_WRONLY | O_CREAT | O_TRUNC);
+    if (!file.is_open()) {
       throw_fault(path, "can't be written", errno);
     }
-    ::dup2(file, stream_);
-    ::close(file);
+    ::dup2(file.get(), stream_);
   }
   ~Redirected() {
     flush();
-    ::dup2(kept_, stream_);
-    ::close(kept_);
+    ::dup2(kept_.get(), stream_);
   }
   Redirected(const Redirected&) = delete;
   Redirected& operator=(const Redirected&) = delete;
@@ -74,7 +72,7 @@ class Redirected {
     return ::fcntl(stream, F_DUPFD_CLOEXEC, 0);
   }
   int stream_;
-  int kept_;
+  Descriptor kept_;
 };
 
 /// As main and exec take them.
