@@ -76,6 +76,17 @@ TEST(MotionTrack, HasNoClearanceWhereNobodySawTheArm) {
   EXPECT_TRUE(json["clearances_m"][1].is_number());
 }
 
+TEST(MotionTrack, OfAMissSaysWhatTheRunBelievesToo) {
+  ExecutionResult result;
+  result.final_backbone = Backbone::Zero(3, 3);
+  result.hint = "; segment 1 lost 20 % of its pressure";
+  const PoseGoal goal{0.3, 0.4, std::nullopt, 0.02, 0.3};
+  EXPECT_EQ(outcome_text(goal, result),
+            "ends 50.00 cm from the goal's centre, misses it; segment 1 lost 20 % of its pressure");
+  result.goal_reached = true;
+  EXPECT_EQ(outcome_text(goal, result), "ends 50.00 cm from the goal's centre, arrives");
+}
+
 TEST(Animation, HoldsEveryFrameWithObstaclesAndGoal) {
   const ArmDescription arm = three_segment_arm();
   Environment environment;

@@ -340,7 +340,9 @@ void ClosedLoop::report(ExecutionResult& result) const {
   if (const auto& fit = motion_->fit) {
     result.arm = fit->member();
     result.arm_changed_s = motion_->changed_s;
-    result.arm_changes = fit->explained_changes();
+    if (!fit->has_left_family()) {  // else no change of e explains the arm
+      result.arm_changes = fit->explained_changes();
+    }
     result.largest_window_error_m = fit->largest_error_m();
     result.last_window_error_m = fit->last_error_m();
   }

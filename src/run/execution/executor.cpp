@@ -67,10 +67,7 @@ class Execution {
     }
     controller_.report(result_);
     watch_.judge(result_);
-    if (result_.message.empty()) {
-      result_.message = why_not_arrived(result_, with_appeared(environment_, result_),
-                                        followed_ != nullptr ? *followed_ : plan_, correction());
-    }
+    explain();
     return std::move(result_);
   }
 
@@ -148,6 +145,18 @@ class Execution {
     if (!decision.reason.empty() && !(decision.has_left_plan && rests_in_goal)) {
       result_.status = ExecutionStatus::stopped;  // not done
       result_.message = decision.reason;
+    }
+  }
+
+  void explain() {
+    const Environment environment = with_appeared(environment_, result_);
+    if (result_.message.empty()) {
+      result_.message = why_not_arrived(result_, environment);
+    }
+    if (!result_.message.empty()) {
+      result_.hint = hint_of(result_, arm_, environment, followed_ != nullptr ? *followed_ : plan_,
+                             correction());
+      result_.message += result_.hint;
     }
   }
 

@@ -5,6 +5,7 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/units.hpp"
 #include "limber/network/physical_traits.hpp"
+#include "limber/world/collision.hpp"
 
 namespace limber {
 
@@ -40,40 +41,50 @@ std::string miss_text(const PoseError& error, const PoseGoal& goal) {
              : fmt::format("ended {} from the goal ({} allowed)", off, allowed);
 }
 
-std::string hint(const ExecutionResult& run, const Environment& environment, const Plan& plan,
-                 Correction correction) {
+/// " 1.2 cm from obstacle 3 (circle)"; empty: nothing stands there, or it is in it.
+std::string nearest_text(const Backbone& shape, const ArmDescription& arm,
+                         const Environment& environment) {
+  if (environment.obstacles.empty()) {
+    return "";
+  }
+  const Clearance nearest = CollisionChecker(arm, environment.obstacles).clearance(shape);
+  return nearest.value_m > 0.0 ? fmt::format(" {:.1f} cm from {}", kCmPerM * nearest.value_m,
+                                             obstacle_name(environment, nearest.obstacle))
+                               : "";
+}
+
+std::string hint_of_miss(const ExecutionResult& run, const ArmDescription& arm,
+                         const Environment& environment, const Plan& plan, Correction correction) {
   if (correction == Correction::feedback) {
     return "";
   }
   if (correction == Correction::none) {
     const bool was_predicted = plan.goal_distance_m > environment.goal.position_tolerance_m;
-    return fmt::format(": its plan has it {:.1f} cm from there{}", kCmPerM * plan.goal_distance_m,
-                       was_predicted ? "" : ", and is followed open loop; --replan corrects it");
+    return fmt::format(
+        ": its plan has it {:.1f} cm from there{}", kCmPerM * plan.goal_distance_m,
+        was_predicted ? "" : ", and is followed open loop; a closed loop (--replan) corrects it");
   }
   if (run.stopped_ahead) {
-    return run.appeared ? fmt::format(
-                              ": no plan leads past the obstacle that appeared after "
-                              "{:.2f} s",
-                              run.appeared->time_s)
-                        : ": it was halted on its way, and no plan leads on from there";
+    return run.appeared
+               ? fmt::format(
+                     ": no plan leads past the obstacle that appeared after "
+                     "{:.2f} s",
+                     run.appeared->time_s)
+               : fmt::format(": it was halted on its way{}, and no plan leads on from there",
+                             nearest_text(*run.final_backbone, arm, environment));
   }
   if (run.replans == 0) {
     return ": no plan from where it rests leads nearer";
   }
-  std::string changes = changes_text(run.arm_changes);
-  for (const PressureLoss& loss : run.pressure_losses) {
-    changes += (changes.empty() ? "" : "; ") + to_text(loss);
-  }
-  return fmt::format(": {} {} from rest, none came into it; {}", run.replans,
+  const bool knows_why = !run.arm_changes.empty() || !run.pressure_losses.empty();
+  return fmt::format(": {} {} from rest, none came into it{}", run.replans,
                      run.replans == 1 ? "plan" : "plans",
-                     changes.empty() ? "friction or load may have changed"
-                                     : "what has changed of the arm: " + changes);
+                     knows_why ? "" : "; friction or load may have changed");
 }
 
 }  // namespace
 
-std::string why_not_arrived(const ExecutionResult& run, const Environment& environment,
-                            const Plan& plan, Correction correction) {
+std::string why_not_arrived(const ExecutionResult& run, const Environment& environment) {
   std::string text;
   if (run.first_collision) {
     text = collision_text(*run.first_collision, environment);
@@ -81,13 +92,26 @@ std::string why_not_arrived(const ExecutionResult& run, const Environment& envir
   const bool is_seen = run.final_backbone.has_value();
   if (!(is_seen && run.goal_reached)) {
     text += text.empty() ? "" : "; ";
-    text += is_seen ? miss_text(run.goal_error, environment.goal) +
-                          hint(run, environment, plan, correction)
-                    : unseen_text(run);
+    text += is_seen ? miss_text(run.goal_error, environment.goal) : unseen_text(run);
   }
-  if (!text.empty() && run.frames_not_certified > 0) {
+  return text;
+}
+
+std::string hint_of(const ExecutionResult& run, const ArmDescription& arm,
+                    const Environment& environment, const Plan& plan, Correction correction) {
+  const bool misses =
+      run.status == ExecutionStatus::done && run.final_backbone && !run.goal_reached;
+  std::string text = misses ? hint_of_miss(run, arm, environment, plan, correction) : "";
+  if (run.frames_not_certified > 0) {
     text += fmt::format("; in {} frames nothing was certified from where the arm was",
                         run.frames_not_certified);
+  }
+  if (!run.arm_changes.empty()) {
+    text += "; what may have changed of the arm (in brackets, before): " +
+            changes_text(run.arm_changes);
+  }
+  for (const PressureLoss& loss : run.pressure_losses) {
+    text += "; " + to_text(loss);
   }
   return text;
 }

@@ -13,12 +13,15 @@ enum class Correction {
   feedback  ///< a controller
 };
 
-/// One sentence that says why a run that was carried out to its end did not arrive: what it struck,
-/// that it was not seen, how far it ended from the goal and what that hints at. Empty if it
-/// arrived.
+/// Why a run that was carried out to its end did not arrive: what it struck, that it was not seen,
+/// how far it ended from the goal. Empty if it arrived.
 /// @param environment  in which it ended (with_appeared)
-/// @param plan         the one that was followed last
-std::string why_not_arrived(const ExecutionResult& run, const Environment& environment,
-                            const Plan& plan, Correction correction);
+std::string why_not_arrived(const ExecutionResult& run, const Environment& environment);
+
+/// The end of a message that says why: what a miss hints at, frames that were not certified, and,
+/// however the run ended, what it believes has changed of the arm.
+/// @param plan  the one that was followed last
+std::string hint_of(const ExecutionResult& run, const ArmDescription& arm,
+                    const Environment& environment, const Plan& plan, Correction correction);
 
 }  // namespace limber

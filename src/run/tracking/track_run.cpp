@@ -75,7 +75,8 @@ TrackRun track_run(const TipPath& path, const TipTracker& tracker, ExecutionResu
   run.queries = tracker.queries();
   run.errors = track_errors(path, run.result.episode, run.start_frame + run.result.lag_frames);
   if (run.result.status == ExecutionStatus::done) {
-    run.result.message = why_not_followed(run.result);  // there is no goal to miss
+    const std::string why = why_not_followed(run.result);  // there is no goal to miss
+    run.result.message = why.empty() ? "" : why + run.result.hint;
   }
   return run;
 }

@@ -13,6 +13,8 @@ namespace limber {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::ContainsRegex;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -51,6 +53,11 @@ class RunMessage : public ::testing::Test {
   Pose end_;
 };
 
+/// A change of the arm that a run may believe in.
+ArmChange load_of_60_g() {
+  return {{"tip_load_kg", 0.060, 0.004, 0.002}};
+}
+
 /// As many plans as asked, each a frame of standing still.
 class Stays final : public PlanController {
  public:
@@ -68,6 +75,19 @@ class Stays final : public PlanController {
     stay.hold_frame_count = 0;
     return [stay] { return FollowedPlan{stay, {}}; };
   }
+  std::function<MotionAdvice()> advise(const PlanProgress& at, const ArmEstimate&) override {
+    const bool stops = !stop_reason.empty() && at.frame == 3;
+    return [stops, reason = stop_reason] {
+      return stops ? MotionAdvice{MotionAdvice::Kind::stop, std::nullopt, reason} : MotionAdvice{};
+    };
+  }
+  void report(ExecutionResult& result) const override {
+    PlanController::report(result);
+    result.arm_changes = believed;
+  }
+
+  std::string stop_reason;
+  std::vector<ArmChange> believed;
 
  private:
   int left_;
@@ -117,6 +137,42 @@ TEST_F(RunMessage, CountsThePlansOfAClosedLoop) {
   const ExecutionResult halted = run({}, &halts);
   EXPECT_TRUE(halted.stopped_ahead);
   EXPECT_THAT(halted.message, HasSubstr("halted on its way, and no plan leads on from there"));
+}
+
+TEST_F(RunMessage, SaysWhatIsBelievedOfTheArmHoweverTheRunEnded) {
+  const std::string believed =
+      "; what may have changed of the arm (in brackets, before): "
+      "load at the tip 60.0 ± 4.0 g (2.0)";
+  const auto ended = [&](int plans, bool halts, const FakeFaults& faults = {},
+                         const std::string& stop_reason = "") {
+    Stays stays(plans, halts);
+    stays.stop_reason = stop_reason;
+    stays.believed = {load_of_60_g()};
+    const ExecutionResult result = run(faults, &stays);
+    EXPECT_THAT(result.message, EndsWith(result.hint));
+    return result.message;
+  };
+  EXPECT_EQ(ended(0, false), "") << "one that arrived has nothing to explain";
+  environment_.goal.x_m += 0.05;
+  EXPECT_THAT(ended(1, false), EndsWith("1 plan from rest, none came into it" + believed));
+  EXPECT_THAT(ended(0, false), EndsWith("no plan from where it rests leads nearer" + believed));
+  EXPECT_THAT(ended(0, true), EndsWith("and no plan leads on from there" + believed));
+  EXPECT_EQ(ended(0, false, {}, "obstacle 3 (circle) is in the way"),
+            "obstacle 3 (circle) is in the way" + believed);
+  FakeFaults faults;
+  faults.lost_from_s = 0.5;
+  EXPECT_THAT(ended(0, false, faults), EndsWith("arrival and collisions are unknown" + believed));
+  faults.fails_at_s = 0.5;
+  EXPECT_THAT(ended(0, false, faults), EndsWith("hose came off at 0.50 s" + believed));
+}
+
+TEST_F(RunMessage, NamesTheObstacleThatAHaltedArmIsNearestTo) {
+  environment_.goal.x_m += 0.05;
+  environment_.obstacles = {Circle{0.2, 0.9, 0.02}, Circle{0.3, 0.2, 0.02}};
+  Stays halts(0, true);
+  EXPECT_THAT(
+      run({}, &halts).message,
+      ContainsRegex("halted on its way [0-9]+\\.[0-9] cm from obstacle 1 \\(circle\\), and"));
 }
 
 TEST_F(RunMessage, OfAnArmThatIsNotSeenAnyMoreSaysThatItIsUnknown) {
