@@ -263,6 +263,11 @@ class ExecuteVerb final : public Verb {
                     flags.seed);
     ExecutionSettings closed_loop = settings_;
     closed_loop.controller = &loop;
+    closed_loop.on_frame = [&flags](const ExecutedFrame& frame) {
+      if (!frame.noticed.empty()) {
+        say(flags, "{}", frame.noticed);
+      }
+    };
     if constexpr (requires { driver.look(); }) {
       driver.look();  // since it was started, a network was read
     }

@@ -45,6 +45,9 @@ class FrameWatch {
       obstacle_ = obstacle_to_json(frame.appeared->obstacles.back());
       track_.add_obstacle(frame.appeared->obstacles.back());
     }
+    if (!frame.noticed.empty()) {
+      noticed_ += fmt::format("{}{}", noticed_.empty() ? "" : "; ", frame.noticed);
+    }
     add(frame.state);
     setpoints_kpa_.push_back(pressures_to_json(frame.setpoint_kpa));
     on_frame_({{"time_s", frame.time_s},
@@ -52,6 +55,7 @@ class FrameWatch {
                {"pressure_kpa", pressures_to_json(frame.state.pressure_kpa)},
                {"shape", shape_ ? shape_to_json(*shape_) : Json()},
                {"obstacle", obstacle_},
+               {"noticed", noticed_},
                {"holds", control_.why_held()}});
   }
 
@@ -86,6 +90,7 @@ class FrameWatch {
   std::vector<Pressures> unseen_kpa_;  // until then
   Json setpoints_kpa_ = Json::array();
   Json obstacle_ = nullptr;
+  std::string noticed_;  // so far: a slow page misses frames
 };
 
 /// Of the message of a vent, what whoever stands beside the arm has to know.

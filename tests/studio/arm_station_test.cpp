@@ -172,6 +172,7 @@ TEST_F(ArmStationTest, AnArmThatNothingHoldsIsNotPaused) {
   ASSERT_FALSE(events("arm_frame").empty());
   for (const nlohmann::json& frame : events("arm_frame")) {
     EXPECT_EQ(frame["holds"], "");
+    EXPECT_EQ(frame["noticed"], "");
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -109,6 +110,7 @@ struct ClosedLoop::Motion {
   int seen = -1;                    // ArmEstimate::frames: a frame may be asked about twice
   Eigen::VectorXf missed_by;        // e of the model whose misses the estimate holds
   std::optional<double> changed_s;  // when the fit was first surprised
+  std::string notice;               // of that, until it is taken
   bool is_refitted = false;         // since `own` was changed last
   ErrorRoom room;
   ClosedLoopSettings settings;
@@ -183,6 +185,10 @@ void ClosedLoop::observe(const Moment& now) {
     motion.is_refitted |= motion.fit->observe(now.arm.measured().pressure_kpa, shape);
     if (!motion.changed_s && motion.fit->is_surprised()) {
       motion.changed_s = motion.seen * motion.arm.frame_period_s();
+      motion.notice = fmt::format(
+          "after {:.1f} s the arm is far from where it was predicted: load or friction may have "
+          "changed",
+          *motion.changed_s);
     }
     if (motion.fit->has_left_family()) {
       throw SystemFault(fmt::format(
@@ -350,6 +356,10 @@ void ClosedLoop::report(ExecutionResult& result) const {
 
 void ClosedLoop::obstacle_appeared(const Environment& now) {
   motion_->move_in(now);
+}
+
+std::string ClosedLoop::take_notice() {
+  return std::exchange(motion_->notice, {});
 }
 
 std::unique_ptr<Controller> make_closed_loop(const ArmDescription& arm, const MotionModel& model,

@@ -1,6 +1,9 @@
 #include "limber/run/executor.hpp"
 
+#include <cstddef>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -126,11 +129,22 @@ class Execution {
     estimate_.observe(setpoint_kpa, state);
     motion_ = decision.motion;
     const Environment* now = watch_.take_in(setpoint_kpa, motion_);
-    tell({watch_.frames() * arm_.frame_period_s(), setpoint_kpa, state, now});
+    const std::string noticed = take_notice();
+    tell({watch_.frames() * arm_.frame_period_s(), setpoint_kpa, state, now, noticed});
     appeared_ = now != nullptr ? now : appeared_;
     if (decision.plan != nullptr) {
       watch_.compare(*decision.plan, decision.frame);
     }
+  }
+
+  /// Of the arm, since the frame before.
+  std::string take_notice() {
+    std::string words = controller_.take_notice();
+    const std::vector<PressureLoss>& losses = estimate_.pressure_losses();
+    for (; losses_told_ < losses.size(); ++losses_told_) {
+      words += (words.empty() ? "" : "; ") + to_text(losses[losses_told_]);
+    }
+    return words;
   }
 
   void tell(const ExecutedFrame& frame) const {
@@ -201,6 +215,7 @@ class Execution {
   RunWatch watch_;
   ExecutionResult result_;
   const Environment* appeared_ = nullptr;  // the controller does not know yet
+  std::size_t losses_told_ = 0;
 };
 
 /// Sees every shape of the arm as long as it lives.

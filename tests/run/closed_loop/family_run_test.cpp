@@ -1,3 +1,7 @@
+#include <string>
+#include <utility>
+#include <vector>
+
 #include <gmock/gmock.h>
 
 #include "limber/arm/arm_description.hpp"
@@ -12,6 +16,7 @@ namespace limber {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// An arm that is seen to bend the other way.
 class MirroredArm final : public ArmDriver {
@@ -68,11 +73,22 @@ TEST(FamilyRun, AnArmThatBendsTheOtherWayEndsInAFaultAndIsVented) {
   ClosedLoop loop(arm, model, environment, ErrorRoom{}, settings, 1);
   ExecutionSettings execution;
   execution.controller = &loop;
+  std::vector<std::pair<double, std::string>> noticed;  // when, and what
+  execution.on_frame = [&noticed](const ExecutedFrame& frame) {
+    if (!frame.noticed.empty()) {
+      noticed.emplace_back(frame.time_s, frame.noticed);
+    }
+  };
   MirroredArm driver(arm, network);
   const ExecutionResult result = execute(arm, environment, *found.plan, driver, execution);
   EXPECT_EQ(result.status, ExecutionStatus::fault);
   EXPECT_THAT(result.message, HasSubstr("the arm moves like none of its model's family"));
+  EXPECT_THAT(result.message, Not(HasSubstr("what may have changed of the arm")));
   EXPECT_TRUE(driver.is_vented);
+  ASSERT_TRUE(result.arm_changed_s);
+  ASSERT_EQ(noticed.size(), 1U) << "once";
+  EXPECT_THAT(noticed.front().second, HasSubstr("the arm is far from where it was predicted"));
+  EXPECT_LT(noticed.front().first, *result.arm_changed_s + 1.0) << "while it moves";
 }
 
 }  // namespace

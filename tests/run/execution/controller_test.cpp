@@ -1,16 +1,22 @@
 #include <atomic>
 #include <chrono>
 #include <functional>
+#include <optional>
+#include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/forward/forward_model.hpp"
+#include "limber/forward/motion_model.hpp"
 #include "limber/run/controller.hpp"
 #include "limber/run/executor.hpp"
+#include "limber/run/plan_controller.hpp"
 #include "support/bending_plan.hpp"
 #include "support/fake_arm.hpp"
 
@@ -116,6 +122,63 @@ TEST_F(ControllerTest, SetPointsBeyondLimitOrStepAreRefusedByNameAndTheArmIsVent
   EXPECT_THAT(
       [&] { (void)run([](int) { return Pressures(Pressures::Constant(2, std::nanf(""))); }); },
       ThrowsMessage<InputError>(HasSubstr("expected ± 100")));
+}
+
+/// Follows the plan and knows the valves; in its third frame it notices something.
+class Noticing final : public PlanController {
+ public:
+  explicit Noticing(const MotionModel& model) : model_(model) {}
+  EstimateModel estimate_with() const override { return {&model_, std::nullopt}; }
+  std::string take_notice() override { return ++asked_ == 3 ? "a bird sits on it" : ""; }
+
+ private:
+  const MotionModel& model_;
+  int asked_ = 0;
+};
+
+/// Its second segment loses a tenth of its pressure from a frame of the hold on.
+class LeakingArm final : public ArmDriver {
+ public:
+  static constexpr double kLag_s = 0.1;
+  static constexpr int kFrom = 20;
+  explicit LeakingArm(const ArmDescription& arm) : inner_(arm, kLag_s), state_(inner_.state()) {}
+  const ArmState& state() const override { return state_; }
+  const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) override {
+    state_ = inner_.command(setpoint_kpa);
+    state_.pressure_kpa[1] *= ++frame_ < kFrom ? 1.0F : 0.9F;
+    return state_;
+  }
+  void vent() noexcept override { inner_.vent(); }
+
+ private:
+  FakeArm inner_;
+  ArmState state_;
+  int frame_ = 0;
+};
+
+TEST_F(ControllerTest, WhatIsNoticedOfTheArmIsToldOnceWhileItMoves) {
+  const SegmentValves valves{{LeakingArm::kLag_s, 300.0}, {LeakingArm::kLag_s, 300.0}, 0.0, 0.0};
+  const ForwardModel forward(arm_);
+  const MotionModel model(
+      forward, ValveModel(arm_, ValveParameters{true, std::vector<SegmentValves>(2, valves)}));
+  Noticing controller(model);
+  std::vector<std::pair<double, std::string>> noticed;  // when, and what
+  ExecutionSettings settings;
+  settings.controller = &controller;
+  settings.hold_s = 3.0;
+  settings.on_frame = [&noticed](const ExecutedFrame& frame) {
+    if (!frame.noticed.empty()) {
+      noticed.emplace_back(frame.time_s, frame.noticed);
+    }
+  };
+  LeakingArm driver(arm_);
+  const ExecutionResult result = execute(arm_, environment_, plan_, driver, settings);
+  ASSERT_EQ(noticed.size(), 2U);
+  EXPECT_NEAR(noticed[0].first, 3 * arm_.frame_period_s(), 1e-9);
+  EXPECT_EQ(noticed[0].second, "a bird sits on it");
+  ASSERT_EQ(result.pressure_losses.size(), 1U);
+  EXPECT_NEAR(noticed[1].first, result.pressure_losses[0].noticed_s, 1e-9) << "in that frame";
+  EXPECT_THAT(noticed[1].second, HasSubstr("segment 1 lost "));
 }
 
 /// Asks whatever it is told, and sends what it has.

@@ -82,6 +82,9 @@ class Controller {
   virtual void obstacle_appeared(const Environment& now) { (void)now; }
   /// Somebody else has held the arm for a frame: what is being worked out comes too late.
   virtual void held() {}
+  /// What it has noticed of the arm since it was asked last, in words; empty: nothing. Asked in
+  /// each frame, for ExecutionSettings::on_frame.
+  virtual std::string take_notice() { return {}; }
   /// Whether it makes plans of its own: the message of a run that missed speaks of them.
   virtual bool plans_again() const { return false; }
   /// Adds what the controller did (replans, waits, …) to the result of a run that has ended.

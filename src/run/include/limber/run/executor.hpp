@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "limber/arm/arm_description.hpp"
@@ -50,6 +51,7 @@ struct ExecutedFrame {
   const Pressures& setpoint_kpa;
   const ArmState& state;
   const Environment* appeared = nullptr;  ///< with the obstacle, if that has just appeared
+  std::string_view noticed = {};          ///< just noticed of the arm, in words
 };
 
 struct ExecutionSettings {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "limber/forward/error_room.hpp"
 #include "limber/forward/motion_model.hpp"
@@ -40,6 +41,7 @@ class ClosedLoop final : public PlanController {
   void begin(const RunStart& start) override;
   void held() override;
   void obstacle_appeared(const Environment& now) override;
+  std::string take_notice() override;
   void report(ExecutionResult& result) const override;
 
  private:
