@@ -1,5 +1,6 @@
 #include "arm_run.hpp"
 
+#include <list>
 #include <utility>
 
 #include <fmt/format.h>
@@ -7,12 +8,15 @@
 #include "jobs.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/arm/pressure_limits.hpp"
+#include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/driver/driver_run.hpp"
 #include "limber/forward/error_room.hpp"
 #include "limber/report/motion_track.hpp"
 #include "limber/report/scene_json.hpp"
 #include "limber/run/closed_loop.hpp"
+#include "limber/world/environment.hpp"
+#include "project_folder.hpp"
 
 namespace limber {
 
@@ -93,6 +97,23 @@ class FrameWatch {
   std::string noticed_;  // so far: a slow page misses frames
 };
 
+/// What `limber verify` repeats: the run's plan as 00.json, those after it as 01.json, …, and as
+/// 00.yaml, … what each was certified for.
+void write_plans(const std::filesystem::path& folder, const FoundPlan& first,
+                 const std::list<FollowedPlan>& further, const std::string& model_hash) {
+  int number = 0;
+  const auto write = [&](const Plan& plan, const Environment& environment) {
+    const std::string file = (folder / fmt::format("{:02}", number++)).string();
+    write_file_atomically(file + ".yaml", environment_to_yaml(environment));
+    write_plan(file + ".json", plan);
+  };
+  write(first.plan, first.environment);
+  for (FollowedPlan followed : further) {
+    followed.plan.model_hash = model_hash;
+    write(followed.plan, followed.environment);
+  }
+}
+
 /// Of the message of a vent, what whoever stands beside the arm has to know.
 std::string with_vent(std::string message, const ProcessDriver& driver) {
   const std::string& vent = driver.last_vent().message;
@@ -149,6 +170,9 @@ ArmRunReport run_on_arm(const ArmRunJob& job, const StudioScene& scene,
                                             job.replan ? std::optional(loop_settings.motion_queries)
                                                        : std::nullopt));
   }
+  write_plans(std::filesystem::path(recording).replace_extension(ProjectFolder::kPlansOfRun),
+              job.found, loop ? loop->further_plans() : std::list<FollowedPlan>(),
+              scene.model_hash());
   // A fault is told also where somebody pressed VENT after it.
   const std::string why =
       result.status == ExecutionStatus::stopped ? control.why_vented() : std::string();

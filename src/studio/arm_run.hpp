@@ -28,7 +28,7 @@ struct ArmRunReport {
 
 /// Runs it as `limber execute --driver` does, and records it. Vented when this returns or throws.
 /// @param driver     command, safety and calibration; the rest is filled in
-/// @param recording  file to write; the driver's log lies beside it
+/// @param recording  file to write; the driver's log and the run's plans lie beside it
 /// @param control    is told of a driver that keeps no frames
 /// @param on_frame   takes each frame as it happens (`arm_frame`)
 /// @throws InputError where the plan does not fit, nothing was moved; SystemFault.

@@ -174,7 +174,8 @@ void ProjectFolder::look_through(const Use& use) const {
       entry.disable_recursion_pending();
       continue;
     }
-    if (is_experiment(*entry)) {  // thousands of trials
+    if (is_experiment(*entry) ||  // thousands of trials
+        entry->path().extension() == kPlansOfRun) {
       entry.disable_recursion_pending();
     }
     use(*entry);

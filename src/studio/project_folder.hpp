@@ -22,7 +22,7 @@ class ProjectFolder {
   std::string give(ProjectItem kind, const std::filesystem::path& file);
 
   /// Names of all files of a kind: given ones, the project's, limber's own. Looks kMaxDepth folders
-  /// deep, at kMaxEntries files and folders, and never into an experiment's.
+  /// deep, at kMaxEntries files and folders, and never into an experiment's or a run's plans.
   std::vector<std::string> names(ProjectItem kind) const;
 
   /// Those of the models that are of no arm alone.
@@ -48,6 +48,7 @@ class ProjectFolder {
 
   static constexpr int kMaxDepth = 3;
   static constexpr int kMaxEntries = 5000;
+  static constexpr const char* kPlansOfRun = ".plans";  ///< a folder beside the run's recording
 
  private:
   /// use(entry) for what is looked at.

@@ -93,7 +93,9 @@ class ArmStationTest : public ::testing::Test {
     ArmRunJob job;
     job.limit_scale = 1.0;
     job.found.scene = {name_, ""};
+    job.found.environment.name = "to the right";
     job.found.plan = bending_plan(arm, job.found.environment);
+    job.found.plan.model = "no_load";
     return job;
   }
 
@@ -191,6 +193,22 @@ TEST_F(ArmStationTest, TheTrackOfARunBeginsAtItsStart) {
     EXPECT_EQ(rows[1][0], 5.0);  // a frame at the arm's rate
   }
   EXPECT_EQ(track["shapes"].size(), run["setpoints_kpa"].size());
+}
+
+TEST_F(ArmStationTest, WhatVerifyTakesLiesBesideARunsRecording) {
+  const auto arm = simulating_station();
+  const std::string lease = arm->arm();
+  const ArmRunJob run = job();
+  EXPECT_THAT(arm->run(lease, run), IsEmpty());
+  wait_for(*arm, "armed", lease);
+  const std::filesystem::path recording =
+      folder_.path() / nlohmann::json::parse(arm->status())["recording"].get<std::string>();
+  ASSERT_EQ(recording.extension(), ".h5");
+  const std::filesystem::path plans = std::filesystem::path(recording).replace_extension(".plans");
+  const Plan plan = read_plan(plans / "00.json");
+  EXPECT_EQ(plan.frames.size(), run.found.plan.frames.size());
+  EXPECT_NO_THROW(require_plan_in(plan, load_environment(plans / "00.yaml"), "00.json"));
+  EXPECT_FALSE(std::filesystem::exists(plans / "01.json")) << "open loop";
 }
 
 TEST_F(ArmStationTest, ObeysTheArmFilesSafetyAsItIsNow) {

@@ -29,6 +29,7 @@ class Project : public ::testing::Test {
     write_file_atomically(root_ / "outside/secret.yaml", kEnvironment);
     write_file_atomically(root_ / "project/runs/first.h5", "\x89HDF\r\n\x1a\n");
     write_file_atomically(root_ / "project/runs/text.h5", "no recording");
+    write_file_atomically(root_ / "project/runs/first.plans/00.yaml", kEnvironment);
     write_file_atomically(root_ / "project/table/experiment.json", "{}");
     write_file_atomically(root_ / "project/models/family.safetensors", R"({"family.arms":{}})");
     write_file_atomically(root_ / "project/models/member.safetensors",
@@ -56,6 +57,7 @@ TEST_F(Project, OffersWhatFilesSayThatTheyAre) {
   EXPECT_THAT(environments, Not(Contains(HasSubstr("hidden"))));
   EXPECT_THAT(environments, Not(Contains(HasSubstr("secret"))));
   EXPECT_THAT(environments, Not(Contains("link.yaml")));
+  EXPECT_THAT(environments, Not(Contains(HasSubstr("plans"))));
 }
 
 TEST_F(Project, OffersRecordingsFamiliesAndExperiments) {
