@@ -348,10 +348,7 @@ class ExecuteVerb final : public Verb {
     if (adapted_out_.empty() || !result.arm) {
       return;
     }
-    const CompensationModel before = read_model(model_.model_file());
-    CompensationModel now = model_of_arm(before, *result.arm);
-    now.prediction_error = before.prediction_error;
-    write_model(adapted_out_, now);
+    write_model(adapted_out_, model_after_run(read_model(model_.model_file()), *result.arm));
   }
 
   std::string plan_;

@@ -127,6 +127,12 @@ CompensationModel model_of_arm(CompensationModel model, const FamilyMember& memb
   return model;
 }
 
+CompensationModel model_after_run(const CompensationModel& before, const FamilyMember& now) {
+  CompensationModel model = model_of_arm(before, now);
+  model.prediction_error = before.prediction_error;
+  return model;
+}
+
 CompensationModel model_of_followed_arm(CompensationModel model, const Eigen::VectorXf& e) {
   const Eigen::Index size = model.member_of_family ? model.member_of_family->e.size() : 0;
   if (size == 0 || e.size() != size) {

@@ -79,7 +79,7 @@ std::string outcome_text(const PoseGoal& goal, const ExecutionResult& result) {
     return result.message;
   }
   return miss_text(goal, *result.final_backbone) +
-         (result.goal_reached ? ", arrives" : ", misses it" + result.hint);
+         (result.goal_reached ? ", arrives" : ", misses it") + result.hint;
 }
 
 Json appeared_to_json(const std::optional<AppearedObstacle>& appeared) {

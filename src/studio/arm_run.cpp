@@ -12,6 +12,8 @@
 #include "limber/common/error.hpp"
 #include "limber/driver/driver_run.hpp"
 #include "limber/forward/error_room.hpp"
+#include "limber/network/arm_family.hpp"
+#include "limber/network/compensation_model.hpp"
 #include "limber/report/motion_track.hpp"
 #include "limber/report/scene_json.hpp"
 #include "limber/run/closed_loop.hpp"
@@ -35,6 +37,10 @@ void require_allowed(const Plan& plan, const std::vector<PressureLimits>& limits
   }
 }
 
+std::string with_more(const std::string& message, const std::string& more) {
+  return message + (message.empty() || more.empty() ? "" : "; ") + more;
+}
+
 /// Takes in a run frame by frame, for the page and for its end.
 class FrameWatch {
  public:
@@ -49,9 +55,7 @@ class FrameWatch {
       obstacle_ = obstacle_to_json(frame.appeared->obstacles.back());
       track_.add_obstacle(frame.appeared->obstacles.back());
     }
-    if (!frame.noticed.empty()) {
-      noticed_ += fmt::format("{}{}", noticed_.empty() ? "" : "; ", frame.noticed);
-    }
+    noticed_ = with_more(noticed_, std::string(frame.noticed));
     add(frame.state);
     setpoints_kpa_.push_back(pressures_to_json(frame.setpoint_kpa));
     on_frame_({{"time_s", frame.time_s},
@@ -115,12 +119,24 @@ void write_plans(const std::filesystem::path& folder, const FoundPlan& first,
 }
 
 /// Of the message of a vent, what whoever stands beside the arm has to know.
-std::string with_vent(std::string message, const ProcessDriver& driver) {
-  const std::string& vent = driver.last_vent().message;
-  return vent.empty() ? message : fmt::format("{}{}{}", message, message.empty() ? "" : "; ", vent);
+std::string with_vent(const std::string& message, const ProcessDriver& driver) {
+  return with_more(message, driver.last_vent().message);
 }
 
 }  // namespace
+
+std::string keep_arm(const std::filesystem::path& recording, const StudioScene& scene,
+                     const ExecutionResult& result) {
+  const bool has_changed =
+      result.arm && (result.arm_changed_s.has_value() || !result.arm_changes.empty());
+  if (!has_changed || !has_run(result)) {
+    return "";
+  }
+  const auto file = std::filesystem::path(recording).replace_extension(".safetensors");
+  write_model(file, model_after_run(*scene.network(), *result.arm));
+  return fmt::format("plan with {}/{} from now on: it has what the run told of the arm",
+                     file.parent_path().filename().string(), file.filename().string());
+}
 
 ArmRunReport run_on_arm(const ArmRunJob& job, const StudioScene& scene,
                         ProcessDriverSettings driver_settings,
@@ -176,7 +192,8 @@ ArmRunReport run_on_arm(const ArmRunJob& job, const StudioScene& scene,
   // A fault is told also where somebody pressed VENT after it.
   const std::string why =
       result.status == ExecutionStatus::stopped ? control.why_vented() : std::string();
-  return {with_vent(why.empty() ? result.message : why, driver),
+  return {with_more(with_vent(why.empty() ? result.message : why, driver),
+                    keep_arm(recording, scene, result)),
           watch.json(plan, result, environment.goal)};
 }
 

@@ -10,6 +10,8 @@
 #include "arm_control.hpp"
 #include "jobs.hpp"
 #include "limber/driver/process_driver.hpp"
+#include "limber/run/executor.hpp"
+#include "studio_scene.hpp"
 
 namespace limber {
 
@@ -26,9 +28,16 @@ struct ArmRunReport {
   nlohmann::ordered_json run;  ///< the whole motion (docs/studio_api.md, `arm_run`)
 };
 
+/// Of an arm that a run has found changed: writes the model that knows it, for the next plan.
+/// @param recording  of the run; the model lies beside it
+/// @return that, in words; empty: nothing was found, or the run ended in a fault
+std::string keep_arm(const std::filesystem::path& recording, const StudioScene& scene,
+                     const ExecutionResult& result);
+
 /// Runs it as `limber execute --driver` does, and records it. Vented when this returns or throws.
 /// @param driver     command, safety and calibration; the rest is filled in
-/// @param recording  file to write; the driver's log and the run's plans lie beside it
+/// @param recording  file to write; the driver's log, the run's plans and what it has found of the
+///                   arm lie beside it
 /// @param control    is told of a driver that keeps no frames
 /// @param on_frame   takes each frame as it happens (`arm_frame`)
 /// @throws InputError where the plan does not fit, nothing was moved; SystemFault.

@@ -76,7 +76,7 @@ TEST(MotionTrack, HasNoClearanceWhereNobodySawTheArm) {
   EXPECT_TRUE(json["clearances_m"][1].is_number());
 }
 
-TEST(MotionTrack, OfAMissSaysWhatTheRunBelievesToo) {
+TEST(MotionTrack, SaysWhatARunBelievesOfTheArmToo) {
   ExecutionResult result;
   result.final_backbone = Backbone::Zero(3, 3);
   result.hint = "; segment 1 lost 20 % of its pressure";
@@ -84,7 +84,8 @@ TEST(MotionTrack, OfAMissSaysWhatTheRunBelievesToo) {
   EXPECT_EQ(outcome_text(goal, result),
             "ends 50.00 cm from the goal's centre, misses it; segment 1 lost 20 % of its pressure");
   result.goal_reached = true;
-  EXPECT_EQ(outcome_text(goal, result), "ends 50.00 cm from the goal's centre, arrives");
+  EXPECT_EQ(outcome_text(goal, result),
+            "ends 50.00 cm from the goal's centre, arrives; segment 1 lost 20 % of its pressure");
 }
 
 TEST(Animation, HoldsEveryFrameWithObstaclesAndGoal) {

@@ -10,6 +10,9 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/data_folder.hpp"
+#include "limber/network/arm_family.hpp"
+#include "limber/network/compensation_model.hpp"
+#include "limber/run/executor.hpp"
 #include "support/bending_plan.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -209,6 +212,34 @@ TEST_F(ArmStationTest, WhatVerifyTakesLiesBesideARunsRecording) {
   EXPECT_EQ(plan.frames.size(), run.found.plan.frames.size());
   EXPECT_NO_THROW(require_plan_in(plan, load_environment(plans / "00.yaml"), "00.json"));
   EXPECT_FALSE(std::filesystem::exists(plans / "01.json")) << "open loop";
+}
+
+TEST(KeptArm, IsAModelThatTheNextPlanMayBeMadeWith) {
+  const TemporaryFolder folder;
+  const CompensationModel family =
+      read_model(data_folder() / "families/three_segment_small.safetensors");
+  const int size = family.family->size();
+  const FamilyMember member{"", family.family->arms.col(7),
+                            0.01F * Eigen::MatrixXf::Identity(size, size)};
+  CompensationModel mine = model_of_arm(family, member);
+  mine.prediction_error = PredictionError{20, 8.0, 0.02, 0.01, 0.01, 0.1};
+  write_model(folder.path() / "mine.safetensors", mine);
+  const ProjectFolder project(folder.path());
+  const StudioScene scene(project, {"limber:three_segment", "mine.safetensors"});
+  const std::filesystem::path recording = folder.path() / "runs/run.h5";
+  ExecutionResult result;
+  EXPECT_EQ(keep_arm(recording, scene, result), "") << "open loop";
+  result.arm = member;
+  EXPECT_EQ(keep_arm(recording, scene, result), "") << "nothing has changed";
+  result.arm->e[0] += 0.5F;
+  result.arm_changed_s = 2.0;
+  EXPECT_THAT(keep_arm(recording, scene, result), HasSubstr("plan with runs/run.safetensors"));
+  const StudioScene next(project, {"limber:three_segment", "runs/run.safetensors"});
+  EXPECT_EQ(next.network()->member_of_family->e, result.arm->e);
+  EXPECT_EQ(next.network()->prediction_error, mine.prediction_error);
+  EXPECT_FALSE(next.network()->tube);
+  result.status = ExecutionStatus::fault;
+  EXPECT_EQ(keep_arm(recording, scene, result), "") << "nobody knows what it was worth";
 }
 
 TEST_F(ArmStationTest, ObeysTheArmFilesSafetyAsItIsNow) {

@@ -167,9 +167,9 @@ class Execution {
     if (result_.message.empty()) {
       result_.message = why_not_arrived(result_, environment);
     }
+    result_.hint = hint_of(result_, arm_, environment, followed_ != nullptr ? *followed_ : plan_,
+                           correction());
     if (!result_.message.empty()) {
-      result_.hint = hint_of(result_, arm_, environment, followed_ != nullptr ? *followed_ : plan_,
-                             correction());
       result_.message += result_.hint;
     }
   }

@@ -149,7 +149,7 @@ TEST_F(RunMessage, SaysWhatIsBelievedOfTheArmHoweverTheRunEnded) {
     stays.stop_reason = stop_reason;
     stays.believed = {load_of_60_g()};
     const ExecutionResult result = run(faults, &stays);
-    EXPECT_THAT(result.message, EndsWith(result.hint));
+    EXPECT_THAT(result.hint, EndsWith(believed));
     return result.message;
   };
   EXPECT_EQ(ended(0, false), "") << "one that arrived has nothing to explain";

@@ -23,7 +23,11 @@ bool is_family(const CompensationModel& model);
 /// (error, tube) is left out. @pre model.family, and e has its size
 CompensationModel model_of_arm(CompensationModel model, const FamilyMember& member);
 
-/// The same, where a closed loop has followed which arm this is (Plan::arm_of_family).
+/// The same of an arm that a run has followed, for the next one: its error stays what it was
+/// measured to be, its tube is left out. @pre `before` is an arm's of a family
+CompensationModel model_after_run(const CompensationModel& before, const FamilyMember& now);
+
+/// `model_of_arm`, where a closed loop has followed which arm this is (Plan::arm_of_family).
 /// @throws InputError if the model is no arm's of a family, or of one with another size of e
 CompensationModel model_of_followed_arm(CompensationModel model, const Eigen::VectorXf& e);
 

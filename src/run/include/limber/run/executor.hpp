@@ -97,7 +97,7 @@ struct AdviceTimes {
 struct ExecutionResult {
   ExecutionStatus status = ExecutionStatus::done;
   std::string message;      ///< why it did not arrive: what ended it, or what it missed or struck
-  std::string hint;         ///< the end of it: what may help, and what has changed of the arm
+  std::string hint;         ///< the end of any: what may help, and what has changed of the arm
   int frames = 0;           ///< set points commanded, those of the hold included
   int frames_not_seen = 0;  ///< of them, those after which the arm was not tracked
   int lag_frames = 0;       ///< ArmEstimate::lag_frames at the end: the episode shows so much less
