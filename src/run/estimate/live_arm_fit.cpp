@@ -89,6 +89,14 @@ std::vector<ArmChange> LiveArmFit::explained_changes() const {
   return limber::explained_changes(*family_.family, at_start_, {told.precision, told.pull});
 }
 
+/// Of today's e.
+const ForwardModel& LiveArmFit::todays_model() {
+  if (!model_) {
+    model_.emplace(arm_, model_of_arm(family_, member_));
+  }
+  return *model_;
+}
+
 /// One step per frame, with today's e.
 void LiveArmFit::look_ahead() {
   if (recent_.size() < 2 || !recent_.back().shape) {
@@ -102,11 +110,8 @@ void LiveArmFit::look_ahead() {
     return;
   }
   Backbone next = ahead_->now;
-  if (!model_) {
-    model_.emplace(arm_, model_of_arm(family_, member_));
-  }
-  model_->step(last.pressure_kpa, recent_.back().pressure_kpa, ahead_->before, ahead_->now, next,
-               workspace_);
+  todays_model().step(last.pressure_kpa, recent_.back().pressure_kpa, ahead_->before, ahead_->now,
+                      next, workspace_);
   ahead_ = Ahead{ahead_->now, next, ahead_->frames + 1};
   const double off_m =
       (next - seen).bottomRows(next.rows() - 1).leftCols<2>().rowwise().norm().mean();
@@ -136,12 +141,14 @@ bool LiveArmFit::roll_out() {
   Window& window = windows_[turn_];
   if (rolled_out_ == 0) {
     next_.at = member_.e;
-    next_.left_m = offsets(window, member_.e);
+    next_.left_m = offsets(window, todays_model());
     next_.slope.resize(next_.left_m.size(), size);
   } else {
     const Eigen::VectorXf shifted =
         next_.at + kArmStep * Eigen::VectorXf::Unit(size, rolled_out_ - 1);
-    next_.slope.col(rolled_out_ - 1) = (offsets(window, shifted) - next_.left_m) / kArmStep;
+    const ForwardModel shifted_model(arm_,
+                                     model_of_arm(family_, {"", shifted, member_.covariance}));
+    next_.slope.col(rolled_out_ - 1) = (offsets(window, shifted_model) - next_.left_m) / kArmStep;
   }
   if (++rolled_out_ <= size) {
     return false;
@@ -163,9 +170,8 @@ bool LiveArmFit::roll_out() {
   return true;
 }
 
-/// In x and y, of all plates but the base in the window's tracked frames, of the arm e.
-Eigen::VectorXf LiveArmFit::offsets(const Window& window, const Eigen::VectorXf& e) {
-  const ForwardModel model(arm_, model_of_arm(family_, {"", e, member_.covariance}));
+/// In x and y, of all plates but the base in the window's tracked frames.
+Eigen::VectorXf LiveArmFit::offsets(const Window& window, const ForwardModel& model) {
   const Eigen::Index plates = arm_.point_count() - 1;
   Eigen::VectorXf result(2 * plates * kWindowFrames);
   Eigen::Index rows = 0;

@@ -17,7 +17,8 @@ namespace limber {
 /// another. What older windows said is kept as what was known before them. It counts less, the
 /// more predictions are off by than is usual: a load that is picked up makes the fit forget.
 ///
-/// Work per frame is bounded: four rollouts of a window, some 100 queries.
+/// Work per frame is bounded: four rollouts of a window, some 100 queries, and the models that they
+/// are made with, at most one each.
 /// Threads: one fit, one thread. Borrows the arm.
 class LiveArmFit {
  public:
@@ -79,7 +80,8 @@ class LiveArmFit {
   bool has_moved() const;
   void take_window();
   bool roll_out();
-  Eigen::VectorXf offsets(const Window& window, const Eigen::VectorXf& e);
+  const ForwardModel& todays_model();
+  Eigen::VectorXf offsets(const Window& window, const ForwardModel& model);
   void add(const Window& window, Knowledge& known) const;
   Knowledge with_windows(Knowledge known) const;
   void forget(double wrong);
@@ -96,7 +98,7 @@ class LiveArmFit {
   std::size_t turn_ = 0;               // the window that is rolled out
   int rolled_out_ = 0;                 // of its rollouts: that of e, then one for each number of e
   Window next_;                        // it, about today's e
-  std::optional<ForwardModel> model_;  // of member_, for what is ahead; none since e has changed
+  std::optional<ForwardModel> model_;  // of member_; none since e has changed
   std::optional<Ahead> ahead_;
   bool is_surprised_ = false;
   double times_off_ = 1.0;
