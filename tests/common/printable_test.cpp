@@ -1,7 +1,11 @@
 #include "limber/common/printable.hpp"
 
+#include <string>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+
+#include "limber/common/error.hpp"
 
 namespace limber {
 namespace {
@@ -30,6 +34,10 @@ TEST(Printable, SpellsOutWhatTurnsTheDirectionOfWriting) {
 
 TEST(Printable, SpellsOutBytesThatAreNoUtf8) {
   EXPECT_EQ(printable("a\x9b\xff\xc3"), "a\\x9b\\xff\\xc3");
+}
+
+TEST(Printable, AZeroByteEndsNoMessageOfAnError) {
+  EXPECT_STREQ(InputError(std::string("a\0b\0: no", 8)).what(), "a\\x00b\\x00: no");
 }
 
 TEST(Printable, JsonStaysJsonWithTheSameMeaning) {

@@ -40,6 +40,9 @@ JUNK = [b"\0", b"\xef\xbb\xbf", b"\r\n", b"\xff\xfe", b"\xf0\x9f\x92\xa9", b"\xc
         b'{"a":' * 50, b"../../../../etc/passwd", b"\x1b[2J", b",,,,", b"x" * 3000]
 FLOATS = [struct.pack("<f", value) for value in (float("nan"), float("inf"), -float("inf"), 3.4e38, 1e30, -1e10, 0.0)]
 
+# What was found is quoted, and something follows: a zero byte in it would end a C string.
+CUT_MESSAGE = re.compile(r": '[^']*\Z")
+
 
 @dataclasses.dataclass
 class Kind:
@@ -301,6 +304,8 @@ class Campaign:
             return f"ends with {process.returncode}: {text[-300:]}"
         if foreign := FOREIGN_WORDS.search(text):
             return f"says {foreign[0]}: {text[-300:]}"
+        if CUT_MESSAGE.search(text):
+            return f"says but half: {text[-300:]}"
         if left := temporary_files(folder):
             return f"leaves {left[0]}"
         return ""

@@ -69,6 +69,12 @@ class Messages(InFolder):
         self.write("bench.csv", "pressure_kpa,strain\n0," + "9x" * 3000 + "\n")
         self.assertIn("error: bench.csv:2:3: '9x9x", self.refusal("characterize", *ARM, "--csv", "bench.csv", "--json"))
 
+    def test_a_zero_byte_ends_no_message(self):
+        self.write("bench.csv", "pressure_kpa,strain\n2\0x,0\n")
+        self.assertIn(r"error: bench.csv:2:1: '2\x00x' found", self.refusal("characterize", *ARM, "--csv", "bench.csv"))
+        self.write("p.json", json.dumps({"schema": "limber/plan/1\0x"}))
+        self.assertIn(r"schema: 'limber/plan/1\x00x' found", self.refusal("inspect", "p.json"))
+
     def test_a_plate_that_no_arm_reaches_in_one_frame(self):
         self.model()
         with h5py.File(self.folder / "r.h5", "r+") as file:
