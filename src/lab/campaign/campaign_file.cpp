@@ -39,6 +39,8 @@ constexpr KeptFlag kKeptFlags[] = {
     {"jobs", "give --jobs to limber campaign"},
     {"dry-run", "give --dry-run to limber campaign"},
     {"driver", "units run on the virtual arm"},
+    {"driver-log", "units run on the virtual arm"},
+    {"help", "limber VERB --help shows it"},
     {"build-forest", "units would write one file; grow it first, limber plan --build-forest"},
     {"time-limit-s", "budgets are iterations, queries or epochs, so that units can be repeated"},
 };
@@ -115,12 +117,23 @@ CampaignFactor::Range range_of(const YamlReader& value) {
   return range;
 }
 
+/// Units of a grid that say the same would be the same, to the byte.
+void refuse_equal(const YamlReader& value, std::vector<FlagValues> choices) {
+  std::ranges::sort(choices);
+  if (const auto twice = std::ranges::adjacent_find(choices); twice != choices.end()) {
+    value.refuse(fmt::format("'{}' found twice; units would be the same", as_text(*twice)));
+  }
+}
+
 CampaignFactor factor_of(const YamlReader& value, const std::string& name, bool is_random) {
   require_unit_flag(value, name);
   CampaignFactor factor{name, {}, std::nullopt};
   if (value.is_sequence()) {
     for (const YamlReader& element : value.elements()) {
       factor.choices.push_back(values_of(element));
+    }
+    if (!is_random) {
+      refuse_equal(value, factor.choices);
     }
   } else if (value.is_mapping() && value.has("files")) {
     value.refuse_unknown_keys({"files"});
@@ -254,7 +267,9 @@ Campaign read_campaign(const fs::path& path) {
     root.at("repeat").refuse("found beside the flag seed, with which each repetition is the same");
   }
   for (const CampaignFactor& factor : campaign.factors) {
-    std::erase_if(campaign.flags, [&](const auto& flag) { return flag.first == factor.name; });
+    if (values_in(campaign.flags, factor.name.c_str()) != nullptr) {
+      root.at("flags").at(factor.name).refuse("varies between units too; expected one of the two");
+    }
   }
   if (root.has("charts")) {
     for (const YamlReader& chart : root.at("charts").elements()) {

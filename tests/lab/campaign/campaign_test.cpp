@@ -23,7 +23,7 @@ constexpr const char* kGrid =
     "schema: limber/campaign/1\n"
     "verb: train\n"
     "seed: 5\n"
-    "flags: {data: a.h5, epochs: 10, ensemble: 2}\n"
+    "flags: {data: a.h5, ensemble: 2}\n"
     "grid:\n"
     "  hidden: [[60, 60], [100, 100, 100]]\n"
     "  epochs: [10, 20, 30]\n"
@@ -66,14 +66,6 @@ TEST_F(CampaignFile, AGridHasEveryCombinationTheLastFactorFastest) {
   }
   EXPECT_THAT(designs, ElementsAre("60 60|10", "60 60|20", "60 60|30", "100 100 100|10",
                                    "100 100 100|20", "100 100 100|30"));
-}
-
-// What every unit has is left out where the grid says otherwise.
-TEST_F(CampaignFile, AFactorTakesTheFlagsPlace) {
-  const CampaignUnit unit = campaign_unit(read(kGrid), 3);
-  EXPECT_EQ(std::ranges::count(unit.flags, "epochs", [](const auto& flag) { return flag.first; }),
-            1);
-  EXPECT_EQ(value_of(unit.flags, "ensemble"), "2");
 }
 
 TEST_F(CampaignFile, RepeatsDifferInTheirSeedAndShareItBetweenCombinations) {
@@ -144,6 +136,13 @@ TEST_F(CampaignFile, RefusesWhatWouldDependOnAClockOrOnOtherUnits) {
   EXPECT_NO_THROW(read("schema: limber/campaign/1\n" + closed +
                        "motion-queries: 5}\ngrid: {controller: [open, replan]}\n"));
   refusal("verb: collect\nflags: {out: x.h5}\n", "each unit has files of its own");
+  refusal("verb: collect\nflags: {driver-log: x}\n", "units run on the virtual arm");
+  refusal("verb: collect\nflags: {help: true}\n", "flags.help: not a flag of a unit");
+  refusal("verb: collect\nflags: {count: 3}\ngrid: {count: [4, 5]}\n",
+          "c.yaml:3: flags.count: varies between units too; expected one of the two");
+  refusal("verb: collect\ngrid: {count: [1, 2, 1]}\n", "c.yaml:3: grid.count: '1' found twice");
+  refusal("verb: train\nflags: {epochs: 3}\ngrid: {hidden: [[8, 8], [8, 8]]}\n",
+          "grid.hidden: '8 8' found twice; units would be the same");
   refusal("verb: collect\nflags: {'--count': 3}\n", "the name of a flag without its dashes");
   refusal("verb: collect\ngrid: {count: [1]}\nrandom: {count: 3}\n", "expected one design");
   refusal("verb: collect\ngrid: {count: {from: 1, to: 2}}\n", "expected a list of values");
