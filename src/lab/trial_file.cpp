@@ -148,7 +148,9 @@ ExecutionResult read_execution(const JsonReader& json, const ArmDescription& arm
   if (!json.at("final_backbone").is_null()) {
     run.goal_error.position_m =
         json.at("distance_to_goal_cm").number(0.0, kFarthest * kCmPerM) / kCmPerM;
-    run.goal_error.orientation_rad = json.at("orientation_to_goal_rad").number(0.0, kFarthest);
+    if (const JsonReader turn = json.at("orientation_to_goal_rad"); !turn.is_null()) {
+      run.goal_error.orientation_rad = turn.number(0.0, kFarthest);  // of a goal with a heading
+    }
     run.final_backbone = read_backbone(json.at("final_backbone"), arm);
   }
   return run;

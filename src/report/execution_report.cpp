@@ -101,8 +101,9 @@ Json to_json(const ExecutionResult& result, const Environment& before) {
       result.closest ? Json(kCmPerM * result.closest->clearance.value_m) : Json(nullptr);
   json["distance_to_goal_cm"] =
       is_seen ? Json(kCmPerM * result.goal_error.position_m) : Json(nullptr);
-  json["orientation_to_goal_rad"] =
-      is_seen ? Json(result.goal_error.orientation_rad) : Json(nullptr);
+  json["orientation_to_goal_rad"] = is_seen && environment.goal.theta_rad
+                                        ? Json(result.goal_error.orientation_rad)
+                                        : Json(nullptr);
   json["replans"] = result.replans;
   json["switches"] = result.switches;
   json["waits"] = result.waits;

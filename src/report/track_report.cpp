@@ -193,20 +193,28 @@ nlohmann::ordered_json execution_to_json(const PlanTrial& trial, const Environme
 }
 
 Json to_json(const TrackRun& run) {
-  return {{"status", to_string(run.result.status)},
-          {"message", run.result.message},
-          {"path",
-           {{"length_cm", kCmPerM * run.path.length_m()},
-            {"lap_s", run.path.lap_s()},
-            {"laps", run.path.laps}}},
-          {"first_lap", to_json(run, run.errors.first_lap)},
-          {"later_laps", to_json(run, run.errors.later_laps)},
-          {"collided", run.result.collided || run.result.final_backbone ? Json(run.result.collided)
-                                                                        : Json(nullptr)},
-          {"frames", run.result.frames},
-          {"frames_not_seen", run.result.frames_not_seen},
-          {"path_starts_at_frame", run.start_frame},
-          {"queries", run.queries}};
+  return {
+      {"status", to_string(run.result.status)},
+      {"message", run.result.message},
+      {"path",
+       {{"length_cm", kCmPerM * run.path.length_m()},
+        {"lap_s", run.path.lap_s()},
+        {"laps", run.path.laps}}},
+      {"first_lap", to_json(run, run.errors.first_lap)},
+      {"later_laps", to_json(run, run.errors.later_laps)},
+      {"collided", run.result.collided || run.result.final_backbone ? Json(run.result.collided)
+                                                                    : Json(nullptr)},
+      {"min_clearance_cm",
+       run.result.closest ? Json(kCmPerM * run.result.closest->clearance.value_m) : Json(nullptr)},
+      {"goal_reached", nullptr},  // these four as of a plan, for scripts: there is no goal
+      {"distance_to_goal_cm", nullptr},
+      {"orientation_to_goal_rad", nullptr},
+      {"prediction_error_cm", nullptr},
+      {"replans", run.result.replans},
+      {"frames", run.result.frames},
+      {"frames_not_seen", run.result.frames_not_seen},
+      {"path_starts_at_frame", run.start_frame},
+      {"queries", run.queries}};
 }
 
 std::string to_text(const TrackRun& run) {

@@ -97,6 +97,7 @@ TEST_F(TrialFile, ComesBackAfterARoundTrip) {
   EXPECT_EQ(trial.execution->final_backbone->rows(), arm_.point_count());
   EXPECT_TRUE(has_trial(output_.path(), key_.id));
   const Json written = Json::parse(trial_).at("execution");
+  EXPECT_TRUE(written.at("orientation_to_goal_rad").is_null()) << "the goal has no heading";
   ASSERT_TRUE(written.at("planned_goal_time_s").is_number());
   EXPECT_EQ(trial.execution->planned_goal_time_s, written.at("planned_goal_time_s").get<double>());
 }

@@ -43,6 +43,9 @@ TEST(ExecutionReport, HoldsTheKeysThatScriptsRelyOn) {
   EXPECT_EQ(json["first_collision"]["kind"], "rectangle");
   EXPECT_EQ(json["first_collision"]["plates"], nlohmann::json({4, 5}));
   EXPECT_EQ(json["final_backbone"].size(), 3U);
+  Environment without_heading = environment_with_obstacles();
+  without_heading.goal.theta_rad.reset();
+  EXPECT_TRUE(to_json(collided_run(), without_heading)["orientation_to_goal_rad"].is_null());
 }
 
 TEST(ExecutionReport, LeavesUnknownNumbersNull) {

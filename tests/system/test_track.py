@@ -44,6 +44,9 @@ class Track(InFolder):
         found = self.track(*command)
         self.assertEqual(found["status"], "done")
         self.assertIsNone(found["later_laps"])
+        self.assertEqual([found[key] for key in ("goal_reached", "distance_to_goal_cm", "orientation_to_goal_rad",
+                                                 "prediction_error_cm", "min_clearance_cm", "replans")],
+                         [None] * 5 + [0])
         self.assertEqual(found, self.track(*command))
         disturbed = self.track(*command, "--disturbance", "friction")
         self.assertEqual(disturbed["disturbance"], "friction")

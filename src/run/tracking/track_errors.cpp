@@ -8,6 +8,8 @@ namespace limber {
 
 namespace {
 
+constexpr double kTimeRounding_s = 1e-9;  // of differences between times of a long run
+
 std::optional<TrackError> error_of(const std::vector<double>& distances_m) {
   if (distances_m.empty()) {
     return std::nullopt;
@@ -30,7 +32,7 @@ TrackErrors track_errors(const TipPath& path, const Episode& episode, int start_
     }
     const Eigen::Vector2d tip_m = tip_position_m(backbone_at(episode.backbone, t));
     const double distance_m = (tip_m - path.at(since_s)).norm();
-    (since_s <= path.lap_s() ? first_m : later_m).push_back(distance_m);
+    (since_s <= path.lap_s() + kTimeRounding_s ? first_m : later_m).push_back(distance_m);
   }
   return {error_of(first_m), error_of(later_m)};
 }

@@ -99,5 +99,18 @@ TEST_F(TipPathTest, ErrorsAreTakenAtEqualTimesAndTheFirstLapApart) {
   EXPECT_FALSE(track_errors(path, episode, frames).first_lap);
 }
 
+TEST_F(TipPathTest, ASingleLapHasNoLaterOnes) {
+  const TipPath path = read("time_s,x_m,y_m\n0,0.4,0\n1,0.5,0\n");
+  Episode episode;
+  const int frames = 200;
+  episode.time_s = Eigen::VectorXd::LinSpaced(frames, 0.0, frames - 1) * 0.05;
+  episode.backbone = FrameMatrix::Zero(frames, 6);
+  for (int start = 0; start + 20 < frames; ++start) {  // sums of 0.05 are rounded up or down
+    Episode run = episode;
+    run.time_s.conservativeResize(start + 21);
+    EXPECT_FALSE(track_errors(path, run, start).later_laps) << start;
+  }
+}
+
 }  // namespace
 }  // namespace limber
