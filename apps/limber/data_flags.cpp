@@ -200,10 +200,10 @@ NamedEpisodes DataFlags::load_validation(const CommonFlags& flags, EpisodeReader
   if (!validation_.empty()) {
     validation.add(validation_, reader.read(validation_).episodes);
     if (reader.is_source(validation_)) {
-      say(flags,
-          "warning: --validation {} is learnt from too: the epoch is chosen, and its error "
-          "reported, by what the network knows",
-          validation_);
+      warn(flags,
+           "--validation {} is learnt from too: the epoch is chosen, and its error "
+           "reported, by what the network knows",
+           validation_);
     }
   }
   return validation;
@@ -246,6 +246,7 @@ EpisodeChoice DataFlags::load(const CommonFlags& flags, const ArmDescription& ar
                               EpisodeReader& reader, bool may_be_little,
                               IdentifiedValves& valves) const {
   NamedEpisodes all = reader.read_all(data_);
+  leave_out_twins(flags, all);
   NamedEpisodes validation = load_validation(flags, reader);
   NamedEpisodes unseen = load_unseen(reader);
   std::vector<std::string> broken = leave_out(arm, all, validation, unseen);
@@ -264,10 +265,10 @@ EpisodeChoice DataFlags::load(const CommonFlags& flags, const ArmDescription& ar
   }
   for (const std::string& path : data_) {
     if (!choice.is_little && reader.was_learnt_before(path)) {
-      say(flags,
-          "warning: the model of --from has learnt {} already: what is held back of it is no news "
-          "to the network, and an error on it says too little",
-          path);
+      warn(flags,
+           "the model of --from has learnt {} already: what is held back of it is no news "
+           "to the network, and an error on it says too little",
+           path);
     }
   }
   return choice;

@@ -21,6 +21,17 @@ const char* kind(bool setpoints_only) {
   return setpoints_only ? "set points only" : "what was measured";
 }
 
+/// Of all that an arm was told and did in an episode.
+std::string frames_hash(const Episode& episode) {
+  std::string hash;
+  for (const FrameMatrix* part :
+       {&episode.pressure_kpa, &episode.setpoint_kpa, &episode.backbone}) {
+    const auto bytes = static_cast<std::size_t>(part->size()) * sizeof(float);
+    hash += content_hash({reinterpret_cast<const char*>(part->data()), bytes});
+  }
+  return hash;
+}
+
 }  // namespace
 
 void EpisodeReader::note_kind(const std::string& file, bool setpoints_only) {
@@ -81,7 +92,7 @@ Recording EpisodeReader::read(const std::string& path) {
 
 void EpisodeReader::warn_of_base(const std::string& path, const Recording& recording) const {
   if (const std::string warning = base_warning(recording); !warning.empty()) {
-    say(flags_, "warning: {}: {}", path, warning);
+    warn(flags_, "{}: {}", path, warning);
   }
 }
 
@@ -127,6 +138,21 @@ std::vector<Episode> EpisodeReader::read_part(const std::string& path,
     warn_of_base(path, recording);
   }
   return std::move(recording.episodes);
+}
+
+void leave_out_twins(const CommonFlags& flags, NamedEpisodes& all) {
+  std::map<std::string, std::string> name_of_hash;
+  NamedEpisodes different;
+  for (std::size_t i = 0; i < all.episodes.size(); ++i) {
+    const auto [first, is_new] = name_of_hash.emplace(frames_hash(all.episodes[i]), all.names[i]);
+    if (is_new) {
+      different.names.push_back(std::move(all.names[i]));
+      different.episodes.push_back(std::move(all.episodes[i]));
+    } else {
+      warn(flags, "left out: {}, which holds the frames of {} again", all.names[i], first->second);
+    }
+  }
+  all = std::move(different);
 }
 
 std::vector<std::string> leave_out_broken(const ArmDescription& arm,

@@ -87,6 +87,10 @@ struct EpisodeChoice {
   bool is_little = false;               ///< nothing is held back (cross_validate)
 };
 
+/// Takes out episodes whose frames are those of one before them, and warns of them: what is held
+/// back of one would be learnt from in the other.
+void leave_out_twins(const CommonFlags& flags, NamedEpisodes& all);
+
 /// Takes out of all parts those in which the arm does not do what it does in the others
 /// (`episode_errors` of all of them together). @return their names, and what is wrong with them
 std::vector<std::string> leave_out_broken(const ArmDescription& arm,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string>
 
 #include <fmt/ranges.h>
 
@@ -15,6 +16,7 @@
 #include "limber/forward/forward_model.hpp"
 #include "limber/network/gap_bounds.hpp"
 #include "limber/report/training_report.hpp"
+#include "limber/training/evaluation.hpp"
 #include "limber/training/gap_bounds_fit.hpp"
 
 namespace limber {
@@ -45,11 +47,11 @@ std::size_t most_levels(const std::vector<Episode>& episodes) {
 void warn_of_few_levels(const CommonFlags& flags, const std::vector<Episode>& episodes) {
   const std::size_t levels = most_levels(episodes);
   if (levels > 1 && levels <= kFewLevels) {
-    say(flags,
-        "warning: no segment's set points take more than {} values. Between them nothing was "
-        "recorded, and the error there is many times that of these: record random motions too "
-        "(limber collect --schedule random)",
-        levels);
+    warn(flags,
+         "no segment's set points take more than {} values. Between them nothing was "
+         "recorded, and the error there is many times that of these: record random motions too "
+         "(limber collect --schedule random)",
+         levels);
   }
 }
 
@@ -141,11 +143,27 @@ void say_what_ran_away(const CommonFlags& flags, const TrainingResult& result) {
         fmt::join(result.passed_over_epochs, ", "), kLongRolloutFrames, result.best_epoch);
   }
   if (result.long_rollout.frames > 0 && !result.long_rollout.bounded) {
-    say(flags,
-        "warning: the networks of all epochs kept run away in a rollout of {} frames (of epoch {}, "
-        "bounds hold {:.0f} % of them); more recordings or another --seed may help",
-        kLongRolloutFrames, result.best_epoch, 100.0 * result.long_rollout.held_share);
+    warn(flags,
+         "the networks of all epochs kept run away in a rollout of {} frames (of epoch {}, "
+         "bounds hold {:.0f} % of them); more recordings or another --seed may help",
+         kLongRolloutFrames, result.best_epoch, 100.0 * result.long_rollout.held_share);
   }
+}
+
+/// noise_multiplied() on what chose the epoch, with a warning; null of a family, which is no arm's.
+nlohmann::ordered_json noise_of(const CommonFlags& flags, const ArmDescription& arm,
+                                const CompensationModel& model, const TrainingData& data) {
+  if (model.family) {
+    return nullptr;
+  }
+  const double times =
+      noise_multiplied(ForwardModel(arm, model),
+                       data.validation.empty() ? data.training : data.validation, flags.jobs);
+  if (const std::string warning = noise_warning(times); !warning.empty()) {
+    warn(flags, "the noise of a tracker comes out of one step {:.1f} times as large: {}", times,
+         warning);
+  }
+  return times;
 }
 
 }  // namespace
@@ -170,10 +188,10 @@ int add_bounds_to_model(const BoundModelRequest& request, const CommonFlags& fla
   const LongRollout rollout = roll_out_long(ForwardModel(arm, model), episodes);
   write_model(request.out, model);
   if (!rollout.bounded) {
-    say(flags,
-        "warning: in {:.0f} % of a rollout of {} frames a bound held a gap: this network runs away "
-        "without them. Train it again, which picks another epoch",
-        100.0 * rollout.held_share, rollout.frames);
+    warn(flags,
+         "in {:.0f} % of a rollout of {} frames a bound held a gap: this network runs away "
+         "without them. Train it again, which picks another epoch",
+         100.0 * rollout.held_share, rollout.frames);
   }
   print_result(
       flags,
@@ -181,14 +199,15 @@ int add_bounds_to_model(const BoundModelRequest& request, const CommonFlags& fla
        {"model", request.out},
        {"from", request.from},
        {"bounds", to_json(*model.bounds)},
-       {"long_rollout", to_json(rollout)}},
+       {"long_rollout", to_json(rollout)},
+       {"warnings", flags.warnings}},
       fmt::format("{}: {} as it was, and {}", request.out, request.from, to_text(*model.bounds)));
   return kExitDone;
 }
 
 void say_broken(const CommonFlags& flags, const EpisodeChoice& choice) {
   for (const std::string& broken : choice.broken) {
-    say(flags, "warning: left out as broken: {}; --keep-broken learns from it too", broken);
+    warn(flags, "left out as broken: {}; --keep-broken learns from it too", broken);
   }
 }
 
@@ -232,21 +251,24 @@ void print_no_model(const CommonFlags& flags, const TrainingResult& result) {
   print_error(why);
   print_result(flags,
                {{"status", interrupted ? "interrupted" : "diverged"},
-                {"message", interrupted ? why : result.message}},
+                {"message", interrupted ? why : result.message},
+                {"warnings", flags.warnings}},
                "");
 }
 
-void print_training_result(const CommonFlags& flags, const Command& command,
+void print_training_result(const CommonFlags& flags, const ArmDescription& arm,
                            const TrainingFiles& files, const TrainingResult& result,
                            const std::optional<FineTuningReport>& changes,
                            const EpisodeChoice& choice,
                            const std::optional<CrossValidation>& folds) {
   say_what_ran_away(flags, result);
-  nlohmann::ordered_json json = json_of(flags, command, files, result, choice);
+  nlohmann::ordered_json json = json_of(flags, arm.command, files, result, choice);
+  json["noise_multiplied"] = noise_of(flags, arm, result.model, choice.data);
   json["cross_validation"] = folds ? to_json(*folds) : nlohmann::ordered_json();
   if (changes) {
     json["fine_tuning"] = to_json(*changes);
   }
+  json["warnings"] = flags.warnings;
   json["wall_time_s"] = result.wall_time_s;
   print_result(
       flags, json,

@@ -46,7 +46,7 @@ void say_training(const CommonFlags& flags, const TrainingData& data,
 void print_no_model(const CommonFlags& flags, const TrainingResult& result);
 /// Prints what `train` found: one JSON object, or lines for people.
 /// @param folds  what said for how long to train; none where validation did
-void print_training_result(const CommonFlags& flags, const Command& command,
+void print_training_result(const CommonFlags& flags, const ArmDescription& arm,
                            const TrainingFiles& files, const TrainingResult& result,
                            const std::optional<FineTuningReport>& changes,
                            const EpisodeChoice& choice,

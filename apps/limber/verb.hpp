@@ -4,6 +4,8 @@
 #include <functional>
 #include <initializer_list>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -28,6 +30,7 @@ struct CommonFlags {
   std::uint64_t seed = 1;
   /// Gets the result in place of standard output, of a verb that another one runs. Empty: nobody.
   std::function<void(const nlohmann::ordered_json&)> take_result = {};
+  mutable std::vector<std::string> warnings = {};  ///< what `warn` said
 
   Progress::Mode progress() const {
     return quiet ? Progress::Mode::quiet : Progress::Mode::automatic;
@@ -63,6 +66,14 @@ void say(const CommonFlags& flags, fmt::format_string<Arguments...> format,
   if (!flags.quiet) {
     print_to_stderr(printable(fmt::format(format, std::forward<Arguments>(arguments)...)) + "\n");
   }
+}
+
+/// The same of a warning, which is kept for the result.
+template <class... Arguments>
+void warn(const CommonFlags& flags, fmt::format_string<Arguments...> format,
+          Arguments&&... arguments) {
+  flags.warnings.push_back(fmt::format(format, std::forward<Arguments>(arguments)...));
+  say(flags, "warning: {}", flags.warnings.back());
 }
 
 /// Checks of numbers in place of CLI::PositiveNumber and CLI::NonNegativeNumber, whose messages

@@ -107,7 +107,7 @@ class EvaluateVerb final : public Verb {
     if (!out_.empty()) {
       throw InputError(fmt::format("--out: {}", fault));
     }
-    say(flags, "warning: {}", fault);
+    warn(flags, "{}", fault);
   }
 
   /// --plots and --predictions.

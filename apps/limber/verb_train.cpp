@@ -166,8 +166,8 @@ class TrainVerb final : public Verb {
     if (result.status == TrainingStatus::finished) {
       remove_checkpoint();
     }
-    print_training_result(flags, arm.command, {out_, curve_path(".curve.csv")}, result, changes,
-                          choice, folds);
+    print_training_result(flags, arm, {out_, curve_path(".curve.csv")}, result, changes, choice,
+                          folds);
     if (result.status == TrainingStatus::interrupted) {
       say(flags, "the best model so far is in {}; the same command with --resume goes on", out_);
     }
@@ -353,7 +353,7 @@ class TrainVerb final : public Verb {
     }
     say(flags, "{}", to_text(valves, arm.command.unit, arm.dimension));
     for (const std::string& warning : valves.findings.warnings) {
-      say(flags, "warning: {}", warning);
+      warn(flags, "{}", warning);
     }
   }
 

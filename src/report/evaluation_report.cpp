@@ -182,14 +182,19 @@ std::string to_text(const Evaluation& evaluation) {
         "the noise of a tracker comes out of one step {:.1f} times as large (of a held pose 1, at "
         "constant velocity 2.2)\n",
         evaluation.noise_multiplied);
-    if (evaluation.noise_multiplied > kTooMuchNoise) {
-      text +=
-          "warning: a closed loop behind a tracker would act on that noise: learn from recordings "
-          "that have it (of the virtual arm: limber collect --noise-m 0.0005 --noise-rad 0.005)\n";
+    if (const std::string warning = noise_warning(evaluation.noise_multiplied); !warning.empty()) {
+      text += "warning: " + warning + "\n";
     }
     text += evaluation.novel ? to_text(*evaluation.novel, evaluation.command) : "";
   }
   return text;
+}
+
+std::string noise_warning(double noise_multiplied) {
+  return noise_multiplied > kTooMuchNoise
+             ? "a closed loop behind a tracker would act on that noise: learn from recordings that "
+               "have it (of the virtual arm: limber collect --noise-m 0.0005 --noise-rad 0.005)"
+             : "";
 }
 
 Json to_json(const EnsembleEvaluation& evaluation) {

@@ -127,27 +127,6 @@ std::vector<Episode> with_tracker_noise(std::vector<Episode> episodes, Eigen::In
   return episodes;
 }
 
-/// Of the tip, as standard deviations: after one step, of what it began from.
-double noise_multiplied(const ForwardModel& network, const std::vector<Episode>& episodes,
-                        const std::vector<FrameMatrix>& predicted, int jobs) {
-  const Eigen::Index pose = pose_size(network.dimension());
-  const std::vector<FrameMatrix> noisy =
-      predict_checked(network, with_tracker_noise(episodes, pose), Restart::every_frame, jobs);
-  double sum_m2 = 0.0;
-  std::int64_t count = 0;
-  const Eigen::Index places = pose == kPoseSize ? 2 : 3;
-  for (std::size_t e = 0; e < predicted.size(); ++e) {
-    const FrameMatrix tip_off = (noisy[e] - predicted[e]).rightCols(pose).leftCols(places);
-    for (Eigen::Index t = 0; t < tip_off.rows(); ++t) {
-      if (tip_off.row(t).allFinite()) {
-        sum_m2 += double(tip_off.row(t).squaredNorm());
-        count += places;
-      }
-    }
-  }
-  return count > 0 ? std::sqrt(sum_m2 / double(count)) / kTrackerNoiseM : 0.0;
-}
-
 /// Two arms of equal sizes that differ in numbers alone would pass for one.
 void require_models(const ForwardModel& no_load, const ForwardModel* network) {
   if (no_load.has_network() || (network != nullptr && !network->has_network())) {
@@ -173,6 +152,29 @@ void require_models(const ForwardModel& no_load, const ForwardModel* network) {
 }
 
 }  // namespace
+
+double noise_multiplied(const ForwardModel& network, const std::vector<Episode>& episodes,
+                        int jobs) {
+  const Eigen::Index pose = pose_size(network.dimension());
+  const auto after_one_step = [&](const std::vector<Episode>& from) {
+    return roll_out(network, from, pieces_for(from, Restart::every_frame), jobs);
+  };
+  const std::vector<FrameMatrix> predicted = after_one_step(episodes);
+  const std::vector<FrameMatrix> noisy = after_one_step(with_tracker_noise(episodes, pose));
+  double sum_m2 = 0.0;
+  std::int64_t count = 0;
+  const Eigen::Index places = pose == kPoseSize ? 2 : 3;
+  for (std::size_t e = 0; e < predicted.size(); ++e) {
+    const FrameMatrix tip_off = (noisy[e] - predicted[e]).rightCols(pose).leftCols(places);
+    for (Eigen::Index t = 0; t < tip_off.rows(); ++t) {
+      if (tip_off.row(t).allFinite()) {
+        sum_m2 += double(tip_off.row(t).squaredNorm());
+        count += places;
+      }
+    }
+  }
+  return count > 0 ? std::sqrt(sum_m2 / double(count)) / kTrackerNoiseM : 0.0;
+}
 
 Evaluation evaluate(const ForwardModel& no_load, const ForwardModel* network,
                     const std::vector<Episode>& all_episodes, int jobs) {
@@ -208,16 +210,11 @@ Evaluation evaluate(const ForwardModel& no_load, const ForwardModel* network,
   one_step(keep_velocity, result.constant_velocity_one_step,
            result.constant_velocity_one_step_moving);
   if (network != nullptr) {
-    std::vector<FrameMatrix> after_one_step;
     RolloutErrors errors = errors_at_every_restart(episodes, [&](Restart restart) {
-      std::vector<FrameMatrix> predicted = predict_checked(*network, episodes, restart, jobs);
-      if (restart == Restart::every_frame) {
-        after_one_step = predicted;
-      }
-      return predicted;
+      return predict_checked(*network, episodes, restart, jobs);
     });
     errors.open_loop_from_setpoints = errors_from_setpoints(*network, episodes, jobs);
-    result.noise_multiplied = noise_multiplied(*network, episodes, after_one_step, jobs);
+    result.noise_multiplied = noise_multiplied(*network, episodes, jobs);
     result.long_rollout = roll_out_long(*network, episodes);
     if (network->compensation().learnt) {
       result.novel = find_novel_frames(*network->compensation().learnt, episodes);

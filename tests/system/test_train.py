@@ -1,10 +1,14 @@
 """`limber train` and `limber evaluate`: files beside the model, resuming, and what they refuse."""
 
+import json
 import os
+import re
 import signal
 import subprocess
 import time
 import unittest
+
+import h5py
 
 from program import PROGRAM, InFolder
 
@@ -200,6 +204,19 @@ class Train(InFolder):
         self.assertIn("--unseen copy.h5: learnt from", self.refused("--unseen", "copy.h5"))
         for flags in (("--unseen", "copy.h5"), ("--validation", "copy.h5"), ("--keep-broken",)):
             self.assertIn("--family: leave out", self.refused("--family", *flags))
+
+    def test_an_episode_has_one_part_and_warnings_are_in_the_result(self):
+        self.run_limber("collect", *ARM, "--schedule", "random", "--count", 12, "--episodes", 3, "--out", "twice.h5")
+        with h5py.File(self.folder / "twice.h5", "r+") as file:
+            file.copy("episodes/000001", file["episodes"], "000003")
+        result = self.run_limber("train", *ARM, "--data", "twice.h5", "--hidden", 8, "--epochs", 3, "--json")
+        found = json.loads(result.stdout)
+        self.assertEqual(found["warnings"], re.findall(r"^warning: (.*)$", result.stderr, flags=re.M))
+        self.assertIn("left out: twice.h5, episode 3, which holds the frames of twice.h5, episode 1 again",
+                      found["warnings"])
+        too_much = 10  # times, as `evaluate` has it
+        self.assertEqual(found["noise_multiplied"] > too_much,
+                         any("the noise of a tracker comes out" in warning for warning in found["warnings"]))
 
     def test_what_was_learnt_before_is_known(self):
         self.train("--epochs", 3, "--out", "old.safetensors")

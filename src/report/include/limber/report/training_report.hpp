@@ -29,6 +29,9 @@ nlohmann::ordered_json to_json(const Evaluation& evaluation);
 /// The same as a table for people.
 std::string to_text(const Evaluation& evaluation);
 
+/// What to do about a network that multiplies a tracker's noise so much; empty: it is not much.
+std::string noise_warning(double noise_multiplied);
+
 /// The object `ensemble` of `evaluate --json`.
 nlohmann::ordered_json to_json(const EnsembleEvaluation& evaluation);
 std::string to_text(const EnsembleEvaluation& evaluation);

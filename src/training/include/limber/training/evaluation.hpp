@@ -54,9 +54,7 @@ struct Evaluation {
   std::int64_t frames = 0;  ///< tracked ones after the first of each episode: those that count
   TipErrors no_load_open_loop;
   std::optional<RolloutErrors> network;
-  /// How many times as large the noise of a tracker comes out of the network after one step, at the
-  /// tip: of a held pose 1, at constant velocity 2.2. 0 without a network.
-  double noise_multiplied = 0.0;
+  double noise_multiplied = 0.0;     ///< of the network, if there is one
   LongRollout long_rollout;          ///< of the network, if there is one
   std::optional<NovelFrames> novel;  ///< to the network, where it knows what it learnt from
   TipErrors hold_one_step;           ///< B_t = B_{t−1}
@@ -81,6 +79,11 @@ FrameMatrix predict(const ForwardModel& model, const Episode& episode, Restart r
 /// the episodes hold what was measured, or the other way round (with_setpoints_only).
 std::vector<FrameMatrix> predict(const ForwardModel& model, const std::vector<Episode>& episodes,
                                  Restart restart, int jobs = 0);
+
+/// How many times as large the noise of a tracker comes out of the network after one step, at the
+/// tip, as standard deviations: of a held pose 1, at constant velocity 2.2. 0 if no frame is known.
+double noise_multiplied(const ForwardModel& network, const std::vector<Episode>& episodes,
+                        int jobs = 0);
 
 /// @param network  null: no-load model only.
 /// @throws InputError if the recording has no episode of at least three frames, if `no_load` has a
