@@ -33,7 +33,10 @@ double PlannerName::take(const std::string& key, double low, double high, double
   if (setting.empty()) {
     return fallback;
   }
-  const std::string& value = setting.mapped();
+  return setting_number(key, setting.mapped(), low, high);
+}
+
+double setting_number(const std::string& key, const std::string& value, double low, double high) {
   const std::optional<double> number = number_in(value);
   if (!number || !(*number >= low && *number <= high)) {
     throw InputError(fmt::format("planner setting {} = '{}'; expected a number from {} to {}", key,

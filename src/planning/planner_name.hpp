@@ -17,6 +17,9 @@ inline void require_between(const char* name, double value, double low, double h
   }
 }
 
+/// The number of a planner's setting. @throws InputError if it is none from `low` to `high`.
+double setting_number(const std::string& key, const std::string& value, double low, double high);
+
 /// A planner as users name it: "NAME" or "NAME,key=value,key=value".
 struct PlannerName {
   std::string name;

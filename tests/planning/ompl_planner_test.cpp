@@ -1,5 +1,9 @@
 #include "limber/planning/ompl_planner.hpp"
 
+#include <string>
+#include <tuple>
+
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "limber/common/error.hpp"
@@ -110,6 +114,14 @@ TEST_F(OmplPlanner, UnknownNamesSettingsAndLimitsAreRefused) {
       ThrowsMessage<InputError>(HasSubstr("frames = '0'; expected a number from 1 to 100")));
   EXPECT_THAT([&] { (void)plan("ompl:RRT,speed=3", 100); },
               ThrowsMessage<InputError>(AllOf(HasSubstr("speed=3"), HasSubstr("goal_bias"))));
+  for (const auto& [key, value, range] :
+       {std::tuple{"pruning_radius", "abc", "0 to 100"}, std::tuple{"goal_bias", "2", "0 to 1"},
+        std::tuple{"selection_radius", "1e999", "0 to 100"}}) {
+    const std::string name = fmt::format("ompl:SST,{}={}", key, value);
+    EXPECT_THAT([&] { (void)plan(name, 100); },
+                ThrowsMessage<InputError>(HasSubstr(fmt::format(
+                    "planner setting {} = '{}'; expected a number from {}", key, value, range))));
+  }
   PlannerLimits limits;
   limits.iterations = 10;
   EXPECT_THAT(

@@ -22,6 +22,7 @@
 
 #include "arm_space.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/number_text.hpp"
 #include "limber/planning/problem_check.hpp"
 #include "limber/world/inverse_kinematics.hpp"
 #include "plan_ladder.hpp"
@@ -107,6 +108,15 @@ OmplSettings take_settings(PlannerName& name) {
   return settings;
 }
 
+/// OMPL only suggests its ranges, "low:high", "low:step:high" or "0,1", and takes any number.
+void require_suggested(const ob::GenericParam& parameter, const std::string& value) {
+  const std::string& range = parameter.getRangeSuggestion();
+  const std::optional<double> low = number_in(range.substr(0, range.find_first_of(":,")));
+  const std::optional<double> high = number_in(range.substr(range.find_last_of(":,") + 1));
+  (void)setting_number(parameter.getName(), value, low.value_or(0.0),
+                       high.value_or(std::numeric_limits<double>::max()));
+}
+
 void require_limits(const PlannerLimits& limits) {
   if (limits.iterations || limits.memory_mb) {
     throw InputError("OMPL's planners count neither iterations nor memory: limit time or queries");
@@ -137,6 +147,11 @@ class OmplRun {
     find_goal_configurations();
     const oc::SpaceInformationPtr si = make_space_information(world_);
     ob::PlannerPtr planner = kPlanners.at(name)(si, seed_);
+    for (const auto& [key, value] : parameters) {
+      if (planner->params().hasParam(key)) {
+        require_suggested(planner->params()[key], value);
+      }
+    }
     if (!planner->params().setParams(parameters, false)) {
       refuse_parameters(*planner, parameters);
     }
