@@ -120,6 +120,7 @@ Json to_json(const Evaluation& evaluation) {
   Json json;
   json["frames"] = evaluation.frames;
   json["no_load"]["open_loop"] = to_json(evaluation.no_load_open_loop);
+  json["network"] = nullptr;
   if (evaluation.network) {
     const std::optional<TipErrors>& planned = evaluation.network->open_loop_from_setpoints;
     json["network"] = to_json(*evaluation.network);
@@ -134,6 +135,7 @@ Json to_json(const Evaluation& evaluation) {
   baselines["constant_velocity"] = {
       {"one_step", to_json(evaluation.constant_velocity_one_step)},
       {"one_step_moving", to_json(evaluation.constant_velocity_one_step_moving)}};
+  json["reduction_percent"] = nullptr;
   if (evaluation.network) {
     json["reduction_percent"] = {
         {"position", json_number(evaluation.position_reduction_percent)},

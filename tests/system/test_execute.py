@@ -50,6 +50,7 @@ class Execute(InFolder):
         # What ran is evaluated on like any other recording.
         evaluated = self.run_json("evaluate", *ARM, "--data", "run.h5")
         self.assertEqual(evaluated["frames"], recording["frames"] - 1)
+        self.assertEqual((evaluated["network"], evaluated["reduction_percent"]), (None, None))
 
     def execute_with_a_network(self, *arguments):
         """A plan of a network of ten hours."""
