@@ -114,9 +114,9 @@ std::unique_ptr<Planner> make_planner(const std::string& name, int jobs, const F
   if (name.rfind("ompl:", 0) == 0) {
     return make_certified_planner(make_ompl_planner(name), jobs);
   }
-  throw InputError(
-      fmt::format("planner '{}'; expected one of {}, or ompl:NAME (docs/planning.md, OMPL)", name,
-                  fmt::join(planner_names(), ", ")));
+  throw InputError(fmt::format(
+      "planner '{}'; expected one of {}, paper-steer-all or ompl:NAME (docs/planning.md, OMPL)",
+      name, fmt::join(planner_names(), ", ")));
 }
 
 bool is_default_planner(const std::string& name) {

@@ -232,7 +232,7 @@ TEST(Planner, CallsNothingASolutionThatIsNone) {
     EXPECT_TRUE(checker.is_motion_free(frames[k - 1].backbone, frames[k].backbone)) << k;
   }
   EXPECT_THAT(result.reason, AllOf(HasSubstr("600 iterations spent"), HasSubstr("seed 3"),
-                                   HasSubstr("(tolerance 2.0 cm)")));
+                                   HasSubstr("(tolerance 2.00 cm)")));
 }
 
 TEST(Planner, StopsAtEachLimitAndSaysWhich) {
@@ -319,7 +319,8 @@ TEST(Planner, RefusesMissingAndSenselessLimitsAndSettings) {
   EXPECT_THAT([&] { plan_with(negative); },
               ThrowsMessage<InputError>(HasSubstr("time limit [s] of -1; expected a number > 0")));
   EXPECT_THAT([] { make_planner("fast"); },
-              ThrowsMessage<InputError>(HasSubstr("'fast'; expected one of default, paper")));
+              ThrowsMessage<InputError>(
+                  HasSubstr("'fast'; expected one of default, paper, paper-steer-all or")));
 }
 
 TEST(Planner, AGoalAtTheStartIsAPlanThatStandsStill) {
