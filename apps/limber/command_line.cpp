@@ -58,17 +58,38 @@ std::string check_blanks(std::string& text) {
                            shortened(text));
 }
 
-/// Rewrites `text` as a plain number, which CLI11 can't take for an octal one.
+/// Rewrites a text as a plain number, which CLI11 can't take for an octal one.
+/// @param range  what is allowed, as range_in() has it; empty: what the type holds
 template <class Whole>
-std::string check_whole(std::string& text) {
-  const std::size_t sign = text.starts_with('+') ? 1 : 0;
-  const std::optional<Whole> value = number_in<Whole>(std::string_view(text).substr(sign));
-  if (!value) {
-    return fmt::format("'{}' found; expected a whole number from {} to {}", shortened(text),
-                       std::numeric_limits<Whole>::min(), std::numeric_limits<Whole>::max());
+CLI::Validator whole_check(std::string range) {
+  if (range.empty()) {
+    range = fmt::format(" from {} to {}", std::numeric_limits<Whole>::min(),
+                        std::numeric_limits<Whole>::max());
   }
-  text = fmt::format("{}", *value);
-  return "";
+  return {[range](std::string& text) {
+            const std::size_t sign = text.starts_with('+') ? 1 : 0;
+            const std::optional<Whole> value =
+                number_in<Whole>(std::string_view(text).substr(sign));
+            if (!value) {
+              return fmt::format("'{}' found; expected a whole number{}", shortened(text), range);
+            }
+            text = fmt::format("{}", *value);
+            return std::string();
+          },
+          ""};
+}
+
+/// What a flag's own check allows, of its type in help texts: "INT:INT in [0 - 1024]" says " from 0
+/// to 1024". Empty where it has no check.
+std::string range_in(const std::string& type) {
+  if (const std::size_t begin = type.find("in ["); begin != std::string::npos) {
+    const std::size_t low = begin + 4, middle = type.find(" - ", low);
+    return fmt::format(" from {} to {}", type.substr(low, middle - low),
+                       type.substr(middle + 3, type.find(']', middle) - middle - 3));
+  }
+  return type.ends_with(":POSITIVE")      ? " more than 0"
+         : type.ends_with(":NONNEGATIVE") ? " of at least 0"
+                                          : "";
 }
 
 /// Leaves what follows each `=` to the planner, except numbers that are not finite.
@@ -85,18 +106,21 @@ std::string check_planner(const std::string& text) {
 
 /// Gives every option of `command` that takes numbers a check that runs before all others: the
 /// value has to be one plain decimal number within its type, or of at most 1e15 if it may have
-/// fractions. (CLI11 accepts nan, inf, hexadecimal and octal numbers, and clamps numbers that are
-/// too large.) Settings of planners, `NAME,key=value`, have to be finite too.
+/// fractions; messages name the flag's own range where it has one. (CLI11 accepts nan, inf,
+/// hexadecimal and octal numbers, and clamps numbers that are too large.) Settings of planners,
+/// `NAME,key=value`, have to be finite too.
 void require_plain_numbers(CLI::App& command) {
+  const std::string of_at_most = fmt::format(" of at most {}", kMax);
   for (CLI::Option* option : command.get_options()) {
     const std::string type = option->get_type_name().substr(0, option->get_type_name().find(':'));
+    const std::string range = range_in(option->get_type_name());
     if (type == "FLOAT") {
       option->transform(number_check([](double value) { return std::abs(value) <= kMax; },
-                                     fmt::format("a finite number of at most {}", kMax), ""));
+                                     "a finite number" + (range.empty() ? of_at_most : range), ""));
     } else if (type == "INT") {
-      option->transform(CLI::Validator(check_whole<std::int64_t>, ""));
+      option->transform(whole_check<std::int64_t>(range));
     } else if (type == "UINT") {
-      option->transform(CLI::Validator(check_whole<std::uint64_t>, ""));
+      option->transform(whole_check<std::uint64_t>(range));
     } else if (option->check_name("--planner")) {
       option->check(check_planner);
     }
@@ -135,6 +159,11 @@ bool is_output(const CLI::App& command, const CLI::Option& option) {
   return std::ranges::any_of(kOutputs, [&](const char* name) { return option.check_name(name); });
 }
 
+/// As messages name it: a flag, or "the argument logs" of one that has no flag.
+std::string name_of(const CLI::Option& option) {
+  return (option.nonpositional() ? "" : "the argument ") + option.get_name();
+}
+
 bool same_file(const fs::path& a, const fs::path& b) {
   std::error_code error;
   if (fs::equivalent(a, b, error)) {
@@ -161,7 +190,7 @@ void require_outside_of_results(const CLI::App& command, const fs::path& folder)
           fs::exists(fs::symlink_status(value, error)) && lies_in(value, folder)) {
         throw InputError(fmt::format(
             "{} {} lies in {}, the folder for results; choose another folder with --out",
-            option->get_name(), value, folder.string()));
+            name_of(*option), value, folder.string()));
       }
     }
   }
@@ -181,13 +210,13 @@ void require_distinct_files(const CLI::App& command) {
       std::error_code error;
       const bool is_rewritten = command.get_name() == kRewriter && option->check_name("--arm");
       if (is_output(command, *option)) {
-        if (value.empty()) {
-          throw InputError(fmt::format("{} '': names no file; expected a file or folder to write",
-                                       option->get_name()));
+        if (value.empty() || value == "-") {  // standard output has what --json prints
+          throw InputError(fmt::format("{} '{}': names no file; expected a file or folder to write",
+                                       option->get_name(), value));
         }
         outputs.push_back({option->get_name(), value});
       } else if (!is_rewritten && fs::is_regular_file(value, error)) {
-        inputs.push_back({option->get_name(), value});
+        inputs.push_back({name_of(*option), value});
       }
     }
   }
@@ -233,7 +262,9 @@ int report(const CLI::App& app, const CLI::ParseError& error) {
   if (std::fwrite(help.data(), 1, help.size(), stdout) != help.size() || !is_output_written()) {
     return report(kExitFault, kOutputFault);
   }
-  print_to_stderr(printable(complaint.str()));
+  if (code != 0) {
+    print_to_stderr(printable("error: " + complaint.str()));
+  }
   return code == 0 ? kExitDone : kExitBadInput;
 }
 

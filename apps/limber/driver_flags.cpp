@@ -93,14 +93,15 @@ void WireFlags::add_to(CLI::App& app) {
 
 ProcessDriverSettings WireFlags::settings(const std::string& driver, const ArmDescription& arm,
                                           const std::string& arm_file) const {
-  if (!driver.starts_with(kExec)) {
-    throw InputError(
-        fmt::format("driver '{}': expected exec:COMMAND, as in \"exec:python3 my_driver.py\" "
-                    "(docs/driver.md)",
-                    driver));
+  const std::string command = driver.starts_with(kExec) ? driver.substr(kExec.size()) : "";
+  if (command.find_first_not_of(" \t") == std::string::npos) {
+    throw InputError(fmt::format(
+        "driver '{}': no command found; expected exec:COMMAND, as in \"exec:python3 my_driver.py\" "
+        "(docs/driver.md)",
+        driver));
   }
   ProcessDriverSettings settings;
-  settings.command = driver.substr(kExec.size());
+  settings.command = command;
   settings.simulated = simulated_;
   settings.safety = load_safety(arm_file);
   settings.calibration = calibration(arm);
@@ -151,7 +152,7 @@ void require_limit_scale(double scale) {
 }
 
 void DriverFlags::check(std::initializer_list<const char*> unused) const {
-  if (is_program() && !driver_.starts_with(kExec)) {
+  if ((is_program() && !driver_.starts_with(kExec)) || driver_ == kModel) {
     throw InputError(
         fmt::format("--driver {}: expected virtual{} or exec:COMMAND, as in "
                     "--driver \"exec:python3 my_driver.py\"",

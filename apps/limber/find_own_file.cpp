@@ -1,5 +1,6 @@
 #include <filesystem>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "limber/common/atomic_file.hpp"
@@ -14,10 +15,14 @@ namespace limber {
 
 namespace {
 
-/// @throws InputError if there is none.
+/// @throws InputError if there is nothing of that name.
 std::string find_own_file(const std::string& name_or_path, const char* folder, const char* ending,
                           const char* complaint) {
   const std::string found = own_file(name_or_path, folder, ending).string();
+  std::error_code error;
+  if (found.empty() && std::filesystem::exists(name_or_path, error)) {
+    return name_or_path;  // a folder, a pipe: what reads it says so
+  }
   if (found.empty()) {
     throw InputError(fmt::format(fmt::runtime(complaint), name_or_path));
   }

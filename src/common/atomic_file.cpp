@@ -338,7 +338,7 @@ void require_writable_folder(const fs::path& folder) {
   if (fs::exists(status) && !fs::is_directory(status)) {
     throw InputError(fmt::format("{}: is a file; expected a folder, or nothing", folder.string()));
   }
-  require_writable(folder / "x");
+  require_writable(folder / "");
 }
 
 }  // namespace limber

@@ -49,6 +49,12 @@ class CommandLine(InFolder):
         for flag, value in (("--time-limit-s", 0), ("--max-queries", 0), ("--cost-threshold", -5)):
             said = self.run_limber("plan", "--no-load", "--environment", "01_pillar", flag, value, code=2).stderr
             self.assertIn(f"{flag}: '{value}' found; expected more than 0", said)
+        for flag, value, wanted in (("--margin-m", "1cm", "finite number from 0 to 1000"),
+                                    ("--jobs", "1.5", "whole number from 0 to 1024"),
+                                    ("--max-queries", "1e3", "whole number more than 0"),
+                                    ("--seed", "x", "whole number of at least 0")):
+            said = self.run_limber("plan", flag, value, code=2).stderr
+            self.assertIn(f"error: {flag}: '{value}' found; expected a {wanted}\n", said)
 
     def test_every_numeric_flag_refuses_what_is_no_plain_finite_number(self):
         flags = [(verb, *flag) for verb in verbs() for flag in numeric_flags(verb)]

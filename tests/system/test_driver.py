@@ -141,6 +141,7 @@ class Collecting(Driver):
             ("exec:/no/such/program", "/no/such/program"),
         ):
             self.assertIn(message, self.collect(driver, code=2).stderr)
+        self.assertIn("no command found", self.run_limber("studio", "--driver", "exec:", code=2).stderr)
         self.assertIn("error: driver 'true'", self.collect("exec:true", code=3).stderr)
         self.assertIn("error: driver 'cat'", self.collect("exec:cat", code=3).stderr)
         self.assertFalse((self.folder / "run.h5").exists())

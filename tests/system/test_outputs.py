@@ -84,7 +84,7 @@ class Outputs(InFolder):
         self.write("a_file", "mine\n")
         before = tree(self.folder)
         for command, flag, is_folder in self.works():
-            paths = [("", "names no file"), ("a_file/x/y", "a_file is no folder"),
+            paths = [("", "names no file"), ("-", "names no file"), ("a_file/x/y", "a_file is no folder"),
                      ("/proc/nowhere/x", "no file can be made in /proc"), ("n" * 300, "")]
             paths.append(("a_file", "folder") if is_folder else ("foo/", "names no file"))
             if command[0] in ("demo", "experiment") or flag in ("--plots",):
@@ -108,6 +108,9 @@ class Outputs(InFolder):
             self.refused(["inspect", path], "is a pipe or a device")
             self.refused(["export", path, "--csv", "csv"], "is a pipe or a device")
         self.refused(["train", "--data", pipe], "is a pipe or a device")
+        for flag in ("--arm", "--environment"):
+            self.refused(["plan", "--no-load", "--environment", "01_pillar", flag, pipe], "is a pipe or a device")
+            self.refused(["plan", "--no-load", "--environment", "01_pillar", flag, self.folder], "is a folder")
 
 
 class Messages(InFolder):

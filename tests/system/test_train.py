@@ -193,6 +193,8 @@ class Train(InFolder):
             "bench", "--model", "model.safetensors", "--plot", "model.safetensors", "--force", code=2
         )
         self.assertIn("--plot model.safetensors is the file that --model reads", result.stderr)
+        result = self.run_limber("export", "train.h5", "--motive", "train.h5", code=2)
+        self.assertIn("--motive train.h5 is the file that the argument file reads", result.stderr)
         twice = ("characterize", *ARM, "--out", "arm.yaml", "--plot", "./arm.yaml")
         message = self.run_limber(*twice, code=2).stderr
         self.assertIn("is the file that", message)

@@ -126,6 +126,9 @@ class Verify(InFolder):
         error = self.error("execute", "--arm", "two_segment", "--plan", "p.json", "--environment",
                            self.environment, "--driver", "nobody")
         self.assertIn("expected virtual, model:FILE.safetensors or exec:COMMAND", error)
+        error = self.error("execute", "--arm", "two_segment", "--plan", "p.json", "--environment",
+                           self.environment, "--driver", "model:")
+        self.assertIn("--driver model:: expected virtual, model:FILE.safetensors", error)
         error = self.error("verify", *ARM, "--plan", "p.json", "--environment", self.environment,
                            "--also", "nowhere.safetensors")
         self.assertIn("nowhere.safetensors", error)
