@@ -1,8 +1,10 @@
 #include <filesystem>
+#include <map>
 
 #include "limber/arm/arm_identity.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/atomic_file.hpp"
+#include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/data/simple_model.hpp"
 #include "limber/logs/log_import.hpp"
@@ -74,6 +76,10 @@ class ImportVerb final : public Verb {
         mapping_.empty() ? default_import_mapping(arm) : read_import_mapping(mapping_, arm);
     options.command_logs.assign(command_logs_.begin(), command_logs_.end());
     options.time_offset_s = time_offset_s_;
+    std::map<std::string, std::string> path_of_hash;
+    for (const std::string& log : logs_) {
+      (void)add_different(path_of_hash, log);
+    }
     const std::vector<std::filesystem::path> logs(logs_.begin(), logs_.end());
     ImportResult result =
         format_ == "motive" ? import_motive(logs, options, arm) : import_csv(logs, options, arm);

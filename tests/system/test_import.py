@@ -91,6 +91,14 @@ class RoundTrip(InFolder):
         for name in ("pressure_kpa", "setpoint_kpa", "backbone", "motion_index", "tracked"):
             np.testing.assert_array_equal(truth[name], back[name], name)
 
+    def test_a_log_is_given_once(self):
+        self.run_limber("export", "truth.h5", "--csv", "tables")
+        (self.folder / "copy.csv").write_bytes((self.folder / "tables/episode_000.csv").read_bytes())
+        for again in ("tables/episode_000.csv", "copy.csv"):
+            message = self.run_limber("import", "csv", "tables/episode_000.csv", again, *ARM, "--mapping",
+                                      "tables/mapping.yaml", "--out", "twice.h5", code=2).stderr
+            self.assertIn(f"{again}: the same recording as tables/episode_000.csv; give it once", message)
+
     def test_an_arm_without_polynomials_is_imported_and_then_fitted(self):
         text = (ROOT / "arms" / "two_segment.yaml").read_text(encoding="utf-8")
         unfitted = re.sub(r"strain_polynomial: \[.*\]", "strain_polynomial: []", text)
