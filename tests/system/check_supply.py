@@ -1,9 +1,9 @@
 """Checks what a package of limber says of its parts, and how its programs were built.
 
-    check_supply.py ROOT PACKAGES   ROOT: the packages, extracted; PACKAGES: packages.txt
+    check_supply.py ROOT PACKAGES BUILD   ROOT: the packages, extracted; PACKAGES: packages.txt; BUILD: Ninja's folder
 
-The bill of materials is SPDX 2.3 that holds together, and names every library that a program loads and
-every package of [build] that is a library. Licences stand beside it. Programs are hardened."""
+The bill of materials is SPDX 2.3 that holds together, and names every library that a program loads, every
+package of [build] that is a library, and every one whose headers were compiled. Licences stand beside it. Programs are hardened."""
 
 import pathlib
 import re
@@ -15,7 +15,8 @@ NOT_INSIDE = {"libdnnl-dev", "libxsmm-dev"}
 TAGS = {"PackageName", "SPDXID", "PackageVersion", "PackageDownloadLocation", "FilesAnalyzed",
         "PackageLicenseConcluded", "PackageLicenseDeclared", "PackageCopyrightText", "ExternalRef"}
 LICENCES = {"BSD-3-Clause", "BSD-2-Clause", "MIT", "MPL-2.0", "Apache-2.0", "BSL-1.0", "LGPL-2.1-or-later",
-            "GPL-3.0-or-later WITH GCC-exception-3.1"}
+            "GPL-3.0-or-later WITH GCC-exception-3.1", "PSF-2.0", "Zlib"}
+COMPILER = ("libstdc++", "libgcc", "libc-dev", "linux-libc")  # the bill has its libraries
 
 
 def output(*command):
@@ -55,6 +56,20 @@ def loaded_sources(program):
         yield output("dpkg-query", "--show", "--showformat=${source:Package}", owner)
 
 
+def without_version(package):
+    """libboost1.74-dev, which libboost-dev stands for."""
+    return re.sub(r"(?<=\D)[\d.]+-dev$", "-dev", package)
+
+
+def compiled_packages(build):
+    """Packages of the headers that went into the programs; the peers of `limber bench` are no part of them."""
+    objects = output("ninja", "-C", build, "-t", "deps").split("\n\n")
+    headers = {line.strip() for one in objects if re.search(r"^(apps|python|src)/", one, re.M) and "_peer.dir" not in one
+               for line in one.splitlines() if line.startswith("    /usr/")}
+    owned = subprocess.run(["dpkg-query", "--search", *headers], capture_output=True, encoding="utf-8", check=False)
+    return {without_version(line.split(":")[0]) for line in owned.stdout.splitlines()}
+
+
 def check_hardened(program):
     """PIE or a module, tables read-only at once, no stack that runs, canaries, checked copies."""
     segments = output("readelf", "--program-headers", "--wide", program)
@@ -70,14 +85,18 @@ def check_hardened(program):
 
 
 def main():
-    root, listed = map(pathlib.Path, sys.argv[1:])
+    root, listed, build = map(pathlib.Path, sys.argv[1:])
     documents = root / "usr/share/doc"
     packages, relations = read_bill(documents / "limber/limber.spdx")
     names = {package["PackageName"] for package in packages.values()}
-    build = re.search(r"^\[build\]\n(.*?)^\[", listed.read_text(encoding="utf-8"), re.M | re.S)[1]
-    libraries = {line.split()[0] for line in build.splitlines()
+    section = re.search(r"^\[build\]\n(.*?)^\[", listed.read_text(encoding="utf-8"), re.M | re.S)[1]
+    libraries = {line.split()[0] for line in section.splitlines()
                  if re.match(r"(lib|nlohmann|pybind11).*-dev\b", line)} - NOT_INSIDE
     assert libraries <= names, f"not in the bill: {sorted(libraries - names)}"
+    compiled = {name for name in compiled_packages(build) if not name.startswith(COMPILER)}
+    assert compiled, "no headers known: expected a build by Ninja"
+    unnamed = compiled - set(map(without_version, names))
+    assert not unnamed, f"compiled, but not in the bill: {sorted(unnamed)}"
 
     programs = {"limber": root / "usr/bin/limber"}
     for module in root.glob("usr/lib/python3/dist-packages/limber/_limber*.so"):

@@ -51,7 +51,7 @@ for name in "${packages[@]}"; do
 done
 [ -e all/usr/include/limber/common/version.hpp ] || fail "no headers in limber-dev"
 if grep -q '^CMAKE_BUILD_TYPE:.*=Release$' "$LIMBER_BUILD_DIR/CMakeCache.txt"; then # what users get
-  /usr/bin/python3 "$root/tests/system/check_supply.py" all "$root/packages.txt"
+  /usr/bin/python3 "$root/tests/system/check_supply.py" all "$root/packages.txt" "$LIMBER_BUILD_DIR"
 fi
 cp -r "$root/examples/cpp" examples
 cmake -S examples -B build -G Ninja -DCMAKE_BUILD_TYPE=Release \
