@@ -108,9 +108,9 @@ class Outputs(InFolder):
             self.refused(["inspect", path], "is a pipe or a device")
             self.refused(["export", path, "--csv", "csv"], "is a pipe or a device")
         self.refused(["train", "--data", pipe], "is a pipe or a device")
-        for flag in ("--arm", "--environment"):
-            self.refused(["plan", "--no-load", "--environment", "01_pillar", flag, pipe], "is a pipe or a device")
-            self.refused(["plan", "--no-load", "--environment", "01_pillar", flag, self.folder], "is a folder")
+        for command in (["evaluate", "--data", "r.h5", "--arm"], ["plan", "--no-load", "--environment"]):
+            self.refused([*command, pipe], "is a pipe or a device")
+            self.refused([*command, self.folder], "is a folder")
 
 
 class Messages(InFolder):
