@@ -1,8 +1,10 @@
 #include "log_table.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,9 +20,19 @@ namespace {
 
 constexpr std::size_t kNamesInMessages = 40;
 
+/// What other programs write where they have no number, in letters of any case. Infinity is none
+/// either: it comes of a division by 0, or of a sensor that is not there.
 bool is_missing(std::string_view text) {
-  constexpr std::string_view kWords[] = {"", "nan", "NaN", "NAN", "null", "NULL", "NA", "-"};
-  return std::ranges::find(kWords, text) != std::end(kWords);
+  constexpr std::string_view kWords[] = {"",     "-",    "nan",  "na",  "n/a",     "#n/a",
+                                         "<na>", "null", "none", "inf", "infinity"};
+  if (text.size() > 1 && (text.front() == '-' || text.front() == '+')) {
+    text.remove_prefix(1);
+  }
+  const auto is_equal = [](char letter, char typed) {
+    return letter == std::tolower(static_cast<unsigned char>(typed));
+  };
+  return std::ranges::any_of(
+      kWords, [&](std::string_view word) { return std::ranges::equal(word, text, is_equal); });
 }
 
 /// One log, its header read.

@@ -162,8 +162,9 @@ class CsvImport : public ::testing::Test {
   Eigen::Vector2d shift_m_ = Eigen::Vector2d::Zero();
 };
 
-/// The log with the cells of one plate emptied in rows [from, to).
-inline std::string hidden(const std::string& text, std::size_t column, int from, int to) {
+/// The log with the cells of one column emptied in rows [from, to), or with `written` in them.
+inline std::string hidden(const std::string& text, std::size_t column, int from, int to,
+                          const std::string& written = {}) {
   std::string result;
   std::size_t begin = 0;
   for (int row = -1; begin < text.size(); ++row) {
@@ -174,7 +175,7 @@ inline std::string hidden(const std::string& text, std::size_t column, int from,
       for (std::size_t c = 0; c < column; ++c) {
         place = line.find(',', place) + 1;
       }
-      line.erase(place, line.find(',', place) - place);
+      line.replace(place, line.find(',', place) - place, written);
     }
     result += line + "\n";
     begin = end + 1;

@@ -142,6 +142,25 @@ TEST_F(LogImportFaults, FindsMarkersThatWereNeverSeen) {
                  {"'x9' (plate 9) is never tracked", "Leave it out of the mapping"});
 }
 
+// As pandas, MATLAB, R, spreadsheets and C write that there is no number.
+TEST_F(LogImportFaults, KnowsTheWordsForMissingCells) {
+  const std::vector<std::string> words = {"NaN",  "nan",  "-nan", "None", "NONE", "N/A",
+                                          "#N/A", "n/a",  "NA",   "<NA>", "NULL", "Null",
+                                          "inf",  "-Inf", "INF",  "+inf", "-",    "-Infinity"};
+  std::string text = log();
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const int row = 20 * (static_cast<int>(i) + 1);
+    text = hidden(text, 4 + 3 * 9, row, row + 1, words[i]);
+  }
+  const ImportResult result = import(text, mapping());
+  EXPECT_EQ(note(result, "can't be read"), nullptr);
+  EXPECT_NEAR(result.report.runs.front().points[9].tracked_share,
+              1.0 - double(words.size()) / double(rows_), 1e-12);
+  EXPECT_EQ(result.recording.episodes.size(), 1U);
+  expect_refusal(hidden(log(), 4 + 3 * 9, 100, 110, "nowhere"), mapping(),
+                 {"10 of 600 rows can't be read", "'nowhere' is not a number"});
+}
+
 TEST_F(LogImportFaults, FindsDuplicatedColumns) {
   expect_refusal(replaced(log(), ",x4,", ",x3,"), mapping(),
                  {"column 'x3' is there twice, as column 13 and column 16"});
