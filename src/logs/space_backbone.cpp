@@ -28,7 +28,10 @@ namespace {
 
 constexpr double kLongestSpaceChord = 1.5;  // over the length at rest, as recordings allow
 constexpr double kFarthestOffX_rad = 1.2;   // half of how far an arm bends between two points
-constexpr double kFarOffArc_rad = 1.0;      // of rotations; gravity and twist leave less
+// Of rotations in the median row. Within a segment a laboratory's two-segment arm has 5 degrees at
+// most; over several segments, which bend apart, an arm of arcs has 20 by itself.
+constexpr double kFarOffArc_rad = 30.0 * kRadPerDeg;
+constexpr double kFarOffOverSegments_rad = 1.0;
 constexpr double kShortShare = 0.05;
 constexpr double kLongShare = 0.95;
 
@@ -197,9 +200,10 @@ void leave_out_rotations(bool asked, SpaceTracks& tracks, RunReport& report) {
 }
 
 /// Rotations that say another shape than places do are noted: an odd body may be meant so.
-void note_far_off_arcs(RunReport& report) {
+void note_far_off_arcs(const ArmDescription& arm, RunReport& report) {
   for (const SpaceGapReport& gap : report.space->gaps) {
-    if (gap.off_arc_rad > kFarOffArc_rad) {
+    const bool is_arc = arm.segment_of_gap(gap.from) == arm.segment_of_gap(gap.to - 1);
+    if (gap.off_arc_rad > (is_arc ? kFarOffArc_rad : kFarOffOverSegments_rad)) {
       report.note(
           "warning: measured rotations are far off the arcs from point to point. Are the columns "
           "in the order qx, qy, qz, qw (w last), is none of them mirrored, and were all bodies "
@@ -277,7 +281,7 @@ BackboneTrack build_backbone(const std::string& log, SpaceTracks tracks,
   }
   gaps.require_of(log, mapping, arm, tracks);
   space.gaps = gaps.report();
-  note_far_off_arcs(report);
+  note_far_off_arcs(arm, report);
   for (Eigen::Index plate = 0; plate < arm.point_count(); ++plate) {
     make_signs_continuous(track.poses.middleCols(kSpacePoseSize * plate + 3, 4));
   }

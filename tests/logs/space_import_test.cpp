@@ -262,10 +262,24 @@ TEST_F(SpaceImport, WarnsOfRotationsThatAreNotThoseOfTheArcs) {
     }
     return std::string();
   };
+  const auto turn_tip = [&](double degrees) {
+    body_turns_.assign(plates_.size(), Eigen::Quaterniond::Identity());
+    body_turns_.back() =
+        rotation_of_vector<double>(Eigen::Vector3d(0.0, 0.0, degrees / 180.0 * M_PI));
+  };
+  for (const double degrees : {0.0, 25.0}) {
+    turn_tip(degrees);
+    EXPECT_EQ(warning(), "") << degrees;
+  }
+  for (const double degrees : {35.0, 90.0}) {
+    turn_tip(degrees);
+    EXPECT_THAT(warning(), HasSubstr(fmt::format("{} degrees from plate 3 to plate 4", degrees)));
+  }
+  plates_ = {0, 1, 4};  // segments bend apart between the last two
+  turn_tip(35.0);
   EXPECT_EQ(warning(), "");
-  body_turns_.assign(5, Eigen::Quaterniond::Identity());
-  body_turns_[4] = rotation_of_vector<double>(Eigen::Vector3d(0.0, 0.0, 0.5 * M_PI));
-  EXPECT_THAT(warning(), HasSubstr("from plate 3 to plate 4"));
+  turn_tip(90.0);
+  EXPECT_THAT(warning(), HasSubstr("from plate 1 to plate 4"));
 }
 
 TEST_F(SpaceImport, TakesZerosOfAPointThatIsElsewhereForHidden) {
