@@ -64,6 +64,7 @@ class ImproveVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
+    load_asked_arm(arm_, "limber improve");
     const fs::path folder(out_);
     if (plans_ > kPlansOfAnEpisode && plans_ % kPlansOfAnEpisode != 0) {
       throw InputError(fmt::format("--plans {}: expected at most {}, or a multiple of it", plans_,

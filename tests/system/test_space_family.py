@@ -39,6 +39,9 @@ class SpaceFamily(WithFiles):
         self.assertIn("limber adapt --model family.safetensors", error)
         error = self.run_limber("plan", *ARM, "--model", "mine.safetensors", "--environment", "01_pillar", code=2).stderr
         self.assertIn("limber plan can't use an arm in space yet", error)
+        error = self.run_limber("improve", *ARM, "--model", "mine.safetensors", "--data", "minute.h5", code=2).stderr
+        self.assertIn("limber improve can't use an arm in space yet", error)
+        self.assertFalse((self.folder / "improved").exists())
 
     def test_limber_family_makes_one_without_a_tube(self):
         small = ("family", *ARM, "--hours", 0.1, "--family-size", 2, *SMALL)
