@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -18,21 +19,45 @@ constexpr double kUnitLength = 0.05;     // by which a quaternion's length may m
 constexpr double kRepeatedWithin = 0.5;  // of the median period
 constexpr Eigen::Index kEuler = 3;
 
-/// A body's rotation, from 4 or 3 numbers of a table's row.
-Eigen::Quaterniond rotation_in(const LogTable& table, std::size_t row, const PointSource& point,
-                               const EulerAngles& euler, const Eigen::VectorXd& numbers) {
+/// A body's rotation, from 4 or 3 numbers of a table's row; none where a quaternion's length is not
+/// about 1.
+std::optional<Eigen::Quaterniond> rotation_in(const EulerAngles& euler,
+                                              const Eigen::VectorXd& numbers) {
   if (numbers.size() == kEuler) {
     return rotation_of_euler(euler.order, euler.factor * numbers);
   }
   const Eigen::Quaterniond rotation(numbers[3], numbers[0], numbers[1], numbers[2]);
   if (std::abs(rotation.norm() - 1.0) > kUnitLength) {
-    throw InputError(fmt::format(
-        "{}: line {}: the quaternion of {} has the length {:.4g}; expected 1. Are its columns "
-        "'{}' … '{}' in the order qx, qy, qz, qw? Leave its cells empty where it was not tracked",
-        table.file, table.lines[row], plate_name(point.plate), rotation.norm(),
-        point.rotation.front(), point.rotation.back()));
+    return std::nullopt;
   }
   return rotation.normalized();
+}
+
+/// One body's quaternions that are none.
+struct BadQuaternions {
+  std::size_t count = 0;
+  std::size_t first_line = 0;
+  double first_length = 0.0;
+};
+
+/// Notes them, hidden. @throws InputError where they are many
+void note_bad_quaternions(const LogTable& table, std::size_t rows, const PointSource& point,
+                          const BadQuaternions& bad, RunReport& report) {
+  if (bad.count == 0) {
+    return;
+  }
+  if (are_too_many(bad.count, rows)) {
+    throw InputError(fmt::format(
+        "{}: {} of {} quaternions of {} don't have the length 1; the first, in line {}, has "
+        "{:.4g}. Are the columns '{}' … '{}' in the order qx, qy, qz, qw? Leave cells empty where "
+        "it was not tracked",
+        table.file, bad.count, rows, plate_name(point.plate), bad.first_line, bad.first_length,
+        point.rotation.front(), point.rotation.back()));
+  }
+  report.note(
+      "quaternions that don't have the length 1: not tracked",
+      fmt::format("line {}, {}: {:.4g}", bad.first_line, plate_name(point.plate), bad.first_length),
+      static_cast<std::int64_t>(bad.count));
 }
 
 }  // namespace
@@ -82,6 +107,7 @@ SpaceTracks space_tracks_of(const LogTable& table, const RowGroup& group,
     Eigen::VectorXd numbers(3 + turns);
     const std::vector<bool> zeros = rows_of_zeros(
         table, group, column, static_cast<std::size_t>(numbers.size()), point, mapping, report);
+    BadQuaternions bad;
     for (Eigen::Index t = 0; t < rows; ++t) {
       const std::size_t row = group.rows[std::size_t(t)];
       for (Eigen::Index c = 0; c < numbers.size(); ++c) {
@@ -91,11 +117,20 @@ SpaceTracks space_tracks_of(const LogTable& table, const RowGroup& group,
         tracks.hide(t, i);
         continue;
       }
-      tracks.put(t, i,
-                 {mapping.length_factor * numbers.head<3>(),
-                  turns > 0 ? rotation_in(table, row, point, mapping.euler, numbers.tail(turns))
-                            : Eigen::Quaterniond::Identity()});
+      const std::optional<Eigen::Quaterniond> rotation =
+          turns > 0 ? rotation_in(mapping.euler, numbers.tail(turns))
+                    : Eigen::Quaterniond::Identity();
+      if (rotation) {
+        tracks.put(t, i, {mapping.length_factor * numbers.head<3>(), *rotation});
+        continue;
+      }
+      tracks.hide(t, i);
+      if (bad.count++ == 0) {
+        bad.first_line = table.lines[row];
+        bad.first_length = numbers.tail<4>().norm();
+      }
     }
+    note_bad_quaternions(table, group.rows.size(), point, bad, report);
     column += static_cast<std::size_t>(numbers.size());
   }
   return tracks;

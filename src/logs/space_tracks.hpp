@@ -51,8 +51,9 @@ void keep_rows(SpaceTracks& tracks, const std::vector<std::size_t>& order);
 /// @throws InputError where the mapping names no columns; `log` stands for the file
 void want_space_points(const std::string& log, const ImportMapping& mapping, WantedColumns& wanted);
 
-/// What a table holds of the points, its times and point columns first.
-/// @throws InputError naming the line where a quaternion's length is not about 1.
+/// What a table holds of the points, its times and point columns first. Where a quaternion's length
+/// is not about 1 its point is hidden, and noted.
+/// @throws InputError naming the first line where that are too many (are_too_many).
 SpaceTracks space_tracks_of(const LogTable& table, const RowGroup& group,
                             const ImportMapping& mapping, RunReport& report);
 
