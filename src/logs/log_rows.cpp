@@ -16,6 +16,40 @@ namespace limber {
 
 namespace {
 
+constexpr std::size_t kQuaternion = 4;
+constexpr double kUnturned_rad = 0.1;  // of a base whose frame is the log's; noise is far less
+
+/// Sums of the squares of one point's cells in one row.
+struct PointSquares {
+  double place = 0.0;
+  double turn = 0.0;
+  double largest_turn = 0.0;  // one cell's
+
+  bool are_zeros() const { return place == 0.0 && turn == 0.0; }
+  /// At the origin, and of four cells one is 1 or -1: no turn, whichever cell is w.
+  bool are_identity(bool has_quaternion) const {
+    return has_quaternion && place == 0.0 && turn == 1.0 && largest_turn == 1.0;
+  }
+  double turned_rad() const {
+    return turn > 0.0 ? 2.0 * std::acos(std::min(1.0, std::sqrt(largest_turn / turn))) : 0.0;
+  }
+};
+
+PointSquares squares_of(const LogTable& table, std::size_t row, std::size_t first, std::size_t axes,
+                        std::size_t cells) {
+  PointSquares squares;
+  for (std::size_t c = 0; c < cells; ++c) {
+    const double square = std::pow(table.columns[first + c][row], 2);
+    if (c < axes) {
+      squares.place += square;
+    } else {
+      squares.turn += square;
+      squares.largest_turn = std::max(squares.largest_turn, square);
+    }
+  }
+  return squares;
+}
+
 void append(std::vector<std::string>& names, const std::vector<std::string>& more) {
   names.insert(names.end(), more.begin(), more.end());
 }
@@ -138,30 +172,36 @@ std::vector<bool> rows_of_zeros(const LogTable& table, const RowGroup& group, st
                                 std::size_t cells, const PointSource& point,
                                 const ImportMapping& mapping, RunReport& report) {
   const std::size_t axes = point.z.empty() ? 2 : 3;
-  std::vector<bool> zeros;
-  std::vector<double> from_origin_m;  // of the other rows
+  const bool has_quaternion = cells == axes + kQuaternion;
+  std::vector<PointSquares> squares;
+  std::vector<double> from_origin_m;  // of rows that show the point
+  std::vector<double> turned_rad;
+  std::ptrdiff_t identities = 0;
   for (const std::size_t row : group.rows) {
-    double places = 0.0;
-    double turns = 0.0;
-    for (std::size_t c = 0; c < cells; ++c) {
-      (c < axes ? places : turns) += std::pow(table.columns[first + c][row], 2);
-    }
-    zeros.push_back(places == 0.0 && turns == 0.0);
-    if (!zeros.back() && std::isfinite(places)) {
-      from_origin_m.push_back(mapping.length_factor * std::sqrt(places));
+    const PointSquares one = squares_of(table, row, first, axes, cells);
+    squares.push_back(one);
+    identities += one.are_identity(has_quaternion) ? 1 : 0;
+    if (!one.are_zeros() && !one.are_identity(has_quaternion) && std::isfinite(one.place)) {
+      from_origin_m.push_back(mapping.length_factor * std::sqrt(one.place));
+      turned_rad.push_back(has_quaternion ? one.turned_rad() : 0.0);
     }
   }
-  // A quaternion is never 0. A point without one may lie at the origin, as bases do.
+  // Bases may lie at the origin, and unturned. A quaternion is never 0.
+  const bool is_usual = point.plate == 0 && 2 * identities >= std::ssize(squares);
   const bool may_be_there =
-      cells < axes + 4 && (from_origin_m.empty() || median(from_origin_m) < kBaseStandsStill_m);
-  for (std::size_t t = 0; t < zeros.size(); ++t) {
-    zeros[t] = zeros[t] && !may_be_there;
-    if (zeros[t]) {
-      report.note("points of zeros alone in a row: not tracked",
+      is_usual || from_origin_m.empty() ||
+      (median(from_origin_m) < kBaseStandsStill_m && median(turned_rad) < kUnturned_rad);
+  std::vector<bool> hidden;
+  for (std::size_t t = 0; t < squares.size(); ++t) {
+    hidden.push_back(squares[t].are_zeros()
+                         ? has_quaternion || !may_be_there
+                         : squares[t].are_identity(has_quaternion) && !may_be_there);
+    if (hidden.back()) {
+      report.note("points of zeros alone, or zeros and no turn, in a row: not tracked",
                   fmt::format("line {}, {}", table.lines[group.rows[t]], plate_name(point.plate)));
     }
   }
-  return zeros;
+  return hidden;
 }
 
 void want_commands(const CommandColumns& commands, WantedColumns& wanted) {

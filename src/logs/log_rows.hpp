@@ -83,8 +83,9 @@ std::vector<RowGroup> group_rows(const LogTable& table);
 std::vector<double> picked(const std::vector<double>& column, const std::vector<std::size_t>& rows,
                            double factor);
 
-/// In which rows of a group a point is hidden: all of its cells are zero, as some trackers write
-/// it, and elsewhere it is seen far from there. Each is noted.
+/// In which rows of a group a point is hidden, as some trackers write it: all of its cells are
+/// zero, or its place is and its quaternion is the identity, and in most others it is elsewhere. A
+/// base is where it is in half of all rows. Each is noted.
 /// @param first  its first column, x; y follows, and z in space; `cells` are its columns in all
 std::vector<bool> rows_of_zeros(const LogTable& table, const RowGroup& group, std::size_t first,
                                 std::size_t cells, const PointSource& point,
