@@ -15,6 +15,7 @@
 #include "limber/common/statistics.hpp"
 #include "limber/data/log_units.hpp"
 #include "limber/logs/import_mapping.hpp"
+#include "longest_gap.hpp"
 
 namespace limber {
 
@@ -243,6 +244,7 @@ ImportMapping with_sums_named(ImportMapping mapping, const ArmDescription& arm) 
 void check_commands(const std::string& log, const ImportMapping& mapping, const ArmDescription& arm,
                     CommandTrack& commands, RunReport& report) {
   const std::string& unit = arm.command.unit;
+  const double longest_gap_s = longest_gap_in_s(mapping.longest_gap_s, commands.time_s);
   int constant = 0;
   double max_ratio = 0.0;
   for (Eigen::Index i = 0; i < commands.values.cols(); ++i) {
@@ -273,9 +275,8 @@ void check_commands(const std::string& log, const ImportMapping& mapping, const 
                               channel_name(arm, i), facts.lowest, facts.highest, unit));
     }
     const std::int64_t bridged =
-        commands.measured
-            ? bridge_gaps(mapping.longest_gap_s, commands.time_s, commands.values.col(i))
-            : hold_over_gaps(commands.values.col(i));
+        commands.measured ? bridge_gaps(longest_gap_s, commands.time_s, commands.values.col(i))
+                          : hold_over_gaps(commands.values.col(i));
     if (bridged > 0) {
       report.note(commands.measured ? "missing commands put between their neighbours in time"
                                     : "missing set points: those before them stay in force",

@@ -300,7 +300,8 @@ ImportMapping read_import_mapping(const std::filesystem::path& path, const ArmDe
     }
   }
   if (root.has("longest_gap_s")) {
-    mapping.longest_gap_s = root.at("longest_gap_s").number("a time in s", 0.0, kLongestGap_s);
+    mapping.longest_gap_s.given_s =
+        root.at("longest_gap_s").number("a time in s", 0.0, kLongestGap_s);
   }
   if (arm.is_spatial()) {
     read_space_mapping(root, arm, mapping);

@@ -10,7 +10,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/data/median_rate.hpp"
-#include "log_runs.hpp"
+#include "longest_gap.hpp"
 
 namespace limber {
 
@@ -203,14 +203,16 @@ std::vector<int> number_motions(const FrameMatrix& values, const ArmDescription&
 class Resampler {
  public:
   Resampler(const BackboneTrack& motion, const CommandTrack& commands, const ArmDescription& arm,
-            double longest_gap_s, RunReport& report)
+            const LongestGap& longest_gap, RunReport& report)
       : motion_(motion),
         commands_(commands),
         arm_(arm),
-        motion_rows_(motion.time_s, longest_gap_s, motion.usual_step_s),
+        motion_rows_(motion.time_s, longest_gap_in_s(longest_gap, motion.time_s),
+                     motion.usual_step_s),
         // A set point holds until another one is given, however long that takes.
-        command_rows_(commands.time_s,
-                      commands.measured ? longest_gap_s : std::numeric_limits<double>::infinity()),
+        command_rows_(commands.time_s, commands.measured
+                                           ? longest_gap_in_s(longest_gap, commands.time_s)
+                                           : std::numeric_limits<double>::infinity()),
         report_(report) {}
 
   std::vector<Episode> run() {
@@ -341,8 +343,8 @@ class Resampler {
 
 std::vector<Episode> resample(const std::string& log, const BackboneTrack& motion,
                               const CommandTrack& commands, const ArmDescription& arm,
-                              double longest_gap_s, RunReport& report) {
-  std::vector<Episode> episodes = Resampler(motion, commands, arm, longest_gap_s, report).run();
+                              const LongestGap& longest_gap, RunReport& report) {
+  std::vector<Episode> episodes = Resampler(motion, commands, arm, longest_gap, report).run();
   if (episodes.empty()) {
     throw InputError(
         fmt::format("{}: nothing is left: motion is logged from {:.12g} s to {:.12g} s, commands "
@@ -350,7 +352,7 @@ std::vector<Episode> resample(const std::string& log, const BackboneTrack& motio
                     "without a gap longer than {} s. Are the clocks and the time's unit right? A "
                     "longer recording is needed otherwise",
                     log, motion.time_s.front(), motion.time_s.back(), commands.time_s.front(),
-                    commands.time_s.back(), longest_gap_s));
+                    commands.time_s.back(), longest_gap));
   }
   if (!commands.measured) {
     report.note("nothing measured: the recording holds set points only");

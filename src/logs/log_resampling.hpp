@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "limber/data/recording.hpp"
+#include "limber/logs/import_mapping.hpp"
 #include "limber/logs/import_report.hpp"
 #include "log_rows.hpp"
 
@@ -14,7 +15,7 @@ namespace limber {
 /// Frames lie at whole multiples of the frame period on the motion clock, as far as both tracks
 /// reach. A frame lies on the straight line between the rows around it; set points jump, so it has
 /// the ones in force. Where one of the rows was filled in, or one between them is missing, the
-/// frame is marked as not tracked. Where rows are missing for longer than `longest_gap_s`, the
+/// frame is marked as not tracked. Where rows are missing for longer than the longest gap, the
 /// episode ends and another begins; pieces shorter than a second are dropped and noted. Without
 /// logged set points the measured commands stand for them; where nothing was measured, episodes say
 /// so (Episode::setpoints_only). Motions are those logged, or begin where a set point moves (a
@@ -22,6 +23,6 @@ namespace limber {
 /// @throws InputError, its message beginning with `log`, where nothing is left.
 std::vector<Episode> resample(const std::string& log, const BackboneTrack& motion,
                               const CommandTrack& commands, const ArmDescription& arm,
-                              double longest_gap_s, RunReport& report);
+                              const LongestGap& longest_gap, RunReport& report);
 
 }  // namespace limber

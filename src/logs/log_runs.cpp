@@ -10,6 +10,7 @@
 #include "limber/common/error.hpp"
 #include "log_rows.hpp"
 #include "log_table.hpp"
+#include "longest_gap.hpp"
 
 namespace limber {
 
@@ -136,7 +137,7 @@ void note_point(const std::string& log, const std::string& name, int plate, Eige
   }
 }
 
-void note_hidden_rows(const std::string& log, double longest_gap_s,
+void note_hidden_rows(const std::string& log, const LongestGap& longest_gap,
                       const std::vector<bool>& tracked, const std::vector<bool>& bridged,
                       RunReport& report) {
   const auto filled = std::ranges::count(bridged, true);
@@ -145,7 +146,7 @@ void note_hidden_rows(const std::string& log, double longest_gap_s,
     report.note(
         fmt::format("rows in which a point was missing for at most {} s and was put between "
                     "its neighbours in time (their frames count as not tracked)",
-                    longest_gap_s),
+                    longest_gap),
         {}, filled);
   }
   if (lost > 0) {
@@ -155,7 +156,7 @@ void note_hidden_rows(const std::string& log, double longest_gap_s,
     throw InputError(fmt::format(
         "{}: in none of the {} rows are all points tracked, or hidden for less than {} s. Leave "
         "points that are often hidden out of the mapping",
-        log, tracked.size(), longest_gap_s));
+        log, tracked.size(), longest_gap));
   }
 }
 

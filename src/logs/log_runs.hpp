@@ -12,6 +12,7 @@
 #include "limber/logs/import_report.hpp"
 #include "log_rows.hpp"
 #include "log_table.hpp"
+#include "longest_gap.hpp"
 
 namespace limber {
 
@@ -103,12 +104,9 @@ void note_point(const std::string& log, const std::string& name, int plate, Eige
                 Eigen::Index rows, RunReport& report);
 
 /// Says how many rows were bridged, and how many are lost. @throws InputError where all are
-void note_hidden_rows(const std::string& log, double longest_gap_s,
+void note_hidden_rows(const std::string& log, const LongestGap& longest_gap,
                       const std::vector<bool>& tracked, const std::vector<bool>& bridged,
                       RunReport& report);
-
-/// Of the steps of a clock that may be uneven: so many are no longer than the usual one.
-inline constexpr double kUsualSteps = 0.9;
 
 /// Has rows of point `i` that are hidden for at most `longest_gap_s` bridged, and marks these and
 /// the lost ones.
@@ -139,14 +137,15 @@ Eigen::Index bridge_hidden_rows(double longest_gap_s, Eigen::Index i, Tracks& tr
   return missing;
 }
 
-/// Puts points that are missing for at most `longest_gap_s` between their neighbours in time, and
+/// Puts points that are missing for at most the longest gap between their neighbours in time, and
 /// says in `track` which rows are tracked or bridged.
 /// @throws InputError, its message beginning with `log`, where a point was never tracked or no row
 /// is left
 template <class Tracks, class Bridge>
-void fill_gaps(const std::string& log, double longest_gap_s, Tracks& tracks, BackboneTrack& track,
-               RunReport& report, const Bridge& bridge) {
+void fill_gaps(const std::string& log, const LongestGap& longest_gap, Tracks& tracks,
+               BackboneTrack& track, RunReport& report, const Bridge& bridge) {
   const Eigen::Index rows = tracks.row_count();
+  const double longest_gap_s = longest_gap_in_s(longest_gap, tracks.time_s);
   track.tracked.assign(std::size_t(rows), true);
   track.bridged.assign(std::size_t(rows), false);
   for (Eigen::Index i = 0; i < tracks.point_count(); ++i) {
@@ -154,7 +153,7 @@ void fill_gaps(const std::string& log, double longest_gap_s, Tracks& tracks, Bac
     note_point(log, tracks.names[std::size_t(i)], tracks.plates[std::size_t(i)], missing, rows,
                report);
   }
-  note_hidden_rows(log, longest_gap_s, track.tracked, track.bridged, report);
+  note_hidden_rows(log, longest_gap, track.tracked, track.bridged, report);
   track.usual_step_s = quantile_step_s(tracks.time_s, kUsualSteps);
 }
 

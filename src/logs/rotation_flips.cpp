@@ -11,6 +11,7 @@
 #include "limber/arm/space_pose.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/common/units.hpp"
+#include "longest_gap.hpp"
 
 namespace limber {
 
@@ -188,8 +189,9 @@ class BodyRotations {
   std::vector<bool> stays_;          // whether its place says that it is the same body
 };
 
-std::vector<SpaceFlips> settle(double length_m, double longest_gap_s, const JumpSizes& sizes,
-                               SpaceTracks& tracks) {
+std::vector<SpaceFlips> settle(double length_m, const LongestGap& longest_gap,
+                               const JumpSizes& sizes, SpaceTracks& tracks) {
+  const double longest_gap_s = longest_gap_in_s(longest_gap, tracks.time_s);
   std::vector<SpaceFlips> found;
   for (Eigen::Index i = 0; i < tracks.point_count(); ++i) {
     if (!tracks.has_rotation[std::size_t(i)]) {
@@ -227,16 +229,16 @@ SpaceTracks in_space(const PointTracks& tracks) {
 
 }  // namespace
 
-std::vector<SpaceFlips> settle_rotations(double length_m, double longest_gap_s,
+std::vector<SpaceFlips> settle_rotations(double length_m, const LongestGap& longest_gap,
                                          SpaceTracks& tracks) {
-  return settle(length_m, longest_gap_s, kInSpace, tracks);
+  return settle(length_m, longest_gap, kInSpace, tracks);
 }
 
-void settle_headings(double length_m, double longest_gap_s, PointTracks& tracks,
+void settle_headings(double length_m, const LongestGap& longest_gap, PointTracks& tracks,
                      RunReport& report) {
   constexpr double kTurned_rad = 1e-6;  // less is rounding
   SpaceTracks space = in_space(tracks);
-  for (const SpaceFlips& flips : settle(length_m, longest_gap_s, kInPlane, space)) {
+  for (const SpaceFlips& flips : settle(length_m, longest_gap, kInPlane, space)) {
     report.note(
         "headings that jump while their place does not: hidden in single rows, else turned back to "
         "what most rows show",

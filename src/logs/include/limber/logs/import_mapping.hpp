@@ -97,6 +97,11 @@ struct SpaceAlignment {
   std::optional<Eigen::Vector2d> rest_s;
 };
 
+/// What is bridged in time, and marked as not tracked.
+struct LongestGap {
+  std::optional<double> given_s;  ///< none: by the steps of each log (docs/importing.md)
+};
+
 /// How a log becomes a recording of an arm (docs/importing.md, schema limber/import/1).
 struct ImportMapping {
   char separator = ',';
@@ -116,7 +121,7 @@ struct ImportMapping {
   BaseAlignment alignment;
   EulerAngles euler;               ///< of an arm in space
   SpaceAlignment space_alignment;  ///< of one, in place of `alignment`
-  double longest_gap_s = 0.25;     ///< bridged in time, and marked as not tracked
+  LongestGap longest_gap_s;        ///< of points and commands that are missing
 };
 
 /// Reads a mapping for `arm`. @throws InputError naming file, line and field.

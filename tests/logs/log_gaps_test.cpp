@@ -1,0 +1,55 @@
+// What is missing between the rows of a log: for how long it is bridged, and what is said of it.
+#include <string>
+
+#include <gmock/gmock.h>
+
+#include "logs/csv_import.hpp"
+
+namespace limber {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+
+class LogGaps : public CsvImport {
+ protected:
+  /// Of an arm of that many frames per second.
+  void make_arm(double frame_rate_hz) {
+    ArmDescription arm = truth_.arm();
+    arm.frame_rate_hz = frame_rate_hz;
+    truth_ = LogTruth(arm);
+  }
+
+  static constexpr std::size_t kFirstPressure = 1;  // columns
+  static constexpr std::size_t kPlate9 = 4 + 3 * 9;
+};
+
+TEST_F(LogGaps, OneLostRowOrCellOfASlowLogIsBridged) {
+  make_arm(5.0);
+  rate_hz_ = 5.0;
+  rows_ = 150;
+  struct Case {
+    const char* what;
+    std::string log;
+    int untracked;
+  };
+  for (const Case& one : {Case{"row", without_line(log(), "10.000000,"), 1},
+                          Case{"point", hidden(log(), kPlate9, 50, 51), 1},
+                          Case{"command", hidden(log(), kFirstPressure, 50, 51), 0}}) {
+    const Recording bridged = import(one.log, mapping()).recording;
+    EXPECT_THAT(bridged.episodes, SizeIs(1)) << one.what;
+    EXPECT_EQ(bridged.frame_count(), rows_) << one.what;
+    EXPECT_EQ(bridged.untracked_count(), one.untracked) << one.what;
+    EXPECT_THAT(bridged.settings, HasSubstr("gaps up to 2.5 usual steps or 0.25 s bridged"));
+    // What was asked for holds, however slow the log is.
+    const Recording cut = import(one.log, mapping() + "longest_gap_s: 0.25\n").recording;
+    EXPECT_THAT(cut.episodes, SizeIs(2)) << one.what;
+    EXPECT_EQ(cut.frame_count(), rows_ - 1) << one.what;
+    EXPECT_THAT(cut.settings, HasSubstr("gaps up to 0.25 s bridged"));
+  }
+  EXPECT_THAT(import(hidden(log(), kPlate9, 50, 52), mapping()).recording.episodes, SizeIs(2))
+      << "two rows are lost";
+}
+
+}  // namespace
+}  // namespace limber
