@@ -66,9 +66,10 @@ class RowFinder {
     return {row, row + 1, (time_s - time_s_[next_]) / step_s};
   }
 
-  bool has_lost_row(const Bracket& bracket) const {
+  /// A step that is longer than usual, and than a frame: nothing finer is asked for.
+  bool has_lost_row(const Bracket& bracket, double frame_period_s) const {
     return time_s_[std::size_t(bracket.after)] - time_s_[std::size_t(bracket.before)] >
-           longest_step_s_;
+           std::max(longest_step_s_, frame_period_s + kRounding_s);
   }
 
  private:
@@ -264,7 +265,8 @@ class Resampler {
     piece_.backbone.push_back(poses_at(motion_.poses, seen, arm_.dimension));
     const bool filled =
         motion_.bridged[std::size_t(seen.before)] || motion_.bridged[std::size_t(seen.after)];
-    piece_.tracked.push_back(!filled && !motion_rows_.has_lost_row(seen) ? 1 : 0);
+    const bool lost = motion_rows_.has_lost_row(seen, arm_.frame_period_s());
+    piece_.tracked.push_back(!filled && !lost ? 1 : 0);
   }
 
   void finish_piece() {

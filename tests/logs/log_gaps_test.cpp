@@ -1,5 +1,7 @@
 // What is missing between the rows of a log: for how long it is bridged, and what is said of it.
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 
@@ -49,6 +51,29 @@ TEST_F(LogGaps, OneLostRowOrCellOfASlowLogIsBridged) {
   }
   EXPECT_THAT(import(hidden(log(), kPlate9, 50, 52), mapping()).recording.episodes, SizeIs(2))
       << "two rows are lost";
+}
+
+// An arm of 8 frames per second asks for no more than a row of a log of 16 Hz every 0.125 s.
+TEST_F(LogGaps, AStepNoLongerThanAFrameHasLostNoRow) {
+  make_arm(8.0);
+  rate_hz_ = 16.0;
+  const auto log_with = [&](const std::vector<int>& lost, double late_s) {
+    std::string text = header() + "\n";
+    for (int k = 0; k < rows_; ++k) {
+      const double t = k / rate_hz_ + (k == 50 ? late_s : 0.0);
+      if (std::ranges::find(lost, k) == lost.end()) {
+        text += fmt::format("{:.6f}{}{}\n", t, truth_.pressure_cells(t), pose_cells(t));
+      }
+    }
+    return text;
+  };
+  const auto untracked = [&](const std::vector<int>& lost, double late_s) {
+    return import(log_with(lost, late_s), mapping()).recording.untracked_count();
+  };
+  EXPECT_EQ(untracked({}, 0.04), 0) << "0.1025 s";
+  EXPECT_EQ(untracked({51}, 0.0), 0) << "0.125 s, from frame to frame";
+  EXPECT_EQ(untracked({50}, 0.0), 0) << "a frame's own row, 0.125 s";
+  EXPECT_EQ(untracked({50, 51}, 0.0), 1) << "0.1875 s";
 }
 
 }  // namespace
