@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
+#include "held_poses.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/data/median_rate.hpp"
@@ -214,9 +215,11 @@ class Resampler {
         command_rows_(commands.time_s, commands.measured
                                            ? longest_gap_in_s(longest_gap, commands.time_s)
                                            : std::numeric_limits<double>::infinity()),
+        hang_(rows_that_hang(motion, commands, arm)),
         report_(report) {}
 
   std::vector<Episode> run() {
+    note_rows_that_hang();
     const double period_s = arm_.frame_period_s();
     const double from = std::max(motion_.time_s.front(), commands_.time_s.front());
     const double to = commands_.measured ? std::min(motion_.time_s.back(), commands_.time_s.back())
@@ -238,9 +241,8 @@ class Resampler {
   void add_frame(double time_s) {
     const Bracket seen = motion_rows_.at(time_s);
     const Bracket told = command_rows_.at(time_s);
-    const bool tracked = seen.valid() && told.valid() &&
-                         motion_.tracked[std::size_t(seen.before)] &&
-                         motion_.tracked[std::size_t(seen.after)];
+    const bool tracked =
+        seen.valid() && told.valid() && is_tracked(seen.before) && is_tracked(seen.after);
     Eigen::RowVectorXd measured;
     if (tracked) {
       measured = commands_.measured ? row_at(commands_.values, told)
@@ -267,6 +269,22 @@ class Resampler {
         motion_.bridged[std::size_t(seen.before)] || motion_.bridged[std::size_t(seen.after)];
     const bool lost = motion_rows_.has_lost_row(seen, arm_.frame_period_s());
     piece_.tracked.push_back(!filled && !lost ? 1 : 0);
+  }
+
+  bool is_tracked(Eigen::Index row) const {
+    return motion_.tracked[std::size_t(row)] && !hang_[std::size_t(row)];
+  }
+
+  void note_rows_that_hang() {
+    const auto first = std::ranges::find(hang_, true);
+    if (first != hang_.end()) {
+      report_.note(
+          fmt::format("rows left out that repeat a pose to the bit while a {} moves by more than "
+                      "half of its range: the tracker hangs",
+                      arm_.command.name),
+          fmt::format("at {:.3f} s", motion_.time_s[std::size_t(first - hang_.begin())]),
+          std::ranges::count(hang_, true));
+    }
   }
 
   void finish_piece() {
@@ -335,6 +353,7 @@ class Resampler {
   const ArmDescription& arm_;
   RowFinder motion_rows_;
   RowFinder command_rows_;
+  std::vector<bool> hang_;  // rows of the motion
   RunReport& report_;
   Piece piece_;
   std::int64_t lost_ = 0;

@@ -1,5 +1,6 @@
 // What is missing between the rows of a log: for how long it is bridged, and what is said of it.
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -74,6 +75,52 @@ TEST_F(LogGaps, AStepNoLongerThanAFrameHasLostNoRow) {
   EXPECT_EQ(untracked({51}, 0.0), 0) << "0.125 s, from frame to frame";
   EXPECT_EQ(untracked({50}, 0.0), 0) << "a frame's own row, 0.125 s";
   EXPECT_EQ(untracked({50, 51}, 0.0), 1) << "0.1875 s";
+}
+
+/// Logs of an arm that is seen at one moment of its motion while commands are those of another.
+class HungTracker : public LogGaps {
+ protected:
+  HungTracker() { rows_ = 1000; }  // 10 s
+
+  ImportResult import_of(const std::function<double(double)>& seen_s,
+                         const std::function<double(double)>& commanded_s) const {
+    return import(LogTruth::table(header(), rows_, rate_hz_,
+                                  [&](double t) {
+                                    return truth_.pressure_cells(commanded_s(t)) +
+                                           pose_cells(seen_s(t));
+                                  }),
+                  mapping());
+  }
+
+  static constexpr const char* kNote = "the tracker hangs";
+};
+
+TEST_F(HungTracker, IsNotLearntFrom) {
+  rows_ = 3000;
+  const auto holds = [](double t) { return t >= 2.0 && t < 5.0 ? 2.0 : t; };
+  const ImportResult result = import_of(holds, [](double t) { return t; });
+  const ImportNote* found = note(result, kNote);
+  ASSERT_NE(found, nullptr);
+  EXPECT_EQ(found->count, 299) << "the pose at 2 s is one";
+  EXPECT_EQ(found->first, "at 2.010 s");
+  ASSERT_THAT(result.recording.episodes, SizeIs(2));
+  EXPECT_NEAR(result.recording.episodes[0].time_s.tail<1>()[0], 2.0, 1e-9);
+  EXPECT_NEAR(result.recording.episodes[1].time_s[0], 5.0, 1e-9);
+  for (const Episode& episode : result.recording.episodes) {
+    EXPECT_LT(errors(episode).first, 1e-5);
+  }
+}
+
+// Logs without noise: of an arm that rests, that waits for its valves, and that hardly moves.
+TEST_F(HungTracker, IsNotAnArmWithoutNoiseThatRests) {
+  const auto rests = [](double t) { return t < 5.0 ? 0.0 : t - 5.0; };
+  const auto is_quiet = [&](const ImportResult& result) {
+    return note(result, kNote) == nullptr && result.recording.episodes.size() == 1;
+  };
+  EXPECT_TRUE(is_quiet(import_of(rests, rests)));
+  const auto jumps = [](double t) { return t < 4.2 ? 0.25 : 2.5; };  // by 150 kPa, of 200
+  EXPECT_TRUE(is_quiet(import_of([&](double t) { return jumps(t - 0.8); }, jumps)));
+  EXPECT_TRUE(is_quiet(import_of(rests, [&](double t) { return t < 5.0 ? 0.05 * t : t - 5.0; })));
 }
 
 }  // namespace
