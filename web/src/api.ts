@@ -113,6 +113,7 @@ export type ArmFrame = {
   pressure_kpa: number[];
   shape: number[] | null; // null: nobody has seen it yet
   obstacle: Obstacle | null;
+  noticed: string; // of the arm so far in this run
   holds: string;
 };
 

@@ -29,7 +29,7 @@ export class ArmPanel {
     if (!this.isThere) return;
     const { status, isMine, isSeen, live } = this.app.armLink;
     const needed = plan ? neededScale(this.app.arm, plan.setpoints_kpa) : 0;
-    const shown = JSON.stringify([status, isMine, isSeen, live?.holds, this.limitScale, this.isConfirmed, needed]);
+    const shown = JSON.stringify([status, isMine, isSeen, live?.holds, live?.noticed, this.limitScale, this.isConfirmed, needed]);
     if (shown === this.drawn) return;
     this.drawn = shown;
     refill(this.element, ...this.parts(needed));
@@ -44,6 +44,7 @@ export class ArmPanel {
     } else if (state === 'running') {
       const holds = armLink.live?.holds ?? '';
       parts.push(h('p', { class: 'status busy' }, h('strong', {}, holds ? `Holds: ${holds}` : 'Moves')));
+      if (armLink.live?.noticed) parts.push(h('p', { class: 'warning' }, armLink.live.noticed));
     } else if (state === 'armed' && !armLink.isMine) {
       parts.push(h('p', {}, 'Another page has armed the arm.'));
     } else if (armLink.isMine) {
