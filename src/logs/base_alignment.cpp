@@ -15,6 +15,9 @@ namespace limber {
 namespace {
 
 constexpr double kMostBaseRows = 0.95;
+// Noise of one row is in its direction and in its turn, and would bend how they go together; that
+// of rows so far apart is not the same. Arms bend on for longer.
+constexpr std::size_t kRowsApart = 5;
 
 class BaseFinder {
  public:
@@ -112,15 +115,21 @@ class BaseFinder {
       return std::remainder(tracks_.direction_rad(t, 1, 2) - direction(t), 2.0 * M_PI);
     };
     sighting.base.theta_rad = mean_direction(direction);
-    sighting.rows = double(rows_.size());
+    std::vector<double> turns_off;
+    std::vector<double> directions_off;
     for (const Eigen::Index t : rows_) {
-      sighting.turn_rad += turn(t) / sighting.rows;
+      sighting.turn_rad += turn(t) / double(rows_.size());
     }
     for (const Eigen::Index t : rows_) {
-      const double off = turn(t) - sighting.turn_rad;
-      sighting.turn_squares += off * off;
-      sighting.turn_products +=
-          off * std::remainder(direction(t) - sighting.base.theta_rad, 2.0 * M_PI);
+      turns_off.push_back(turn(t) - sighting.turn_rad);
+      directions_off.push_back(std::remainder(direction(t) - sighting.base.theta_rad, 2.0 * M_PI));
+    }
+    for (std::size_t i = 0; i + kRowsApart < rows_.size(); ++i) {
+      const std::size_t k = i + kRowsApart;
+      sighting.turn_products += 2.0 * turns_off[i] * turns_off[k];
+      sighting.direction_products +=
+          directions_off[i] * turns_off[k] + directions_off[k] * turns_off[i];
+      sighting.products += 2;
     }
   }
 

@@ -13,16 +13,17 @@ constexpr double kLeastTurn_rad = 0.05;
 /// How much of the turn at the second point lies before it: as much as the direction to that point
 /// changes with it.
 double arc_share_of(const std::vector<BaseSighting>& sightings) {
-  double rows = 0.0;
-  double squares = 0.0;
   double products = 0.0;
+  double turns = 0.0;
+  double directions = 0.0;
   for (const BaseSighting& sighting : sightings) {
-    rows += sighting.rows;
-    squares += sighting.turn_squares;
-    products += sighting.turn_products;
+    products += sighting.products;
+    turns += sighting.turn_products;
+    directions += sighting.direction_products;
   }
-  return squares > rows * kLeastTurn_rad * kLeastTurn_rad ? std::clamp(products / squares, 0.0, 1.0)
-                                                          : sightings.front().arc_share;
+  return turns > products * kLeastTurn_rad * kLeastTurn_rad
+             ? std::clamp(directions / turns, 0.0, 1.0)
+             : sightings.front().arc_share;
 }
 
 }  // namespace

@@ -12,9 +12,9 @@ struct BaseSighting {
   Pose base;                   ///< median position; mean heading, or direction to the next point
   double turn_rad = 0.0;       ///< mean turn at that point; 0 where headings were measured
   double arc_share = 0.0;      ///< of an arc, which bends evenly
-  double rows = 0.0;           ///< of these moments about the means:
-  double turn_squares = 0.0;   ///< Σ turn²
-  double turn_products = 0.0;  ///< Σ turn · direction
+  double products = 0.0;       ///< how many, of these sums over pairs of rows, about the means:
+  double turn_products = 0.0;  ///< turn · the other's turn
+  double direction_products = 0.0;  ///< direction · the other's turn
 };
 
 /// Each log's base, the share taken from all of them. @pre at least one

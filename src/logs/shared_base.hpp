@@ -24,7 +24,7 @@ struct ReadRun {
 };
 
 /// An arm stays bolted down from log to log: what each log alone gets wrong of where it points
-/// would turn the same arm anew in every log. Logs whose bases agree get one, the median of
+/// would turn the same arm another way in every log. Logs whose bases agree get one, the median of
 /// theirs, in their mappings; the others, which are noted, and all where most do not agree, keep
 /// their own.
 /// @return none where the mapping says where the base is, or nothing is shared
