@@ -142,6 +142,12 @@ void say_what_ran_away(const CommonFlags& flags, const TrainingResult& result) {
         "to hold them; epoch {} is the next best",
         fmt::join(result.passed_over_epochs, ", "), kLongRolloutFrames, result.best_epoch);
   }
+  if (const auto seeds = result.model.training.find("passed_over_seeds");
+      seeds != result.model.training.end()) {
+    say(flags,
+        "a network of seed {} ran away in a rollout of {} frames; this one is of another, {}",
+        seeds->second, kLongRolloutFrames, result.model.training.at("seed"));
+  }
   if (result.long_rollout.frames > 0 && !result.long_rollout.bounded) {
     warn(flags,
          "the networks of all epochs kept run away in a rollout of {} frames (of epoch {}, "

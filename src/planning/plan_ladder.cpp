@@ -27,7 +27,7 @@ std::string reason_of_failure(const PlannerBudget& budget, const PoseGoal& goal,
   const std::string spent = budget.reason();
   std::string text = fmt::format(
       "{}, {} nodes, seed {}; the nearest motion ends "
-      "{:.2f} cm from the goal (tolerance {:.2f} cm)",
+      "{:.1f} cm from the goal (tolerance {:.1f} cm)",
       spent.empty() ? "nothing left to try" : spent, result.statistics.nodes, plan.seed,
       plan.goal_distance_m * kCmPerM, goal.position_tolerance_m * kCmPerM);
   if (goal.theta_rad) {

@@ -20,6 +20,7 @@
 #include "limber/data/recording_inspection.hpp"
 #include "limber/training/run_errors.hpp"
 #include "limber/training/unseen_error.hpp"
+#include "other_seeds.hpp"
 #include "rollout.hpp"
 #include "shuffle.hpp"
 
@@ -293,7 +294,9 @@ TrainingResult train_on_everything(const ArmDescription& arm, const std::vector<
                                    const TrainingSettings& settings, const IdentifiedValves& valves,
                                    const CrossValidation& found, const TrainingHooks& hooks) {
   const TrainingData data{episodes, {}};
-  TrainingResult result = train(arm, data, settings_of(found.best(), settings), hooks);
+  TrainingResult result = train_until_bounded(
+      [&](const TrainingSettings& with) { return train(arm, data, with, hooks); },
+      settings_of(found.best(), settings));
   if (result.best_epoch > 0) {
     result.model.set_valves(valves);
     if (!arm.is_spatial()) {

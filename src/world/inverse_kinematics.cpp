@@ -185,7 +185,7 @@ void require_valid(const PoseGoal& goal, const InverseKinematicsSettings& settin
 std::string describe_failure(const PoseGoal& goal, const InverseKinematicsResult& result,
                              double arm_length_m) {
   std::string text = fmt::format(
-      "the nearest of {} starts ends {:.2f} cm from the goal (tolerance {:.2f} cm)",
+      "the nearest of {} starts ends {:.1f} cm from the goal (tolerance {:.1f} cm)",
       result.starts_used, result.best_error.position_m * 100.0, goal.position_tolerance_m * 100.0);
   if (goal.theta_rad) {
     text += fmt::format(" and {:.2f} rad off (tolerance {:.2f} rad)",

@@ -66,7 +66,7 @@ TEST_F(GoalRoom, AReasonThatNamesTheToleranceSaysWhatIsKeptOfIt) {
   limits.iterations = 1;
   const PlanResult result = make_planner("default")->plan(problem_, limits, 3);
   ASSERT_EQ(result.status, PlanStatus::limit);
-  EXPECT_THAT(result.reason, HasSubstr("(tolerance 1.00 cm)"));
+  EXPECT_THAT(result.reason, HasSubstr("(tolerance 1.0 cm)"));
   EXPECT_THAT(result.reason, HasSubstr("; 1.01 cm of the tolerance are kept for the model's"));
 }
 

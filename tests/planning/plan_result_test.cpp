@@ -50,7 +50,7 @@ TEST_F(PlanResults, WithoutAPlanTheNearestMotionAndWhySearchingEndedAreTold) {
   EXPECT_EQ(result.best_partial->waypoints_kpa, aside_kpa_);
   EXPECT_THAT(result.reason,
               AllOf(HasSubstr("100 iterations spent, 55 nodes, seed 7; the nearest motion ends "),
-                    HasSubstr("cm from the goal (tolerance 2.00 cm)")));
+                    HasSubstr("cm from the goal (tolerance 2.0 cm)")));
 }
 
 TEST_F(PlanResults, AnOfferedPlanIsTheResult) {

@@ -232,7 +232,7 @@ TEST(Planner, CallsNothingASolutionThatIsNone) {
     EXPECT_TRUE(checker.is_motion_free(frames[k - 1].backbone, frames[k].backbone)) << k;
   }
   EXPECT_THAT(result.reason, AllOf(HasSubstr("600 iterations spent"), HasSubstr("seed 3"),
-                                   HasSubstr("(tolerance 2.00 cm)")));
+                                   HasSubstr("(tolerance 2.0 cm)")));
 }
 
 TEST(Planner, StopsAtEachLimitAndSaysWhich) {

@@ -190,7 +190,7 @@ TEST(InverseKinematics, SaysByHowMuchAGoalIsOutOfReach) {
   EXPECT_NEAR(result.best_error.position_m, 0.1, 1e-3);
   EXPECT_NEAR(pose_error({0.745, 0.0, {}}, tip_of(model, result.best_pressures_kpa)).position_m,
               result.best_error.position_m, kExact);
-  EXPECT_THAT(result.reason, AllOf(HasSubstr("10.00 cm from the goal (tolerance 1.00 cm)"),
+  EXPECT_THAT(result.reason, AllOf(HasSubstr("10.0 cm from the goal (tolerance 1.0 cm)"),
                                    HasSubstr("74.5 cm from the base, the arm is 64.5 cm long")));
 }
 
