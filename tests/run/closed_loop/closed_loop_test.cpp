@@ -1,4 +1,5 @@
 #include "limber/run/closed_loop.hpp"
+#include "limber/arm/arm_identity.hpp"
 
 #include <gmock/gmock.h>
 
@@ -32,8 +33,17 @@ class ClosedLoopTest : public ::testing::Test {
     return settings;
   }
 
-  Plan plan_of(const ArmDescription& arm) const {
-    const ForwardModel forward(arm, play_network(arm, 0.0F));
+  /// It says what its arm is, as files do: then a slowed arm is the same arm.
+  static CompensationModel network_of(const ArmDescription& arm) {
+    CompensationModel model = play_network(arm, 0.0F);
+    model.arm_description = identity_of(arm).description;
+    return model;
+  }
+
+  /// @param rate_share  of the arm's rate, that the plan keeps to
+  Plan plan_of(ArmDescription arm, double rate_share = 1.0) const {
+    const ForwardModel forward(arm, network_of(arm));
+    arm.pressure_rate_limit_kpa_per_s *= rate_share;
     PlannerLimits limits;
     limits.queries = 5000;
     const PlanResult result =
@@ -45,7 +55,7 @@ class ClosedLoopTest : public ::testing::Test {
   /// @param closed  none: open loop
   ExecutionResult run(const ArmDescription& arm, const Plan& plan, ArmDriver& driver,
                       const std::optional<ClosedLoopSettings>& closed) {
-    const ForwardModel forward(arm, play_network(arm, 0.0F));
+    const ForwardModel forward(arm, network_of(arm));
     const MotionModel model(forward);
     std::optional<ClosedLoop> loop;
     ExecutionSettings settings;
@@ -108,15 +118,14 @@ TEST_F(ClosedLoopTest, KeepsLimitsAndFrameRuleWithAnArmThatBendsFartherThanItsMo
 
 TEST_F(ClosedLoopTest, KeepsThePlansOwnRateInCorrectionsToo) {
   const ArmDescription weaker = bending(arm_, 0.6);
-  ArmDescription slowed = weaker;
-  slowed.pressure_rate_limit_kpa_per_s = 0.5 * weaker.pressure_rate_limit_kpa_per_s;
+  constexpr double kSlowed = 0.5;
   FakeArm driver(arm_, kInstant_s);
-  const ExecutionResult closed = run(weaker, plan_of(slowed), driver, few_queries());
+  const ExecutionResult closed = run(weaker, plan_of(weaker, kSlowed), driver, few_queries());
   EXPECT_GT(closed.replans, 0);
   const auto& setpoints = closed.episode.setpoint_kpa;
   const Eigen::Index last = setpoints.rows() - 1;
   EXPECT_LE((setpoints.bottomRows(last) - setpoints.topRows(last)).cwiseAbs().maxCoeff(),
-            float(slowed.pressure_step_limit_kpa()) + 1e-3F);
+            float(kSlowed * weaker.pressure_step_limit_kpa()) + 1e-3F);
 }
 
 /// Its device allows less than the arm's file.
