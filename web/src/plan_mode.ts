@@ -163,7 +163,7 @@ export class PlanMode implements Mode {
     const box = this.tube.querySelector('input');
     if (box === null || box.disabled === hasNone) return;
     box.disabled = hasNone;
-    this.tube.lastChild!.textContent = hasNone ? 'Tube: none in this plan, a calibrated model has one' : 'Tube';
+    this.tube.lastChild!.textContent = hasNone ? 'Tube: none in this plan; limber calibrate gives one' : 'Tube';
   }
 
   scene(): Partial<Scene> {
