@@ -24,7 +24,7 @@ PACKAGES = {
     "zsh": "zsh",
 }
 # Of Debian's essential packages, and of those that come with a compiler.
-EVERY_MACHINE_HAS = {"bash", "mount", "setpriv", "sh", "umount", "unshare"} | {"c++", "nm"}
+EVERY_MACHINE_HAS = {"bash", "dpkg-query", "mount", "setpriv", "sh", "umount", "unshare"} | {"c++", "nm"}
 INSTALLED = ("build", "test")
 OPTIONAL = (*INSTALLED, "benchmark", "cluster")
 # Examples and benchmarks may ask their readers for more; what made stored values is run by nobody.

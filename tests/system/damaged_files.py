@@ -40,8 +40,8 @@ JUNK = [b"\0", b"\xef\xbb\xbf", b"\r\n", b"\xff\xfe", b"\xf0\x9f\x92\xa9", b"\xc
         b'{"a":' * 50, b"../../../../etc/passwd", b"\x1b[2J", b",,,,", b"x" * 3000]
 FLOATS = [struct.pack("<f", value) for value in (float("nan"), float("inf"), -float("inf"), 3.4e38, 1e30, -1e10, 0.0)]
 
-# What was found is quoted, and something follows: a zero byte in it would end a C string.
-CUT_MESSAGE = re.compile(r": '[^']*\Z")
+# What was found is quoted, and something follows, or an ellipsis: a zero byte in it would end a C string.
+CUT_MESSAGE = re.compile(r": '[^'…]*\Z")
 
 
 @dataclasses.dataclass

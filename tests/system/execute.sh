@@ -19,7 +19,7 @@ expect 1 "from the goal: " "${run[@]}" --out run.h5 --svg run.svg
 grep -q "^</svg>" run.svg || fail "run.svg is not whole"
 expect 0 "executed plan, environment 'side', model no_load" inspect run.h5 --arm three_segment
 expect 1 '"status": "done"' "${run[@]}" --json --out again.h5
-for key in collided min_clearance_cm distance_to_goal_cm orientation_to_goal_rad replans frames; do
+for key in collided min_clearance_cm distance_to_goal_cm replans frames; do
   grep -q "\"$key\": [^n]" output.txt || fail "no $key in $(cat output.txt)"
 done
 cmp run.h5 again.h5 || fail "the same plan gives two runs"

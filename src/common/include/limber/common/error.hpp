@@ -9,7 +9,7 @@ namespace limber {
 /// What the three below have in common.
 class Failure : public std::runtime_error {
  public:
-  /// A zero byte, which came from a file and would end what(), is written out as \x00.
+  /// A zero byte, which came from a file and would end what(), is written out in hexadecimal.
   explicit Failure(std::string message) : std::runtime_error(with_zeros_shown(message)) {}
 
  private:

@@ -174,7 +174,7 @@ Environment with_appeared(const Environment& environment, const ExecutionResult&
 /// decides, no faster than the plan was asked to move (PlanSettings::rate_limit_kpa_per_s).
 /// Whatever happens (end, fault, Ctrl-C, exception), the arm is vented before this returns. If the
 /// plan starts under pressure, the arm is led there first, straight in pressure space, and held for
-/// 3 s, or until it is there (60 s at most), unrecorded.
+/// 3 s, and until it is there (60 s at most), unrecorded.
 ///
 /// Collision is judged on the backbones that the driver returns, once per frame.
 /// @throws InputError if plan, environment and arm don't belong together (hashes in the

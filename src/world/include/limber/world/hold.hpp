@@ -8,7 +8,7 @@
 
 namespace limber {
 
-/// Frames of the hold after a motion that ends in the valve state `valves`: kHoldS, or until the
+/// Frames of the hold after a motion that ends in the valve state `valves`: kHoldS, and until the
 /// pressures come, and stay, within 1 % of their limits of the set points (or within the valves'
 /// dead band, if that is wider), up to kLongestHoldS.
 int hold_frame_count(const ArmDescription& arm, const ValveModel& valves,
