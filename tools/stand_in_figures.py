@@ -278,7 +278,7 @@ class StandIn(KeptParts):
             if len(found) == PLANS:
                 break
             done = self.limber("plan", *of_first, "--no-valves", "--stay-recorded", "--environment", path,
-                               "--max-queries", PLAN_QUERIES, "--out", "plan.json", codes=(0, 1))
+                               "--max-queries", PLAN_QUERIES, "--out", "plan.json", codes=(0, 1, 2))
             if done["status"] == "solved":
                 plan = limber.read_plan(self.folder / "plan.json")
                 ends = [other.rollout(plan.pressure_kpa, plan.backbone[0])[-1, -1, :2] for other in others]

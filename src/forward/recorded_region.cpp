@@ -1,15 +1,18 @@
 #include "limber/forward/recorded_region.hpp"
-#include "limber/arm/names.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include <fmt/format.h>
+
+#include "limber/arm/names.hpp"
 
 namespace limber {
 
 namespace {
 
-constexpr float kRateSlack = 1.01F;  // rounding, and noise of what was measured
+constexpr float kRateSlack = 1.01F;     // rounding, and noise of what was measured
+constexpr double kWithinSlack = 0.999;  // steps at a rate are rounded
 
 /// Of a number over a whole plan.
 struct Range {
@@ -91,9 +94,22 @@ void add_novelty(const LearntRegion& learnt, const Plan& plan, const Command& co
 
 RecordedRegion::RecordedRegion(const LearntRegion& learnt, double frame_rate_hz)
     : learnt_(learnt),
+      frame_rate_hz_(frame_rate_hz),
       measure_(learnt),
       fall_kpa_(kRateSlack * learnt.steepest_fall_kpa_per_s / float(frame_rate_hz)),
       rise_kpa_(kRateSlack * learnt.steepest_rise_kpa_per_s / float(frame_rate_hz)) {}
+
+double RecordedRegion::rate_limit_kpa_per_s() const {
+  double slowest = std::numeric_limits<double>::max();
+  for (const Pressures* steps_kpa : {&fall_kpa_, &rise_kpa_}) {
+    for (const float step_kpa : *steps_kpa) {
+      if (step_kpa > 0.0F) {
+        slowest = std::min(slowest, double(step_kpa) * frame_rate_hz_);
+      }
+    }
+  }
+  return kWithinSlack * slowest;
+}
 
 bool RecordedRegion::holds(const Eigen::Ref<const Pressures>& before_kpa,
                            const Eigen::Ref<const Pressures>& now_kpa,

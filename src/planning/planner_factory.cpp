@@ -1,5 +1,6 @@
 #include "limber/planning/planner_factory.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -59,20 +60,26 @@ void warn_beyond_recordings(const ArmDescription& arm, const MotionModel& model,
   }
 }
 
-/// The arm, asked to move no faster than the settings say.
-ArmDescription slowed(ArmDescription arm, const PlanSettings& settings) {
+/// The arm, asked to move no faster than the settings say, or than it was recorded where a plan
+/// stays within that: at the arm's own rate it could not begin. A forest was grown with that rate.
+ArmDescription slowed(ArmDescription arm, const PlanSettings& settings,
+                      const std::optional<RecordedRegion>& region) {
+  double& own = arm.pressure_rate_limit_kpa_per_s;
+  if (region && !settings.rate_limit_kpa_per_s && settings.forest == nullptr) {
+    own = std::min(own, region->rate_limit_kpa_per_s());
+  }
   if (settings.rate_limit_kpa_per_s) {
     const double rate = *settings.rate_limit_kpa_per_s;
-    if (!(rate > 0.0 && rate <= arm.pressure_rate_limit_kpa_per_s)) {
+    if (!(rate > 0.0 && rate <= own)) {
       throw InputError(fmt::format(
           "a rate limit of {0} {1}/s (--rate-limit); expected more than 0, and at most the arm's "
           "{2} {1}/s",
-          rate, arm.command.unit, arm.pressure_rate_limit_kpa_per_s));
+          rate, arm.command.unit, own));
     }
     if (settings.forest != nullptr) {
       throw InputError("a rate limit of its own and a forest, which was grown with the arm's");
     }
-    arm.pressure_rate_limit_kpa_per_s = rate;
+    own = rate;
     if (arm.max_motion_frames() > kMaxMotionFrames) {
       throw InputError(fmt::format(
           "a rate limit of {} {}/s (--rate-limit): from limit to limit takes {:.3g} frames; "
@@ -126,12 +133,12 @@ bool is_default_planner(const std::string& name) {
 PlanResult plan(const ArmDescription& asked_arm, const MotionModel& model,
                 const Environment& environment, const PlannerLimits& limits, std::uint64_t seed,
                 const PlanSettings& settings) {
-  const ArmDescription arm = slowed(asked_arm, settings);
   if (model.has_network()) {
     require_bounded(model.compensation(), "the model");
   }
   const std::optional<RecordedRegion> region =
-      settings.stay_recorded ? region_to_stay_in(arm, model) : std::nullopt;
+      settings.stay_recorded ? region_to_stay_in(asked_arm, model) : std::nullopt;
+  const ArmDescription arm = slowed(asked_arm, settings, region);
   const ErrorRoom room = error_room(model.forward(), settings.room);
   PlanningProblem problem = problem_with_room(arm, model, environment, room);
   problem.stay_within = region ? &*region : nullptr;

@@ -114,6 +114,22 @@ TEST(RecordedRegion, JudgesEveryFrameByPressureRateAndShape) {
   EXPECT_FALSE(turned.holds(Pressures::Zero(3), Pressures::Zero(3), rest, rest, workspace));
 }
 
+TEST(RecordedRegion, SaysAtWhichRateEverySegmentMayMove) {
+  const ArmDescription arm = three_segment_arm();
+  const Pressures limit = Pressures::Constant(3, 40.0F);
+  LearntRegion learnt = recorded(-limit, limit, 100.0F);
+  learnt.steepest_rise_kpa_per_s = Pressures{{30.0F, 60.0F, 0.0F}};  // the last one never rose
+  const RecordedRegion region(learnt, arm.frame_rate_hz);
+  const double rate_kpa_per_s = region.rate_limit_kpa_per_s();
+  EXPECT_NEAR(rate_kpa_per_s, 30.0, 0.3);
+  const Backbone rest = start_state(Environment(), arm).backbone;
+  RecordedRegion::Workspace workspace = region.make_workspace();
+  Pressures next = Pressures::Constant(3, float(rate_kpa_per_s / arm.frame_rate_hz));
+  next[2] = 0.0F;
+  EXPECT_TRUE(region.holds(Pressures::Zero(3), next, rest, rest, workspace));
+  EXPECT_FALSE(region.holds(Pressures::Zero(3), 1.1F * next, rest, rest, workspace));
+}
+
 TEST(RecordedRegion, JudgesHowFastTheArmMoves) {
   const ArmDescription arm = three_segment_arm();
   const Pressures limit = Pressures::Constant(3, 40.0F);

@@ -30,11 +30,15 @@ class RecordedRegion {
              const Eigen::Ref<const Backbone>& backbone_before,
              const Eigen::Ref<const Backbone>& backbone, Workspace& workspace) const;
 
+  /// A rate at which each segment that was moved may fall and rise [the command's unit per second].
+  double rate_limit_kpa_per_s() const;
+
   /// Set points inside the recorded range. @param arm  whose limits hold too
   PressureBox setpoints_of(const ArmDescription& arm) const;
 
  private:
   const LearntRegion& learnt_;
+  double frame_rate_hz_;
   NoveltyMeasure measure_;
   Pressures fall_kpa_;  // of a frame, with a little slack
   Pressures rise_kpa_;
