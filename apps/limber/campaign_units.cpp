@@ -18,9 +18,12 @@
 #include "limber/common/descriptor.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/file_error.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/folder_lock.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/json_reader.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/seconds_since.hpp"
 #include "limber/lab/campaign_report.hpp"
 #include "verbs.hpp"
@@ -28,8 +31,6 @@
 namespace limber {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr const char* kLevelVariable = "LIMBER_CPU";
 constexpr const char* kLibraryVariable = "GLIBC_TUNABLES";
@@ -87,7 +88,7 @@ std::vector<char*> pointers_to(std::vector<std::string>& words) {
 int run(const std::vector<std::string>& command) {
   std::vector<std::string> words = command;
   words.insert(words.begin(), "limber");
-  return run_command_line(static_cast<int>(words.size()), pointers_to(words).data());
+  return run_command_line(int(words.size()), pointers_to(words).data());
 }
 
 /// This process's command line, as the system has it: each word ends with a zero.
@@ -143,11 +144,9 @@ const char* out_name(const Campaign& campaign, const CampaignUnit& unit) {
 void use_cpu_level(const Campaign& campaign) {
   const char* level = to_string(campaign.cpu);
   const std::vector<CpuLevel> available = available_cpu_levels();
-  if (std::ranges::find(available, campaign.cpu) == available.end()) {
-    throw InputError(fmt::format(
-        "the campaign runs at CPU level {}, which this machine lacks; its units would differ",
-        level));
-  }
+  refuse_if(std::ranges::find(available, campaign.cpu) == available.end(),
+            "the campaign runs at CPU level {}, which this machine lacks; its units would differ",
+            level);
   const char* is = std::getenv(kLibraryVariable);
   const char* wanted = library_setting(campaign.cpu);
   ::setenv(kLevelVariable, level, 1);
@@ -205,10 +204,8 @@ void require_known_flags(const Campaign& campaign, const CampaignUnit& unit) {
 void require_forests(const Campaign& campaign) {
   const auto require = [](const std::string& flag, const FlagValues& values) {
     for (const std::string& path : values) {
-      if (flag == "forest" && !fs::exists(path)) {
-        throw InputError(fmt::format(
-            "forest: '{}': not found; grow it first, limber plan --build-forest", path));
-      }
+      refuse_if(flag == "forest" && !fs::exists(path),
+                "forest: '{}': not found; grow it first, limber plan --build-forest", path);
     }
   };
   for (const auto& [flag, values] : campaign.flags) {
@@ -256,7 +253,7 @@ bool run_unit(const Campaign& campaign, const CampaignUnit& unit, CampaignFolder
     folder.fail(unit, code);
     return false;
   }
-  const nlohmann::ordered_json result = nlohmann::ordered_json::parse(read_file(output));
+  const Json result = Json::parse(read_file(output));
   fs::remove(output);
   folder.finish(unit, result, seconds_since(begin));
   return true;

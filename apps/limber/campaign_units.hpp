@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "limber/common/filesystem.hpp"
 #include "limber/lab/campaign_folder.hpp"
 
 namespace limber {
@@ -17,7 +18,7 @@ void use_cpu_level(const Campaign& campaign);
 /// The unit's command, as one would type it: verb, flags, and files in `folder`.
 /// @param jobs  threads; as --jobs
 std::vector<std::string> unit_command(const Campaign& campaign, const CampaignUnit& unit,
-                                      const std::filesystem::path& folder, int jobs);
+                                      const fs::path& folder, int jobs);
 
 /// @throws InputError what the verb says of flags that it does not have, or that lack values.
 void require_known_flags(const Campaign& campaign, const CampaignUnit& unit);

@@ -23,7 +23,9 @@
 #include "limber/common/csv_reader.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/file_error.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/number_text.hpp"
 #include "limber/common/printable.hpp"
 #include "limber/common/utf8.hpp"
@@ -130,8 +132,6 @@ void require_plain_numbers(CLI::App& command) {
     }
   }
 }
-
-namespace fs = std::filesystem;
 
 // Every option by which a verb names a file or folder to write …
 constexpr std::array kOutputs = {"--out",        "--svg",           "--plot",       "--plots",
@@ -292,7 +292,7 @@ int run_caught(Verb& verb, const CLI::App& command, const CommonFlags& flags) {
     return report(kExitBadInput, error.what());
   } catch (const Interrupted& error) {
     return report(kExitNoSolution, error.what());
-  } catch (const std::filesystem::filesystem_error& error) {
+  } catch (const fs::filesystem_error& error) {
     return report(is_callers_mistake(error.code().value()) ? kExitBadInput : kExitFault,
                   fmt::format("{}: {}", error.path1().string(), error.code().message()));
   } catch (const std::bad_alloc&) {
@@ -383,13 +383,11 @@ void refuse_to_overwrite_given(std::initializer_list<std::string> paths, const C
   }
 }
 
-void print_result(const CommonFlags& flags, const nlohmann::ordered_json& result,
-                  const std::string& text) {
+void print_result(const CommonFlags& flags, const Json& result, const std::string& text) {
   if (flags.take_result) {
     flags.take_result(result);
   } else if (flags.json) {
-    fmt::print("{}\n", printable_json(result.dump(
-                           2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)));
+    fmt::print("{}\n", printable_json(result.dump(2, ' ', false, Json::error_handler_t::replace)));
   } else if (!flags.quiet && !text.empty()) {
     fmt::print("{}\n", printable(text));
   }

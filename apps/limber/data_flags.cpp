@@ -18,14 +18,15 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/mapped.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/data/episode_slice.hpp"
 #include "limber/data/recording_part.hpp"
 #include "limber/training/cross_validation.hpp"
 #include "limber/training/episode_slices.hpp"
 
 namespace limber {
-
-namespace fs = std::filesystem;
 
 fs::path folds_path_of(const fs::path& checkpoint) {
   return checkpoint.string() + ".folds.json";
@@ -53,10 +54,10 @@ std::vector<Episode> read_at(const std::vector<Place>& places, std::span<const i
                              EpisodeReader& reader) {
   std::vector<Episode> episodes;
   for (std::size_t first = 0; first < which.size();) {
-    const std::string& path = places[static_cast<std::size_t>(which[first])].path;
+    const std::string& path = places[which[first]].path;
     std::vector<int> numbers;
     for (; first < which.size(); ++first) {
-      const Place& place = places[static_cast<std::size_t>(which[first])];
+      const Place& place = places[which[first]];
       if (place.path != path) {
         break;
       }
@@ -74,7 +75,7 @@ OutlinedRecordings outline_recordings(const ArmDescription& arm,
     Recording one = read_recording_outline(path);
     require_sizes_of(one, arm, path);
     add_arms_of(one, outlines.arms);
-    for (int i = 0; i < static_cast<int>(one.episodes.size()); ++i) {
+    for (int i = 0; i < int(one.episodes.size()); ++i) {
       outlines.places.push_back({path, i});
     }
     outlines.all.add(path, std::move(one.episodes));
@@ -97,8 +98,8 @@ EpisodeChoice choose_sliced(OutlinedRecordings outlines, double fraction, std::u
   data = hold_back_arms(std::move(outlines.all.episodes), outlines.arms, fraction, seed);
   std::vector<Place> learnt;
   auto held = data.held_back.begin();
-  for (int i = 0; i < static_cast<int>(outlines.places.size()); ++i) {
-    const auto at = static_cast<std::size_t>(i);
+  for (int i = 0; i < int(outlines.places.size()); ++i) {
+    const auto at = std::size_t(i);
     if (held != data.held_back.end() && *held == i) {
       choice.validation.push_back(outlines.all.names[at]);
       ++held;
@@ -158,27 +159,24 @@ TrainingData DataFlags::load_old(const CommonFlags& flags, EpisodeReader& reader
 
 IdentifiedValves DataFlags::valves_of(const std::vector<Episode>& episodes,
                                       const ArmDescription& arm) const {
-  std::vector<std::string> files;
-  for (const std::string& path : data_) {
-    files.push_back(fs::path(path).filename().string());
-  }
+  const auto files = mapped<std::string>(
+      data_, [&](const std::string& path) { return fs::path(path).filename().string(); });
   return identify_valves(episodes, arm, fmt::format("{}", fmt::join(files, ", ")));
 }
 
 EpisodeChoice DataFlags::load_arms(const CommonFlags& flags, const ArmDescription& arm,
                                    EpisodeReader& reader, int slice_frames,
                                    IdentifiedValves& valves) const {
-  if (!validation_.empty() || !unseen_.empty() || keep_broken_) {
-    throw InputError(
-        "--family: leave out --validation, --unseen and --keep-broken: whole arms are held back, "
-        "and every episode is learnt from");
-  }
+  refuse_if(
+      !validation_.empty() || !unseen_.empty() || keep_broken_,
+      "--family: leave out --validation, --unseen and --keep-broken: whole arms are held back, "
+      "and every episode is learnt from");
   OutlinedRecordings outlines = outline_recordings(arm, data_);
   const std::int64_t frames = frame_count(outlines.all.episodes);
   if (frames > slice_frames) {
     say(flags, "{} frames: each epoch reads them in slices of about {}, and none stays in memory",
         frames, slice_frames);
-    const double share = std::min(kValidationShare, kMostHeldBack / static_cast<double>(frames));
+    const double share = std::min(kValidationShare, kMostHeldBack / double(frames));
     EpisodeChoice choice = choose_sliced(std::move(outlines), share, flags.seed, reader);
     choice.data.slices.slice_frames = slice_frames;
     valves = valves_of(training_sample(choice.data), arm);
@@ -190,7 +188,7 @@ EpisodeChoice DataFlags::load_arms(const CommonFlags& flags, const ArmDescriptio
   choice.data =
       hold_back_arms(std::move(all.episodes), outlines.arms, kValidationShare, flags.seed);
   for (const int held : choice.data.held_back) {
-    choice.validation.push_back(all.names[static_cast<std::size_t>(held)]);
+    choice.validation.push_back(all.names[held]);
   }
   return choice;
 }
@@ -212,12 +210,11 @@ NamedEpisodes DataFlags::load_validation(const CommonFlags& flags, EpisodeReader
 NamedEpisodes DataFlags::load_unseen(EpisodeReader& reader) const {
   NamedEpisodes unseen;
   if (!unseen_.empty()) {
-    if (reader.is_source(unseen_) ||
-        (!validation_.empty() && file_hash(unseen_) == file_hash(validation_))) {
-      throw InputError(fmt::format(
-          "--unseen {}: learnt from, or validated on, too; the error on it would say too little",
-          unseen_));
-    }
+    refuse_if(
+        reader.is_source(unseen_) ||
+            (!validation_.empty() && file_hash(unseen_) == file_hash(validation_)),
+        "--unseen {}: learnt from, or validated on, too; the error on it would say too little",
+        unseen_);
     unseen.add(unseen_, reader.read(unseen_).episodes);
   }
   return unseen;
@@ -281,11 +278,10 @@ CrossValidation choose_by_folds(const CommonFlags& flags, const ArmDescription& 
   const bool is_there = settings.resume && fs::exists(file);
   const CrossValidation found = is_there ? read_cross_validation(read_file(file), file.string())
                                          : cross_validate(arm, episodes, settings, valves);
-  if (is_there && found.identity != folds_identity(arm, episodes, settings)) {
-    throw InputError(fmt::format(
-        "{}: a run with other data or settings began there; give the same, or leave out --resume",
-        file.string()));
-  }
+  refuse_if(
+      is_there && found.identity != folds_identity(arm, episodes, settings),
+      "{}: a run with other data or settings began there; give the same, or leave out --resume",
+      file.string());
   if (!is_there) {
     write_folds(found, settings.checkpoint);
   }

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "episode_choice.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/data/valve_identification.hpp"
 #include "limber/training/cross_validation.hpp"
 #include "verb.hpp"
@@ -56,7 +57,7 @@ class DataFlags {
 };
 
 /// The file beside a run's checkpoint that keeps what its folds found.
-std::filesystem::path folds_path_of(const std::filesystem::path& checkpoint);
+fs::path folds_path_of(const fs::path& checkpoint);
 
 /// `cross_validate`, or what it found before the run was stopped; says what that is.
 CrossValidation choose_by_folds(const CommonFlags& flags, const ArmDescription& arm,

@@ -11,6 +11,8 @@
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/json.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/driver/driver_protocol.hpp"
 #include "limber/driver/vented_rest.hpp"
 #include "limber/report/driver_report.hpp"
@@ -50,7 +52,7 @@ class DryRunDriver final : public ArmDriver {
 
   const ArmState& state() const override { return state_; }
   const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) override {
-    state_.time_s = static_cast<double>(seq_) * period_s_;
+    state_.time_s = double(seq_) * period_s_;
     state_.pressure_kpa = setpoint_kpa;
     print_(set_line(seq_, state_.time_s,
                     calibration_ ? calibration_->to_wire(setpoint_kpa) : state_.pressure_kpa));
@@ -61,7 +63,7 @@ class DryRunDriver final : public ArmDriver {
 
   void vent() noexcept override {
     if (!resting_) {
-      print_(vent_line(seq_, static_cast<double>(seq_) * period_s_));
+      print_(vent_line(seq_, double(seq_) * period_s_));
       ++seq_;
       resting_ = true;
     }
@@ -75,8 +77,6 @@ class DryRunDriver final : public ArmDriver {
   std::int64_t seq_ = 0;
   bool resting_ = true;
 };
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kModel = "model:";
 
@@ -94,12 +94,11 @@ void WireFlags::add_to(CLI::App& app) {
 ProcessDriverSettings WireFlags::settings(const std::string& driver, const ArmDescription& arm,
                                           const std::string& arm_file) const {
   const std::string command = driver.starts_with(kExec) ? driver.substr(kExec.size()) : "";
-  if (command.find_first_not_of(" \t") == std::string::npos) {
-    throw InputError(fmt::format(
-        "driver '{}': no command found; expected exec:COMMAND, as in \"exec:python3 my_driver.py\" "
-        "(docs/driver.md)",
-        driver));
-  }
+  refuse_if(
+      command.find_first_not_of(" \t") == std::string::npos,
+      "driver '{}': no command found; expected exec:COMMAND, as in \"exec:python3 my_driver.py\" "
+      "(docs/driver.md)",
+      driver);
   ProcessDriverSettings settings;
   settings.command = command;
   settings.simulated = simulated_;
@@ -146,9 +145,8 @@ void DriverFlags::add_to(CLI::App& app, bool may_be_model) {
 }
 
 void require_limit_scale(double scale) {
-  if (!(scale > 0.0 && scale <= 1.0)) {
-    throw InputError(fmt::format("--limit-scale {}: expected a number over 0, at most 1", scale));
-  }
+  refuse_if(!(scale > 0.0 && scale <= 1.0), "--limit-scale {}: expected a number over 0, at most 1",
+            scale);
 }
 
 void DriverFlags::check(std::initializer_list<const char*> unused) const {
@@ -159,21 +157,17 @@ void DriverFlags::check(std::initializer_list<const char*> unused) const {
                     driver_, may_be_model_ ? ", model:FILE.safetensors" : ""));
   }
   require_limit_scale(limit_scale_);
-  if (!is_program() && wire_.may_be_simulated()) {
-    throw InputError("--simulated: goes with --driver exec:COMMAND, which may be a simulation");
-  }
-  if (!is_program() && wire_.is_calibrated()) {
-    throw InputError("--calibration: goes with --driver exec:COMMAND, which it is of");
-  }
-  if (!is_program() && !log_.empty()) {
-    throw InputError("--driver-log: the virtual arm has none; it goes with --driver exec:COMMAND");
-  }
+  refuse_if(!is_program() && wire_.may_be_simulated(),
+            "--simulated: goes with --driver exec:COMMAND, which may be a simulation");
+  refuse_if(!is_program() && wire_.is_calibrated(),
+            "--calibration: goes with --driver exec:COMMAND, which it is of");
+  refuse_if(!is_program() && !log_.empty(),
+            "--driver-log: the virtual arm has none; it goes with --driver exec:COMMAND");
   std::vector<const char*> without_use(unused);
   without_use.push_back("--driver-log");
   for (const char* flag : without_use) {
-    if (dry_run_ && command_->count(flag) > 0) {
-      throw InputError(fmt::format("{}: --dry-run moves nothing, and has no use for it", flag));
-    }
+    refuse_if(dry_run_ && command_->count(flag) > 0,
+              "{}: --dry-run moves nothing, and has no use for it", flag);
   }
 }
 

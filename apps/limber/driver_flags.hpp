@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "limber/common/json.hpp"
 #include "limber/driver/driver_run.hpp"
 #include "limber/driver/process_driver.hpp"
 #include "limber/driver/wire_calibration.hpp"
@@ -100,6 +101,6 @@ ArmStart measured_start(const ArmDescription& arm, const std::string& arm_file,
                         const std::string& driver, const WireFlags& wire);
 
 /// How the driver kept to the frames, and its last vent.
-nlohmann::ordered_json to_json(const ProcessDriver& driver);
+Json to_json(const ProcessDriver& driver);
 
 }  // namespace limber

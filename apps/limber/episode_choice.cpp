@@ -10,6 +10,7 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/data/recording_inspection.hpp"
 #include "limber/data/recording_part.hpp"
 
@@ -26,7 +27,7 @@ std::string frames_hash(const Episode& episode) {
   std::string hash;
   for (const FrameMatrix* part :
        {&episode.pressure_kpa, &episode.setpoint_kpa, &episode.backbone}) {
-    const auto bytes = static_cast<std::size_t>(part->size()) * sizeof(float);
+    const auto bytes = std::size_t(part->size()) * sizeof(float);
     hash += content_hash({reinterpret_cast<const char*>(part->data()), bytes});
   }
   return hash;
@@ -77,7 +78,7 @@ Recording as_learnt_from(const CompensationModel& network, const std::string& mo
 }
 
 void NamedEpisodes::add(const std::string& path, std::vector<Episode> more) {
-  const std::string file = std::filesystem::path(path).filename().string();
+  const std::string file = fs::path(path).filename().string();
   for (std::size_t i = 0; i < more.size(); ++i) {
     names.push_back(fmt::format("{}, {}", file, episode_name(i, more[i].log)));
     episodes.push_back(std::move(more[i]));
@@ -188,7 +189,7 @@ EpisodeChoice choose_episodes(NamedEpisodes all, NamedEpisodes validation, doubl
     const char* part = choice.data.training.size() == all.names.size() ? "the end of " : "";
     hold_back_unseen(choice.data, unseen_share, seed);
     for (const int number : choice.data.held_back) {
-      choice.validation.push_back(part + all.names[static_cast<std::size_t>(number)]);
+      choice.validation.push_back(part + all.names[number]);
     }
   } else {
     choice.data.training = std::move(all.episodes);

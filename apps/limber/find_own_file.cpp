@@ -7,6 +7,7 @@
 #include "limber/common/data_folder.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/file_format.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/utf8.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
 #include "verb.hpp"
@@ -20,7 +21,7 @@ std::string find_own_file(const std::string& name_or_path, const char* folder, c
                           const char* complaint) {
   const std::string found = own_file(name_or_path, folder, ending).string();
   std::error_code error;
-  if (found.empty() && std::filesystem::exists(name_or_path, error)) {
+  if (found.empty() && fs::exists(name_or_path, error)) {
     return name_or_path;  // a folder, a pipe: what reads it says so
   }
   if (found.empty()) {
@@ -63,7 +64,7 @@ std::string find_environment_file(const std::string& name_or_path) {
       "--environment {}: no such file, and none of limber's own environments has that name");
 }
 
-void add_source(std::string& sources, const std::filesystem::path& path, const std::string& hash) {
+void add_source(std::string& sources, const fs::path& path, const std::string& hash) {
   sources += fmt::format("{}{} {}", sources.empty() ? "" : ", ", path.filename().string(), hash);
 }
 
@@ -84,7 +85,7 @@ std::string find_any_file(const std::string& name_or_path) {
   return name_or_path;  // what reads it says what is wrong
 }
 
-FileKind kind_of(const std::filesystem::path& file) {
+FileKind kind_of(const fs::path& file) {
   constexpr std::size_t kHeaderLooked = 65536;  // a forest's: four tensors, and its arm's keys
   const std::string head = read_head(file, kHeaderLooked);
   const std::string_view format = binary_format(head);

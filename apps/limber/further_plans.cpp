@@ -1,6 +1,7 @@
 #include "further_plans.hpp"
 
 #include "limber/common/content_hash.hpp"
+#include "limber/common/filesystem.hpp"
 
 namespace limber {
 
@@ -10,8 +11,7 @@ void FurtherPlans::add_to(CLI::App& app) {
                  "…, and as 01.yaml, … what it was certified for: limber verify repeats that");
 }
 
-void FurtherPlans::prepare(const std::vector<std::filesystem::path>& inputs,
-                           const CommonFlags& flags) {
+void FurtherPlans::prepare(const std::vector<fs::path>& inputs, const CommonFlags& flags) {
   if (are_asked_for()) {
     folder_.emplace(out_, "execute", OutputFolder::start(false, flags.force), inputs);
   }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "limber/common/filesystem.hpp"
 #include "limber/lab/output_folder.hpp"
 #include "limber/run/closed_loop.hpp"
 #include "verb.hpp"
@@ -21,7 +22,7 @@ class FurtherPlans {
 
   /// Clears the folder before the run: what lies in it is never of an earlier one.
   /// @param inputs  files of the run, which are not to lie in it
-  void prepare(const std::vector<std::filesystem::path>& inputs, const CommonFlags& flags);
+  void prepare(const std::vector<fs::path>& inputs, const CommonFlags& flags);
   /// Does nothing where they are not asked for.
   void take(const ClosedLoop& loop);
   void write(const std::string& model_file);

@@ -9,6 +9,8 @@
 #include "limber/arm/no_load_model.hpp"
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/arm/space_no_load.hpp"
+#include "limber/common/json.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
 
@@ -38,10 +40,9 @@ Finding inspect_arm_in_space(const ArmDescription& arm) {
     Eigen::VectorXd commands = Eigen::VectorXd::Zero(arm.channel_count());
     commands[i] = arm.limits_of_channel(i).largest_kpa();
     const Eigen::VectorXd strains = no_load.strains(commands);
-    double bend_rad = 0.0;
-    for (int s = 0; s < arm.segment_count(); ++s) {
-      bend_rad += no_load.segment_shape(s, strains).rotation_rad.norm();
-    }
+    const auto bend_rad = sum_of<double>(arm.segment_count(), [&](int s) {
+      return no_load.segment_shape(s, strains).rotation_rad.norm();
+    });
     finding.json["full_bend_rad"].push_back(bend_rad);
     finding.json[quantity_key(arm.command, "limits")].push_back(to_json(arm.limits_of_channel(i)));
     finding.text += fmt::format("\n  {}: {} {} bend the arm by {:.2f} rad", channel_name(arm, i),
@@ -68,7 +69,7 @@ Finding inspect_arm(const YamlReader& root) {
                   {"segments", arm.segment_count()},
                   {"points", arm.point_count()},
                   {"length_m", arm.length_m()},
-                  {quantity_key(arm.command, "limits"), nlohmann::ordered_json::array()},
+                  {quantity_key(arm.command, "limits"), Json::array()},
                   {"frame_rate_hz", arm.frame_rate_hz},
                   {"pressure_rate_limit_kpa_per_s", arm.pressure_rate_limit_kpa_per_s}};
   finding.text = fmt::format(
@@ -76,7 +77,7 @@ Finding inspect_arm(const YamlReader& root) {
       arm.name, arm.hash(), arm.segment_count(), arm.point_count(), arm.length_m(),
       arm.frame_rate_hz, arm.pressure_rate_limit_kpa_per_s, arm.command.unit);
   for (int i = 0; i < arm.segment_count(); ++i) {
-    const Segment& segment = arm.segments[static_cast<std::size_t>(i)];
+    const Segment& segment = arm.segments[i];
     const SegmentShape full = model.segment_shape(i, segment.pressure_limit_kpa.largest_kpa());
     const double turn_rad = std::abs(full.curvature_per_m) * full.length_m;
     finding.json["full_bend_rad"].push_back(turn_rad);

@@ -4,13 +4,15 @@
 
 #include <nlohmann/json.hpp>
 
+#include "limber/common/json.hpp"
+
 namespace limber {
 
 class YamlReader;
 
 /// What was found, for programs and for people.
 struct Finding {
-  nlohmann::ordered_json json;
+  Json json;
   std::string text;
 };
 

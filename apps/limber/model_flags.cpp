@@ -2,6 +2,8 @@
 
 #include "limber/arm/valve_parameters.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/network/gap_bounds.hpp"
 
@@ -23,9 +25,8 @@ void ModelFlags::add_valves_to(CLI::App& app) {
 }
 
 ForwardModel ModelFlags::planning_model(const ArmDescription& arm) const {
-  if (model_.empty() && !no_load_) {
-    throw InputError("nothing to predict with: give --model MODEL.safetensors, or --no-load");
-  }
+  refuse_if(model_.empty() && !no_load_,
+            "nothing to predict with: give --model MODEL.safetensors, or --no-load");
   if (model_.empty()) {
     return ForwardModel(arm);
   }
@@ -52,11 +53,9 @@ ValveParameters ModelFlags::valves(const ArmDescription& arm,
   if (valves_.empty()) {
     return network != nullptr && network->valves ? *network->valves : ValveParameters{};
   }
-  ValveParameters valves = read_valves(std::filesystem::path(valves_)).parameters;
+  ValveParameters valves = read_valves(fs::path(valves_)).parameters;
   const std::string fault = why_unusable(valves, arm);
-  if (!fault.empty()) {
-    throw InputError(fmt::format("{}: {}", valves_, fault));
-  }
+  refuse_if(!fault.empty(), "{}: {}", valves_, fault);
   return valves;
 }
 

@@ -11,8 +11,10 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/number_text.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/utf8.hpp"
 #include "limber/planning/problem_check.hpp"
 
@@ -130,9 +132,9 @@ std::vector<PressureLimits> LimitFlags::limits(const ArmDescription& arm) const 
     for (std::size_t s = first; s < end; ++s) {
       const PressureLimits& own = arm.segments[s].pressure_limit_kpa;
       if (!own.contains(asked.limits)) {
-        refuse(asked.text, fmt::format("beyond the limits of {}, {} {}",
-                                       segment_name(static_cast<Eigen::Index>(s)), to_string(own),
-                                       arm.command.unit));
+        refuse(asked.text,
+               fmt::format("beyond the limits of {}, {} {}", segment_name(Eigen::Index(s)),
+                           to_string(own), arm.command.unit));
       }
       limits[s] = asked.limits;
     }
@@ -153,21 +155,18 @@ void ForestFlags::add_to(CLI::App& app) {
 }
 
 void ForestFlags::require_use() const {
-  if (nodes_flag_->count() > 0 && !is_asked_for()) {
-    throw InputError(fmt::format(
-        "--forest-nodes {}: nothing would be grown; give --forest FILE or --build-forest too",
-        nodes_));
-  }
+  refuse_if(nodes_flag_->count() > 0 && !is_asked_for(),
+            "--forest-nodes {}: nothing would be grown; give --forest FILE or --build-forest too",
+            nodes_);
 }
 
 std::string ForestFlags::path_beside(const std::string& model_file) const {
   if (!file_.empty()) {
     return file_;
   }
-  if (model_file.empty()) {
-    throw InputError("--build-forest with --no-load: --forest has to name the file to write");
-  }
-  return std::filesystem::path(model_file).replace_extension(".forest").string();
+  refuse_if(model_file.empty(),
+            "--build-forest with --no-load: --forest has to name the file to write");
+  return fs::path(model_file).replace_extension(".forest").string();
 }
 
 std::optional<Forest> ForestFlags::forest(const ArmDescription& arm, const MotionModel& model,
@@ -177,12 +176,12 @@ std::optional<Forest> ForestFlags::forest(const ArmDescription& arm, const Motio
   const ForestKey key = forest_key(arm, model_file.empty() ? "" : file_hash(model_file),
                                    model.valves().parameters(), start);
   std::error_code error;
-  if (std::filesystem::exists(path, error) && build_) {
+  if (fs::exists(path, error) && build_) {
     if (kind_of(path) != FileKind::forest) {
       throw InputError(path + ": no forest; only a forest can be replaced by a forest");
     }
     say(flags, "{}: growing it again, as asked for", path);
-  } else if (std::filesystem::exists(path, error)) {
+  } else if (fs::exists(path, error)) {
     Forest stored = read_forest(path);
     if (is_grown_for(stored, arm, key)) {
       try {

@@ -4,13 +4,12 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/arm/names.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/units.hpp"
 
 namespace limber {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json to_json(const MemberFigures& figures) {
   return {{"min", kCmPerM * figures.min_m},

@@ -5,12 +5,13 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "limber/arm/arm_description.hpp"
+#include "limber/common/json.hpp"
 #include "limber/lab/plan_spread.hpp"
 
 namespace limber {
 
 /// The object `spread` of `plan --json` and `verify --json`.
-nlohmann::ordered_json to_json(const PlanSpread& spread);
+Json to_json(const PlanSpread& spread);
 
 /// "the 5 networks of this model, each by itself, put the end 0.4 to 1.3 cm from the goal …".
 /// @param whose  "this model", or a file

@@ -11,7 +11,8 @@
 #include "limber/arm/valve_parameters.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
-#include "limber/common/error.hpp"
+#include "limber/common/json.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/data/recording_inspection.hpp"
 #include "limber/forward/forward_model.hpp"
 #include "limber/network/gap_bounds.hpp"
@@ -96,11 +97,10 @@ std::string chosen_epoch(const TrainingResult& result) {
                            result.model.member_count() > 1 ? ", mean of the networks" : "");
 }
 
-nlohmann::ordered_json json_of(const CommonFlags& flags, const Command& command,
-                               const TrainingFiles& files, const TrainingResult& result,
-                               const EpisodeChoice& choice) {
+Json json_of(const CommonFlags& flags, const Command& command, const TrainingFiles& files,
+             const TrainingResult& result, const EpisodeChoice& choice) {
   const LearningCurvePoint& last = result.curve.back();
-  nlohmann::ordered_json json;
+  Json json;
   json["status"] = status_of(result);
   json["model"] = files.model;
   json["learning_curve"] = files.learning_curve.string();
@@ -120,17 +120,16 @@ nlohmann::ordered_json json_of(const CommonFlags& flags, const Command& command,
   if (result.model.member_count() > 1) {
     json["member_validation_position_error_cm"] = result.member_validation_position_error_cm;
   }
-  json["prediction_error"] = result.model.prediction_error ? to_json(*result.model.prediction_error)
-                                                           : nlohmann::ordered_json();
-  json["tube"] = result.model.tube ? to_json(*result.model.tube) : nlohmann::ordered_json();
+  json["prediction_error"] =
+      result.model.prediction_error ? to_json(*result.model.prediction_error) : Json();
+  json["tube"] = result.model.tube ? to_json(*result.model.tube) : Json();
   if (result.model.learnt) {
     json["learnt"] = to_json(*result.model.learnt, command);
   }
   if (result.model.bounds) {
     json["bounds"] = to_json(*result.model.bounds);
   }
-  json["long_rollout"] =
-      result.long_rollout.frames > 0 ? to_json(result.long_rollout) : nlohmann::ordered_json();
+  json["long_rollout"] = result.long_rollout.frames > 0 ? to_json(result.long_rollout) : Json();
   return json;
 }
 
@@ -157,8 +156,8 @@ void say_what_ran_away(const CommonFlags& flags, const TrainingResult& result) {
 }
 
 /// noise_multiplied() on what chose the epoch, with a warning; null of a family, which is no arm's.
-nlohmann::ordered_json noise_of(const CommonFlags& flags, const ArmDescription& arm,
-                                const CompensationModel& model, const TrainingData& data) {
+Json noise_of(const CommonFlags& flags, const ArmDescription& arm, const CompensationModel& model,
+              const TrainingData& data) {
   if (model.family) {
     return nullptr;
   }
@@ -175,10 +174,9 @@ nlohmann::ordered_json noise_of(const CommonFlags& flags, const ArmDescription& 
 }  // namespace
 
 int add_bounds_to_model(const BoundModelRequest& request, const CommonFlags& flags) {
-  if (request.from.empty()) {
-    throw InputError(
-        "--epochs 0 trains nothing: it only adds bounds to an old model, and needs --from MODEL");
-  }
+  refuse_if(
+      request.from.empty(),
+      "--epochs 0 trains nothing: it only adds bounds to an old model, and needs --from MODEL");
   refuse_to_overwrite(request.out, flags.force);
   const ArmDescription arm = load_any_arm(request.arm);
   CompensationModel model = read_model(request.from);
@@ -268,9 +266,9 @@ void print_training_result(const CommonFlags& flags, const ArmDescription& arm,
                            const EpisodeChoice& choice,
                            const std::optional<CrossValidation>& folds) {
   say_what_ran_away(flags, result);
-  nlohmann::ordered_json json = json_of(flags, arm.command, files, result, choice);
+  Json json = json_of(flags, arm.command, files, result, choice);
   json["noise_multiplied"] = noise_of(flags, arm, result.model, choice.data);
-  json["cross_validation"] = folds ? to_json(*folds) : nlohmann::ordered_json();
+  json["cross_validation"] = folds ? to_json(*folds) : Json();
   if (changes) {
     json["fine_tuning"] = to_json(*changes);
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "episode_choice.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/training/cross_validation.hpp"
 #include "limber/training/fine_tuning.hpp"
 #include "verb.hpp"
@@ -29,7 +30,7 @@ int add_bounds_to_model(const BoundModelRequest& request, const CommonFlags& fla
 /// What a training run wrote.
 struct TrainingFiles {
   std::string model;
-  std::filesystem::path learning_curve;
+  fs::path learning_curve;
 };
 
 /// Which episodes are left out as broken, and why.

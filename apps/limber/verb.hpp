@@ -13,6 +13,8 @@
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/common/atomic_file.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/printable.hpp"
 #include "limber/common/progress.hpp"
 #include "limber/common/standard_streams.hpp"
@@ -29,7 +31,7 @@ struct CommonFlags {
   int jobs = 0;  ///< 0: one per core
   std::uint64_t seed = 1;
   /// Gets the result in place of standard output, of a verb that another one runs. Empty: nobody.
-  std::function<void(const nlohmann::ordered_json&)> take_result = {};
+  std::function<void(const Json&)> take_result = {};
   mutable std::vector<std::string> warnings = {};  ///< what `warn` said
 
   Progress::Mode progress() const {
@@ -106,8 +108,7 @@ void print_error(const std::string& message);
 
 /// Prints the verb's result to standard output: the JSON object with --json, otherwise `text`,
 /// unless it is empty.
-void print_result(const CommonFlags& flags, const nlohmann::ordered_json& result,
-                  const std::string& text);
+void print_result(const CommonFlags& flags, const Json& result, const std::string& text);
 
 /// refuse_to_overwrite (common/atomic_file.hpp) for each of these that names a file: outputs that
 /// were not asked for are empty.
@@ -140,7 +141,7 @@ ArmDescription load_asked_arm(const std::string& name_or_path, const std::string
 enum class FileKind { recording, model, forest, plan, yaml };
 
 /// Decides by content, never by name.
-FileKind kind_of(const std::filesystem::path& file);
+FileKind kind_of(const fs::path& file);
 
 /// Path of an environment file, found the same way ("01_pillar" in environments/).
 std::string find_environment_file(const std::string& name_or_path);
@@ -149,6 +150,6 @@ std::string find_family_file(const std::string& name_or_path);
 std::string find_any_file(const std::string& name_or_path);
 
 /// Adds "FILE HASH" to what a model says that it learnt from.
-void add_source(std::string& sources, const std::filesystem::path& path, const std::string& hash);
+void add_source(std::string& sources, const fs::path& path, const std::string& hash);
 
 }  // namespace limber

@@ -4,6 +4,7 @@
 #include "limber/arm/valve_parameters.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/json_number.hpp"
 #include "limber/common/units.hpp"
 #include "limber/network/arm_family.hpp"
@@ -21,8 +22,7 @@ class AdaptVerb final : public Verb {
   AdaptVerb()
       : Verb("adapt", "Make a family's network one arm's, from a minute of its motion",
              "limber collect --schedule identify --out minute.h5\n"
-             "  limber adapt --model three_segment --recording minute.h5 --out "
-             "mine.safetensors") {}
+             "  limber adapt --model three_segment --recording minute.h5 --out mine.safetensors") {}
 
   void add_flags(CLI::App& app) override {
     add_arm_flag(app, arm_);
@@ -75,8 +75,8 @@ class AdaptVerb final : public Verb {
     done.model.training["from"] = hash;
   }
 
-  nlohmann::ordered_json to_json(const Adaptation& done) const {
-    nlohmann::ordered_json json;
+  Json to_json(const Adaptation& done) const {
+    Json json;
     json["file"] = out_;
     json["seconds"] = done.seconds;
     json["moving_s"] = done.moving_s;

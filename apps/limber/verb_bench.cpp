@@ -2,6 +2,7 @@
 
 #include "episode_choice.hpp"
 #include "limber/arm/arm_description.hpp"
+#include "limber/common/json.hpp"
 #include "limber/lab/speed_benchmark.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/network/compensation_model.hpp"
@@ -74,7 +75,7 @@ class BenchVerb final : public Verb {
   int run_training(const ArmDescription& arm, const CommonFlags& flags) const {
     refuse_to_overwrite_given({tables_}, flags);
     const TrainingData data{read_recording_of(arm, training_).episodes, {}, {}};
-    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    Json json = Json::array();
     std::string text;
     for (const char* name : {"paper", "best"}) {
       if (!preset_.empty() && preset_ != name) {

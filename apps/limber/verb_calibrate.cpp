@@ -1,6 +1,8 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/json.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/lab/tube_calibration.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
@@ -67,12 +69,8 @@ class CalibrateVerb final : public Verb {
     if (check_runs_ > 0) {
       return check(arm, std::move(model), flags);
     }
-    if (out_.empty()) {
-      throw InputError("--out is required: the model with its tube; or --check RUNS");
-    }
-    if (disturbed()) {
-      throw InputError("--friction-factor, --load-kg and --actuator-factor need --check RUNS");
-    }
+    refuse_if(out_.empty(), "--out is required: the model with its tube; or --check RUNS");
+    refuse_if(disturbed(), "--friction-factor, --load-kg and --actuator-factor need --check RUNS");
     refuse_to_overwrite(out_, flags.force);
     return recordings_.empty() ? calibrate(arm, std::move(model), flags)
                                : from_recordings(arm, std::move(model), flags);
@@ -119,26 +117,18 @@ class CalibrateVerb final : public Verb {
   CompensationModel read() {
     CompensationModel model = read_model(model_file_);
     if (!is_family(model)) {
-      if (variation_ || seconds_) {
-        throw InputError(
-            fmt::format("--vary-physics and --identify-s are for families; {} is one "
-                        "arm's",
-                        model_file_));
-      }
+      refuse_if(variation_ || seconds_,
+                "--vary-physics and --identify-s are for families; {} is one arm's", model_file_);
       return model;
     }
-    if (!recordings_.empty() || disturbed()) {
-      throw InputError(
-          fmt::format("{}: a family's tube is calibrated on virtual arms that vary; --recordings "
-                      "and disturbances are for one arm's",
-                      model_file_));
-    }
-    if (model_.says_valves()) {
-      throw InputError(fmt::format(
-          "{}: a family is calibrated on arms that each have valves of their own; leave "
-          "--valves and --no-valves out",
-          model_file_));
-    }
+    refuse_if(!recordings_.empty() || disturbed(),
+              "{}: a family's tube is calibrated on virtual arms that vary; --recordings "
+              "and disturbances are for one arm's",
+              model_file_);
+    refuse_if(model_.says_valves(),
+              "{}: a family is calibrated on arms that each have valves of their own; leave "
+              "--valves and --no-valves out",
+              model_file_);
     const auto learnt = model.training.find("physics");
     settings_.runs.unseen.emplace();
     settings_.runs.unseen->variation = parse_physics_variation(
@@ -212,10 +202,8 @@ class CalibrateVerb final : public Verb {
   }
 
   int check(const ArmDescription& arm, CompensationModel model, const CommonFlags& flags) {
-    if (!model.tube) {
-      throw InputError(fmt::format(
-          "{}: carries no tube to check: limber calibrate --out measures one", model_file_));
-    }
+    refuse_if(!model.tube, "{}: carries no tube to check: limber calibrate --out measures one",
+              model_file_);
     const Tube tube = *model.tube;
     const TubeLevel* level = level_ ? tube.find(*level_) : &tube.default_level();
     if (level == nullptr) {
@@ -225,7 +213,7 @@ class CalibrateVerb final : public Verb {
     TubeRunSettings settings = run_settings(arm, std::move(model), flags);
     const TubePhase phase{"check", check_runs_, &tube, level->factor,
                           settings.unseen ? expected_error_of_tube_m(settings.model) : 0.0};
-    nlohmann::ordered_json json = {{"level", level->level}, {"seed", flags.seed}};
+    Json json = {{"level", level->level}, {"seed", flags.seed}};
     json.update(to_json(run_tube_phase(settings, phase, nullptr), level->factor));
     const auto& coverage = json["coverage"];
     print_result(

@@ -6,10 +6,13 @@
 
 #include "campaign_units.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/json_number.hpp"
 #include "limber/common/number_text.hpp"
 #include "limber/common/progress.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/lab/campaign_report.hpp"
 #include "limber/lab/rank_work.hpp"
 #include "verbs.hpp"
@@ -17,8 +20,6 @@
 namespace limber {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::size_t kShown = 20;  // units that --dry-run and --status name
 
@@ -64,9 +65,8 @@ class CampaignVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
-    if (seed_flag_->count() > 0) {
-      throw InputError("--seed: is a key of the campaign's file, of which the units' seeds come");
-    }
+    refuse_if(seed_flag_->count() > 0,
+              "--seed: is a key of the campaign's file, of which the units' seeds come");
     const Campaign campaign = read_campaign(file_);
     const std::size_t count = unit_count(campaign);
     require_known_flags(campaign, campaign_unit(campaign, 0));
@@ -167,7 +167,7 @@ class CampaignVerb final : public Verb {
 
   static void report(const CampaignFolder& folder, const CampaignStatus& status,
                      const RankFigures& figures, const CommonFlags& flags) {
-    nlohmann::ordered_json json = to_json(status);
+    Json json = to_json(status);
     json["units_run"] = figures.units;
     json["ranks"] = figures.ranks;
     json["hand_out_mean_s"] = figures.hand_out_mean_s;
@@ -206,8 +206,8 @@ class CampaignVerb final : public Verb {
     return status;
   }
 
-  static nlohmann::ordered_json to_json(const CampaignStatus& status) {
-    nlohmann::ordered_json json;
+  static Json to_json(const CampaignStatus& status) {
+    Json json;
     json["done"] = status.done;
     json["running"] = status.started;
     json["failed"] = status.failed;
@@ -226,8 +226,7 @@ class CampaignVerb final : public Verb {
     if (const std::optional<double> left_s = status.left_s(); left_s && *left_s > 0.0) {
       text += fmt::format("; {} of one process's time are left", format_duration(*left_s));
       if (status.started > 1) {
-        text += fmt::format(", {} for {}",
-                            format_duration(*left_s / static_cast<double>(status.started)),
+        text += fmt::format(", {} for {}", format_duration(*left_s / double(status.started)),
                             status.started);
       }
     }
@@ -243,9 +242,9 @@ class CampaignVerb final : public Verb {
                          const CommonFlags& flags) {
     const CampaignStatus status = look(campaign, folder);
     const std::size_t count = unit_count(campaign);
-    nlohmann::ordered_json json = to_json(status);
+    Json json = to_json(status);
     json["cost_unit"] = cost_unit(campaign.verb);
-    json["units"] = nlohmann::ordered_json::array();
+    json["units"] = Json::array();
     std::string text =
         fmt::format("{} units of limber {}, of which {} are done; {:.4g} {}", count, campaign.verb,
                     status.done, status.left_cost + status.done_cost, cost_unit(campaign.verb));
@@ -271,11 +270,9 @@ class CampaignVerb final : public Verb {
   static int join(const Campaign& campaign, CampaignFolder& folder, const CommonFlags& flags) {
     const CampaignStatus status = look(campaign, folder);
     const std::size_t missing = unit_count(campaign) - status.done;
-    if (status.done == 0) {
-      throw InputError(
-          fmt::format("{}: no unit is finished, so nothing can be joined", folder.path().string()));
-    }
-    nlohmann::ordered_json json = to_json(status);
+    refuse_if(status.done == 0, "{}: no unit is finished, so nothing can be joined",
+              folder.path().string());
+    Json json = to_json(status);
     json["files"] = {(folder.path() / "table.csv").string(),
                      (folder.path() / "report.html").string()};
     write_campaign_table(campaign, folder);

@@ -10,6 +10,9 @@
 #include "limber/arm/valve_parameters.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/json.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/data/recording_inspection.hpp"
 #include "limber/data/simple_model.hpp"
 #include "limber/data/space_fit.hpp"
@@ -24,16 +27,14 @@ namespace limber {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr const char* kCsvHelp =
     "Fit your own bench data: a CSV file with the header pressure_kpa,strain and optionally "
     "segment (0 is the base). Strain is the change of a side's length over its length at rest, "
     "negative in contraction, measured on one whole free segment: a bare actuator contracts about "
     "a third more, and the error of a model fitted to that is half as large again";
 
-nlohmann::ordered_json to_json(const StrainFit& fit, const std::vector<BenchPoint>& points) {
-  nlohmann::ordered_json json;
+Json to_json(const StrainFit& fit, const std::vector<BenchPoint>& points) {
+  Json json;
   json["strain_polynomial"] = fit.polynomial;
   json["pressure_limit_kpa"] = fit.pressure_limit_kpa;
   json["full_strain"] = fit.full_strain;
@@ -42,7 +43,7 @@ nlohmann::ordered_json to_json(const StrainFit& fit, const std::vector<BenchPoin
   json["refitted"] = fit.refitted;
   json["kept"] = fit.kept;
   json["warnings"] = fit.warnings;
-  json["points"] = nlohmann::ordered_json::array();
+  json["points"] = Json::array();
   for (const BenchPoint& point : points) {
     json["points"].push_back({{"pressure_kpa", point.pressure_kpa}, {"strain", point.strain}});
   }
@@ -123,11 +124,9 @@ class CharacterizeVerb final : public Verb {
           "{}: is for a bench test; --csv, --valves, --recording and --commands need none",
           driver_.is_program() ? "--driver" : "--dry-run"));
     }
-    if (driver_.limit_scale() != 1.0 && !driver_.is_program() && !driver_.is_dry_run()) {
-      throw InputError(
-          "--limit-scale: nothing but a driver's bench test keeps to it; it goes with --driver "
-          "exec:COMMAND");
-    }
+    refuse_if(driver_.limit_scale() != 1.0 && !driver_.is_program() && !driver_.is_dry_run(),
+              "--limit-scale: nothing but a driver's bench test keeps to it; it goes with --driver "
+              "exec:COMMAND");
     if (!command_logs_.empty()) {
       return run_commands(flags);
     }
@@ -218,7 +217,7 @@ class CharacterizeVerb final : public Verb {
     const std::size_t count = episodes.size();
     const EpisodeErrors errors = leave_out_broken(arm, episodes);
     const SimpleFit fit = fit_simple_model(arm, episodes);
-    nlohmann::ordered_json json = to_json(fit);
+    Json json = to_json(fit);
     std::string text = to_text(fit, arm);
     json["episode_errors"] = to_json(errors);
     text += fmt::format("\nmiddle error at the tip over {} episodes: {:.2f} cm", count,
@@ -245,7 +244,7 @@ class CharacterizeVerb final : public Verb {
       say(flags, "warning: left out as broken: {}", broken);
     }
     const SpaceFit fit = fit_space_model(arm, episodes);
-    nlohmann::ordered_json json = to_json(fit, arm);
+    Json json = to_json(fit, arm);
     json["episode_errors"] = to_json(errors);
     std::string text = to_text(fit, arm);
     if (!out_.empty()) {
@@ -259,10 +258,9 @@ class CharacterizeVerb final : public Verb {
   }
 
   int run_commands(const CommonFlags& flags) const {
-    if (!recordings_.empty() || !out_.empty()) {
-      throw InputError(
-          "--commands: prints what is to stand in the arm file, and takes no --recording or --out");
-    }
+    refuse_if(
+        !recordings_.empty() || !out_.empty(),
+        "--commands: prints what is to stand in the arm file, and takes no --recording or --out");
     const ArmDescription arm = with_lines_for_missing_polynomials(load_asked_arm(
         find_arm_file(arm_), "characterize --commands", PolynomialsOf::characterisation));
     const CommandShares shares =
@@ -277,18 +275,17 @@ class CharacterizeVerb final : public Verb {
     refuse_to_overwrite_given({out_, plot}, flags);
     const Recording recording = read_recording(valves_);
     require_sizes_of(recording, arm, valves_);
-    if (recording.setpoints_only()) {
-      throw InputError(fmt::format(
-          "--valves {}: the recording holds set points only, no measured {}s: there is nothing to "
-          "identify valves from. A network that learns from it knows them along with the arm",
-          valves_, recording.command.name));
-    }
+    refuse_if(
+        recording.setpoints_only(),
+        "--valves {}: the recording holds set points only, no measured {}s: there is nothing to "
+        "identify valves from. A network that learns from it knows them along with the arm",
+        valves_, recording.command.name);
     const IdentifiedValves valves =
         identify_valves(recording.episodes, arm, fs::path(valves_).filename().string());
     for (const std::string& warning : valves.findings.warnings) {
       say(flags, "warning: {}", warning);
     }
-    nlohmann::ordered_json json = to_json(valves);
+    Json json = to_json(valves);
     json["hash"] = valves.parameters.hash();
     std::string text = to_text(valves, arm.command.unit, arm.dimension);
     if (!plot.empty()) {
@@ -334,12 +331,12 @@ class CharacterizeVerb final : public Verb {
 
   void report(const CommonFlags& flags, const CharacterisedArm& result,
               const BenchData& bench) const {
-    nlohmann::ordered_json json;
+    Json json;
     json["arm"] = result.arm.name;
     json["source"] = !source_.empty() ? "bench test on " + source_
                      : csv_.empty()   ? "bench test on the virtual arm"
                                       : csv_;
-    json["segments"] = nlohmann::ordered_json::array();
+    json["segments"] = Json::array();
     std::string text;
     for (std::size_t i = 0; i < result.fits.size(); ++i) {
       json["segments"].push_back(to_json(result.fits[i], bench[i]));

@@ -4,7 +4,10 @@
 #include "limber/arm/valve_parameters.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
-#include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/json.hpp"
+#include "limber/common/mapped.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/data/valve_identification.hpp"
 #include "limber/forward/forward_model.hpp"
 #include "limber/forward/motion_model.hpp"
@@ -114,24 +117,20 @@ class CollectVerb final : public Verb {
  private:
   /// What flags leave out of `identify` is its own.
   void set_schedule(Dimension dimension) {
-    if ((schedule_name_ == kPlans) == model_file_.empty()) {
-      throw InputError(
-          "--schedule plans and --model: expected both or neither; the model makes the plans");
-    }
+    refuse_if((schedule_name_ == kPlans) == model_file_.empty(),
+              "--schedule plans and --model: expected both or neither; the model makes the plans");
     if (schedule_name_ == "random" || schedule_name_ == "transitions") {
       schedule_.kind =
           schedule_name_ == "random" ? ScheduleKind::random : ScheduleKind::transitions;
       schedule_.approach = approach_ == "step" ? Approach::step : Approach::straight;
       return;
     }
-    if (command_->count("--hold-s") + command_->count("--hold-min-s") +
-            command_->count("--approach") >
-        0) {
-      throw InputError(
-          fmt::format("--schedule {} has its own holds, and goes straight: leave --hold-s, "
-                      "--hold-min-s and --approach out, or take --schedule random",
-                      schedule_name_));
-    }
+    refuse_if(command_->count("--hold-s") + command_->count("--hold-min-s") +
+                      command_->count("--approach") >
+                  0,
+              "--schedule {} has its own holds, and goes straight: leave --hold-s, "
+              "--hold-min-s and --approach out, or take --schedule random",
+              schedule_name_);
     if (schedule_name_ == kPlans) {
       schedule_.approach = Approach::straight;
       return;
@@ -170,10 +169,8 @@ class CollectVerb final : public Verb {
   /// One process for all episodes, one after the other.
   int run_on_driver(const ArmDescription& arm, const std::string& arm_file,
                     CollectionSettings settings, const CommonFlags& flags) {
-    if (vary_physics_ || describe(arm, options_) != describe(arm, VirtualArmOptions{})) {
-      throw InputError(
-          "--noise-m, --vary-physics and the like are the virtual arm's; drop them with exec:");
-    }
+    refuse_if(vary_physics_ || describe(arm, options_) != describe(arm, VirtualArmOptions{}),
+              "--noise-m, --vary-physics and the like are the virtual arm's; drop them with exec:");
     if (!resume_) {
       refuse_to_overwrite(out_, flags.force);
     }
@@ -184,7 +181,7 @@ class CollectVerb final : public Verb {
     settings.source = describe(*driver);
     settings.driver = "on an arm, by its driver";
     settings.jobs = 1;
-    settings.partial = std::filesystem::path(out_).replace_extension(".partial.h5");
+    settings.partial = fs::path(out_).replace_extension(".partial.h5");
     const CollectionResult result = collect(arm, settings, on_one_driver(*driver), out_);
     report(flags, arm, result, driver.get());
     return driver->last_vent().confirmed ? kExitDone : kExitFault;
@@ -199,12 +196,11 @@ class CollectVerb final : public Verb {
     }
     const Recording& recording = result.recording;
     const IdentifiedValves valves =
-        identify_valves(recording.episodes, arm, std::filesystem::path(out_).filename().string());
-    std::size_t motions = 0;
-    for (const Episode& episode : recording.episodes) {
-      motions += static_cast<std::size_t>(episode.motion_index.back() + 1);
-    }
-    nlohmann::ordered_json json;
+        identify_valves(recording.episodes, arm, fs::path(out_).filename().string());
+    const auto motions = sum_of<std::size_t>(recording.episodes, [&](const Episode& episode) {
+      return std::size_t(episode.motion_index.back() + 1);
+    });
+    Json json;
     json["file"] = out_;
     json["arm"] = recording.arm_name;
     json["seed"] = recording.seed;

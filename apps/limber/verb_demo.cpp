@@ -1,5 +1,6 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/json.hpp"
 #include "limber/lab/demo.hpp"
 #include "verbs.hpp"
 
@@ -8,14 +9,14 @@ namespace limber {
 namespace {
 
 /// If no plan was found, or none executed, there is no distance.
-std::string distance(const nlohmann::ordered_json& plans) {
-  const nlohmann::ordered_json& mean_cm = plans.at("mean_distance_to_goal_cm");
+std::string distance(const Json& plans) {
+  const Json& mean_cm = plans.at("mean_distance_to_goal_cm");
   return mean_cm.is_null() ? "none executed" : fmt::format("{:.1f} cm", mean_cm.get<double>());
 }
 
-std::string to_text(const nlohmann::ordered_json& summary, const std::string& folder) {
-  const nlohmann::ordered_json& evaluation = summary.at("evaluation");
-  const nlohmann::ordered_json& plans = summary.at("comparison");
+std::string to_text(const Json& summary, const std::string& folder) {
+  const Json& evaluation = summary.at("evaluation");
+  const Json& plans = summary.at("comparison");
   return fmt::format(
       "open-loop tip error: no load {:.2f} cm, network {:.2f} cm: {:.0f} % less\n"
       "executed plans end off by: no load {}, network {}\n"
@@ -49,7 +50,7 @@ class DemoVerb final : public Verb {
     settings.quick = quick_;
     take_common(flags, settings);
     require_writable_folder(out_);
-    nlohmann::ordered_json summary;
+    Json summary;
     try {
       summary = run_demo(settings);
     } catch (const Interrupted&) {

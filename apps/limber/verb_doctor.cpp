@@ -8,6 +8,8 @@
 
 #include "limber/common/cpu_level.hpp"
 #include "limber/common/data_folder.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/version.hpp"
 #include "limber/data/hdf5_version.hpp"
 #include "limber/lab/rank_work.hpp"
@@ -31,7 +33,7 @@ bool on_path(const std::string& program) {
   std::istringstream folders(path != nullptr ? path : "");
   for (std::string folder; std::getline(folders, folder, ':');) {
     std::error_code ignored;
-    if (!folder.empty() && std::filesystem::exists(folder + "/" + program, ignored)) {
+    if (!folder.empty() && fs::exists(folder + "/" + program, ignored)) {
       return true;
     }
   }
@@ -46,14 +48,14 @@ class DoctorVerb final : public Verb {
   void add_flags(CLI::App&) override {}
 
   int run(const CommonFlags& flags) override {
-    const nlohmann::ordered_json result = examine();
+    const Json result = examine();
     print_result(flags, result, describe(result));
     return kExitDone;
   }
 
  private:
-  static nlohmann::ordered_json examine() {
-    nlohmann::ordered_json result;
+  static Json examine() {
+    Json result;
     result["limber"] = version();
     result["compiler"] = __VERSION__;
     result["data_folder"] = data_folder().string();
@@ -73,7 +75,7 @@ class DoctorVerb final : public Verb {
     result["onnx"] = onnx.empty() ? "missing: 'limber export --onnx' needs it; apt install "
                                     "libonnx-dev libprotobuf-dev, and build limber again"
                                   : onnx;
-    result["optional"] = nlohmann::ordered_json::array();
+    result["optional"] = Json::array();
     const auto add = [&](const std::string& name, bool present, const std::string& use,
                          const std::string& how_to_get) {
       result["optional"].push_back(
@@ -93,7 +95,7 @@ class DoctorVerb final : public Verb {
     return result;
   }
 
-  static std::string describe(const nlohmann::ordered_json& result) {
+  static std::string describe(const Json& result) {
     std::string text;
     for (const auto& [key, value] : result.items()) {
       if (value.is_string()) {

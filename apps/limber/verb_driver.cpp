@@ -9,7 +9,11 @@
 #include "limber/arm/valve_parameters.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/json.hpp"
+#include "limber/common/mapped.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/data/valve_identification.hpp"
 #include "limber/driver/calibrate_driver.hpp"
 #include "limber/driver/driver_check.hpp"
@@ -46,8 +50,6 @@ std::string operator_line() {
   return line;
 }
 
-using Json = nlohmann::ordered_json;
-
 void ask(const std::string& question) {
   print_to_stderr(printable(question));
 }
@@ -66,11 +68,9 @@ Json to_json(const std::optional<TimeInterval>& time) {
 }
 
 Json to_json(const std::vector<WireChannel>& channels) {
-  Json json = Json::array();
-  for (const WireChannel& one : channels) {
-    json.push_back({{"channel", one.channel}, {"sign", one.sign > 0.0 ? 1 : -1}});
-  }
-  return json;
+  return mapped<Json>(channels, [&](const WireChannel& one) {
+    return Json{{"channel", one.channel}, {"sign", one.sign > 0.0 ? 1 : -1}};
+  });
 }
 
 Json to_json(const std::optional<TrackerPlane>& plane) {
@@ -106,8 +106,6 @@ Json to_json(const WireCalibration& calibration) {
           {"tracker_clock", to_json(calibration.clocks.tracker)},
           {"shape_delay", to_json(calibration.clocks.shape_delay)}};
 }
-
-namespace fs = std::filesystem;
 
 /// `limber driver calibrate`: its flags, its questions and its file.
 class DriverCalibrate {
@@ -152,11 +150,10 @@ class DriverCalibrate {
   /// @param out     the calibration's file
   int run(const ArmDescription& arm, const ProcessDriverSettings& driver, const std::string& out,
           const CommonFlags& flags) const {
-    if (yes_ && handedness_.empty()) {
-      throw InputError(
-          "--yes: needs --handedness right or left. A mirrored tracker with left and right swapped "
-          "reads like one that is right, so only who sees the arm can tell");
-    }
+    refuse_if(
+        yes_ && handedness_.empty(),
+        "--yes: needs --handedness right or left. A mirrored tracker with left and right swapped "
+        "reads like one that is right, so only who sees the arm can tell");
     refuse_to_overwrite(out, flags.force);
     CalibrateDriverSettings settings;
     settings.driver = driver;
@@ -248,22 +245,16 @@ class DriverVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
-    if (action_ != "check" && action_ != "calibrate") {
-      throw InputError(fmt::format(
-          "limber driver {}: expected 'limber driver check' or 'limber driver calibrate'",
-          action_));
-    }
+    refuse_if(action_ != "check" && action_ != "calibrate",
+              "limber driver {}: expected 'limber driver check' or 'limber driver calibrate'",
+              action_);
     const std::string arm_file = find_arm_file(arm_);
     const ArmDescription arm = load_any_arm(arm_file, PolynomialsOf::characterisation);
     if (action_ == "calibrate") {
       require_planar(arm, "limber driver calibrate");
-      if (wire_.is_calibrated()) {
-        throw InputError("--calibration: calibrate finds one; it goes with check");
-      }
-      if (check_only_->count() > 0) {
-        throw InputError(
-            "--limit-scale: calibrate always moves within a tenth; it goes with check");
-      }
+      refuse_if(wire_.is_calibrated(), "--calibration: calibrate finds one; it goes with check");
+      refuse_if(check_only_->count() > 0,
+                "--limit-scale: calibrate always moves within a tenth; it goes with check");
       return calibrate_.run(arm, wire_.settings(driver_, arm, arm_file), out_, flags);
     }
     calibrate_.refuse_own_flags();
@@ -287,7 +278,7 @@ class DriverVerb final : public Verb {
   int report(const ArmDescription& arm, const DriverCheck& check, const CommonFlags& flags) const {
     const fs::path folder = out_;
     const IdentifiedValves valves = identify_valves({check.episode}, arm, "driver check");
-    const nlohmann::ordered_json json = to_json(check, valves);
+    const Json json = to_json(check, valves);
     write_file_atomically(folder / "check.json", json.dump(2) + "\n");
     write_file_atomically(folder / "report.html", driver_check_to_html(check, arm, valves));
     if (!valves.parameters.is_ideal()) {

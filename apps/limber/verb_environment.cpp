@@ -2,7 +2,10 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/json.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/units.hpp"
 #include "limber/lab/environment_measures.hpp"
 #include "limber/lab/witnessed_environment.hpp"
@@ -16,8 +19,6 @@
 namespace limber {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr int kStraightLineStarts = 100;
 
@@ -59,11 +60,9 @@ class EnvironmentVerb final : public Verb {
 
   int run(const CommonFlags& flags) override {
     const bool check = check_ == "check" && !file_.empty();
-    if (check == random_ || (!check && !check_.empty())) {
-      throw InputError(
-          "expected either 'limber environment check FILE' or "
-          "'limber environment --random --count N --out DIR'");
-    }
+    refuse_if(check == random_ || (!check && !check_.empty()),
+              "expected either 'limber environment check FILE' or "
+              "'limber environment --random --count N --out DIR'");
     for (const CLI::Option* option : check ? random_only_ : check_only_) {
       if (option->count() > 0) {
         throw InputError(fmt::format("{}: {} has no use for it; it goes with {}",
@@ -123,42 +122,35 @@ class EnvironmentVerb final : public Verb {
   }
 
   void require_virtual_witness(const ArmDescription& arm) const {
-    if (!arm.command.is_pressure_kpa()) {
-      throw InputError(
-          fmt::format("arm '{}' has no virtual twin, as it is not driven by pressures in kPa: with "
-                      "--witness model --model MODEL its network moves in its place",
-                      arm.name));
-    }
-    if (!model_.empty() || valves_.says_valves()) {
-      throw InputError(
-          "--model, --valves and --no-valves: the witness is the virtual arm, and asks no model; "
-          "with --witness model it is that model");
-    }
+    refuse_if(!arm.command.is_pressure_kpa(),
+              "arm '{}' has no virtual twin, as it is not driven by pressures in kPa: with "
+              "--witness model --model MODEL its network moves in its place",
+              arm.name);
+    refuse_if(
+        !model_.empty() || valves_.says_valves(),
+        "--model, --valves and --no-valves: the witness is the virtual arm, and asks no model; "
+        "with --witness model it is that model");
   }
 
   int run_random(const ArmDescription& arm, const Witness& witness, const CommonFlags& flags) {
-    if (out_.empty()) {
-      throw InputError("--random needs --out DIR, the folder for the environments");
-    }
+    refuse_if(out_.empty(), "--random needs --out DIR, the folder for the environments");
     const auto path = [&](int k) {
-      return std::filesystem::path(out_) / fmt::format("random_{}_{:03}.yaml", flags.seed, k);
+      return fs::path(out_) / fmt::format("random_{}_{:03}.yaml", flags.seed, k);
     };
     for (int k = 1; k <= count_; ++k) {
       refuse_to_overwrite(path(k), flags.force);
     }
-    Progress progress("environments", "sampled", static_cast<std::uint64_t>(count_),
-                      flags.progress());
+    Progress progress("environments", "sampled", std::uint64_t(count_), flags.progress());
     Json files = Json::array();
     for (int k = 1; k <= count_; ++k) {
       throw_if_interrupted();
       const std::optional<WitnessedEnvironment> sampled =
-          witnessed_environment(arm, witness, flags.seed, static_cast<std::uint64_t>(k));
-      if (!sampled) {
-        throw InputError(fmt::format(
-            "no environment {} of seed {} for arm '{}': in a hundred random motions its tip comes "
-            "nowhere; the pressure limits in the arm file may be too narrow",
-            k, flags.seed, arm.name));
-      }
+          witnessed_environment(arm, witness, flags.seed, std::uint64_t(k));
+      refuse_if(
+          !sampled,
+          "no environment {} of seed {} for arm '{}': in a hundred random motions its tip comes "
+          "nowhere; the pressure limits in the arm file may be too narrow",
+          k, flags.seed, arm.name);
       write_file_atomically(path(k), environment_to_yaml(sampled->environment));
       files.push_back(path(k).string());
       progress.advance();

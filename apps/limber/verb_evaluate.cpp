@@ -7,6 +7,9 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/json.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/report/evaluation_plots.hpp"
 #include "limber/report/training_report.hpp"
@@ -64,7 +67,7 @@ class EvaluateVerb final : public Verb {
         measure_yardsticks(arm, no_load, compared, recording.episodes,
                            episodes_to_fit(arm, network, recording.setpoints_only()), flags.jobs);
     write_pictures(flags, arm, no_load, compared, recording, yardsticks);
-    nlohmann::ordered_json json = to_json(evaluation);
+    Json json = to_json(evaluation);
     json["commands_are"] = commands_are(recording.setpoints_only());
     json.update(to_json(yardsticks, recording.episodes), true);
     std::string text = to_text(evaluation) + to_text(yardsticks);
@@ -104,9 +107,7 @@ class EvaluateVerb final : public Verb {
     }
     const std::string fault =
         fmt::format("the model was trained on {}; its errors there say nothing", data_);
-    if (!out_.empty()) {
-      throw InputError(fmt::format("--out: {}", fault));
-    }
+    refuse_if(!out_.empty(), "--out: {}", fault);
     warn(flags, "{}", fault);
   }
 
@@ -133,8 +134,7 @@ class EvaluateVerb final : public Verb {
 
   /// Errors of an ensemble's networks and of their mean; nothing of a single network.
   void add_ensemble(const ForwardModel& network, const ArmDescription& arm,
-                    const Recording& recording, int jobs, nlohmann::ordered_json& json,
-                    std::string& text) const {
+                    const Recording& recording, int jobs, Json& json, std::string& text) const {
     if (network.compensation().member_count() <= 1) {
       return;
     }
@@ -146,8 +146,7 @@ class EvaluateVerb final : public Verb {
 
   /// The model's error on this recording, which is stored with --out.
   void add_unseen_error(const ForwardModel& network, const ArmDescription& arm,
-                        const Recording& recording, int jobs, nlohmann::ordered_json& json,
-                        std::string& text) const {
+                        const Recording& recording, int jobs, Json& json, std::string& text) const {
     CompensationModel model = network.compensation();
     note_unseen(arm, model, recording.episodes, jobs);
     const std::optional<PredictionError>& error = model.prediction_error;
@@ -156,18 +155,14 @@ class EvaluateVerb final : public Verb {
       json["prediction_error"] = to_json(*error);
       text += to_text(*error) + "\n";
     }
-    if (!out_.empty() && !error) {
-      throw InputError(
-          fmt::format("--out: in {} nothing moves that the error could be measured on", data_));
-    }
+    refuse_if(!out_.empty() && !error,
+              "--out: in {} nothing moves that the error could be measured on", data_);
     if (!out_.empty()) {
       write_model(out_, model);
     }
   }
 
-  std::filesystem::path horizon_plot_path() const {
-    return std::filesystem::path(plots_) / "error_over_horizon.svg";
-  }
+  fs::path horizon_plot_path() const { return fs::path(plots_) / "error_over_horizon.svg"; }
 
   Recording asked_with(Recording recording, const std::optional<ForwardModel>& network,
                        const std::string& path) const {

@@ -3,6 +3,8 @@
 #include "limber/arm/arm_identity.hpp"
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/json.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/report/execution_report.hpp"
 #include "limber/report/track_report.hpp"
@@ -85,9 +87,8 @@ class ExecuteVerb final : public Verb {
       throw InputError(fmt::format("{} is required, unless --track follows a path",
                                    plan_.empty() ? "--plan" : "--environment"));
     }
-    if (replan_.is_asked_for() && !model_.names_model()) {
-      throw InputError("--replan: needs a network to plan with; give --model MODEL.safetensors");
-    }
+    refuse_if(replan_.is_asked_for() && !model_.names_model(),
+              "--replan: needs a network to plan with; give --model MODEL.safetensors");
     const Environment environment = load_environment(find_environment_file(environment_), arm);
     room_.require_use(environment);
     const Plan plan = read_plan(plan_);
@@ -154,16 +155,14 @@ class ExecuteVerb final : public Verb {
   void refuse_to_overwrite_any(const CommonFlags& flags) const {
     refuse_to_overwrite_given({out_, adapted_out_, svg_, pressures_svg_, times_svg_, animation_},
                               flags);
-    if (further_plans_.are_asked_for() && !replan_.is_asked_for()) {
-      throw InputError("--plans-out: plans after the first are made by --replan; give that too");
-    }
+    refuse_if(further_plans_.are_asked_for() && !replan_.is_asked_for(),
+              "--plans-out: plans after the first are made by --replan; give that too");
     require_something_adapts();
     const bool names_model = model_.names_model() || model_.asks_no_load() || model_.says_valves();
-    if (names_model && !replan_.is_asked_for() && !track_.is_asked()) {
-      throw InputError(
-          "--model, --no-load, --valves and --no-valves: in open loop nothing is predicted; they "
-          "go with --track, and all but --no-load with --replan");
-    }
+    refuse_if(
+        names_model && !replan_.is_asked_for() && !track_.is_asked(),
+        "--model, --no-load, --valves and --no-valves: in open loop nothing is predicted; they "
+        "go with --track, and all but --no-load with --replan");
   }
 
   void require_something_adapts() const {
@@ -225,7 +224,7 @@ class ExecuteVerb final : public Verb {
       write_recording(out_, recording);
     }
     write_given(svg_, [&] { return track_picture(run); });
-    nlohmann::ordered_json json = to_json(run);
+    Json json = to_json(run);
     json["seed"] = flags.seed;
     if (!disturbance_.empty()) {
       json["disturbance"] = disturbance_;
@@ -287,7 +286,7 @@ class ExecuteVerb final : public Verb {
     write_given(times_svg_,
                 [&] { return execution_times_picture(arm, environment, plan, result); });
     write_given(animation_, [&] { return execution_animation(arm, environment, plan, result); });
-    nlohmann::ordered_json json = to_json(result, environment);
+    Json json = to_json(result, environment);
     if (replan_.is_asked_for()) {
       json["motion_queries"] = replan_.settings().motion_queries;
     }

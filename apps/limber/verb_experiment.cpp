@@ -7,8 +7,11 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/data_folder.hpp"
-#include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/json.hpp"
+#include "limber/common/mapped.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/lab/planning_experiment.hpp"
 #include "limber/lab/trial_run.hpp"
 #include "limber/network/arm_family.hpp"
@@ -74,10 +77,9 @@ class RunFlags {
   /// In the order given, empty for none; none alone if nothing is given.
   /// @throws InputError if there is no such kind.
   std::vector<std::string> disturbances() const {
-    std::vector<std::string> names;
-    for (const std::string& name : disturbances_) {
-      names.push_back(name == "none" ? "" : to_string(parse_disturbances(name)));
-    }
+    auto names = mapped<std::string>(disturbances_, [&](const std::string& name) {
+      return name == "none" ? "" : to_string(parse_disturbances(name));
+    });
     if (names.empty()) {
       names.emplace_back();
     }
@@ -148,18 +150,15 @@ class ExperimentVerb final : public Verb {
 
   int run(const CommonFlags& flags) override {
     forest_.require_use();
-    if (replan_.has_settings() && !runs_.names_controller()) {
-      throw InputError(
-          "--motion-queries, --adapt and --no-adapt are of closed loop: add --replan, or leave "
-          "them out");
-    }
+    refuse_if(replan_.has_settings() && !runs_.names_controller(),
+              "--motion-queries, --adapt and --no-adapt are of closed loop: add --replan, or leave "
+              "them out");
     settings_.arm = load_asked_arm(arm_, "limber experiment");
     if (environments_.empty()) {
       environments_.push_back((data_folder() / "environments").string());
     }
     for (const std::string& name : environments_) {
-      const std::string place =
-          std::filesystem::is_directory(name) ? name : find_environment_file(name);
+      const std::string place = fs::is_directory(name) ? name : find_environment_file(name);
       std::ranges::move(environments_in(place, settings_.arm),
                         std::back_inserter(settings_.environments));
     }
@@ -184,18 +183,17 @@ class ExperimentVerb final : public Verb {
     (void)room_.room(network, flags);
     if (forest_.is_asked_for()) {
       require_usable(settings_);
-      if (std::ranges::none_of(settings_.planners, is_default_planner)) {
-        throw InputError(
-            "--forest and --build-forest: the default planner alone uses a forest; add --planner "
-            "default, or leave them out");
-      }
+      refuse_if(
+          std::ranges::none_of(settings_.planners, is_default_planner),
+          "--forest and --build-forest: the default planner alone uses a forest; add --planner "
+          "default, or leave them out");
       // For all environments: a trial refuses the forest if its environment starts differently.
       const ArmStart start = start_state(settings_.environments.front().environment, settings_.arm);
       settings_.forest =
           forest_.forest(settings_.arm, model, settings_.model_file.string(), start, flags);
       throw_if_interrupted();
     }
-    const nlohmann::ordered_json table = run_experiment(settings_);
+    const Json table = run_experiment(settings_);
     print_result(
         flags, {{"table", table}, {"seed", flags.seed}, {"out", settings_.folder}},
         fmt::format("{0}/table.md, {0}/table.json, {0}/report.html", settings_.folder.string()));

@@ -2,6 +2,9 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/json.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "limber/data/recording_export.hpp"
 #include "limber/network/arm_family.hpp"
@@ -14,8 +17,6 @@
 namespace limber {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr int kReferenceQueries = 100;
 
@@ -64,10 +65,8 @@ class ExportVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
-    if (csv_.empty() && motive_.empty() && onnx_.empty() && mjcf_.empty()) {
-      throw InputError(
-          "expected at least one of --csv DIR, --motive DIR, --onnx FILE, --mjcf FILE");
-    }
+    refuse_if(csv_.empty() && motive_.empty() && onnx_.empty() && mjcf_.empty(),
+              "expected at least one of --csv DIR, --motive DIR, --onnx FILE, --mjcf FILE");
     settings_.seed = flags.seed;
     file_ = find_any_file(file_);
     refuse_to_overwrite_given({onnx_, mjcf_}, flags);
@@ -78,7 +77,7 @@ class ExportVerb final : public Verb {
     }
     export_by_kind();
     std::string text;
-    nlohmann::ordered_json json = {{"file", file_}, {"written", nlohmann::ordered_json::array()}};
+    Json json = {{"file", file_}, {"written", Json::array()}};
     for (const fs::path& path : written_) {
       json["written"].push_back(path.string());
       text += (text.empty() ? "" : "\n") + path.string();
@@ -91,10 +90,8 @@ class ExportVerb final : public Verb {
   static void refuse_to_fill(const fs::path& folder, bool force) {
     std::error_code error;
     require_writable_folder(folder);
-    if (!force && fs::exists(folder, error) && !fs::is_empty(folder, error)) {
-      throw InputError(
-          fmt::format("{}: the folder is not empty; --force writes into it", folder.string()));
-    }
+    refuse_if(!force && fs::exists(folder, error) && !fs::is_empty(folder, error),
+              "{}: the folder is not empty; --force writes into it", folder.string());
   }
 
   void export_by_kind() {
@@ -117,10 +114,8 @@ class ExportVerb final : public Verb {
         throw InputError(
             fmt::format("{}: a forest; any reader of safetensors opens it as it is", file_));
       default:
-        if (read_file(file_).find("limber/arm/") == std::string::npos) {
-          throw InputError(fmt::format(
-              "{}: not a recording, model, plan or arm; nothing else can be exported", file_));
-        }
+        refuse_if(read_file(file_).find("limber/arm/") == std::string::npos,
+                  "{}: not a recording, model, plan or arm; nothing else can be exported", file_);
         require_only(mjcf_, mjcf_, "an arm", "--mjcf");
         require_no_arm("an arm");
         export_arm();
@@ -128,17 +123,14 @@ class ExportVerb final : public Verb {
   }
 
   void require_no_arm(const char* kind) const {
-    if (!arm_.empty()) {
-      throw InputError(fmt::format("{}: {}; --arm belongs to a plan", file_, kind));
-    }
+    refuse_if(!arm_.empty(), "{}: {}; --arm belongs to a plan", file_, kind);
   }
 
   void require_only(const std::string& one, const std::string& other, const char* kind,
                     const char* allowed) const {
     for (const std::string* given : {&csv_, &motive_, &onnx_, &mjcf_}) {
-      if (!given->empty() && given != &one && given != &other) {
-        throw InputError(fmt::format("{}: {}; expected {}", file_, kind, allowed));
-      }
+      refuse_if(!given->empty() && given != &one && given != &other, "{}: {}; expected {}", file_,
+                kind, allowed);
     }
   }
 

@@ -7,7 +7,10 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/folder_lock.hpp"
+#include "limber/common/json.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/lab/family_traits.hpp"
 #include "limber/lab/tube_calibration.hpp"
 #include "limber/sim/related_arms.hpp"
@@ -19,8 +22,6 @@
 namespace limber {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 /// Virtual arms that move in one way, and what share of all hours is theirs.
 struct Share {
@@ -81,11 +82,9 @@ class FamilyVerb final : public Verb {
   int run(const CommonFlags& flags) override {
     const bool goes_on = resume_ && fs::exists(folder());
     refuse_to_overwrite(out_, flags.force || goes_on);
-    if (!resume_ && !flags.force && fs::exists(folder())) {
-      throw InputError(fmt::format(
-          "{}: of a run that was stopped; --resume goes on with it, --force starts over",
-          folder().string()));
-    }
+    refuse_if(!resume_ && !flags.force && fs::exists(folder()),
+              "{}: of a run that was stopped; --resume goes on with it, --force starts over",
+              folder().string());
     const ArmDescription arm = load_any_arm(arm_);
     if (arm.is_spatial() && tube_runs_.value_or(0) != 0) {
       require_planar(arm, "limber family --tube-runs");
@@ -163,10 +162,10 @@ class FamilyVerb final : public Verb {
     schedule.count = share.count;
     schedule.hold_min_s = share.hold_min_s;
     schedule.hold_s = share.hold_s;
-    schedule.episodes = std::max(
-        1, static_cast<int>(std::lround(hours_ * kSecondsPerHour * share.share / share.arm_s)));
+    schedule.episodes =
+        std::max(1, int(std::lround(hours_ * kSecondsPerHour * share.share / share.arm_s)));
     VirtualArmOptions options = noisy();
-    options.seed = flags.seed + static_cast<std::uint64_t>(&share - kShares);
+    options.seed = flags.seed + std::uint64_t(&share - kShares);
     CollectionSettings settings = related_collection(arm, schedule, options, variation);
     take_common(flags, settings);
     settings.seed = options.seed;
@@ -232,7 +231,7 @@ class FamilyVerb final : public Verb {
   void report(const CommonFlags& flags, const TrainingData& data,
               const TrainingResult& result) const {
     const auto arms = result.model.family->arms.cols();
-    nlohmann::ordered_json json;
+    Json json;
     json["file"] = out_;
     json["arms"] = arms;
     json["arms_held_back"] = data.validation.size();

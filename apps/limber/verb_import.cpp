@@ -5,7 +5,9 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
-#include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/json.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/data/simple_model.hpp"
 #include "limber/logs/log_import.hpp"
 #include "verbs.hpp"
@@ -48,9 +50,7 @@ class ImportVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
-    if (out_.empty() == !dry_run_) {
-      throw InputError("expected either --out FILE or --dry-run");
-    }
+    refuse_if(out_.empty() == !dry_run_, "expected either --out FILE or --dry-run");
     if (!dry_run_) {
       refuse_to_overwrite(out_, flags.force);
     }
@@ -66,11 +66,9 @@ class ImportVerb final : public Verb {
           "what comes out",
           arm.name);
     }
-    if (format_ == "csv" && mapping_.empty()) {
-      throw InputError(
-          "import csv needs --mapping MAP.yaml, which "
-          "says what the columns are (docs/importing.md)");
-    }
+    refuse_if(format_ == "csv" && mapping_.empty(),
+              "import csv needs --mapping MAP.yaml, which "
+              "says what the columns are (docs/importing.md)");
     ImportOptions options;
     options.mapping =
         mapping_.empty() ? default_import_mapping(arm) : read_import_mapping(mapping_, arm);
@@ -80,7 +78,7 @@ class ImportVerb final : public Verb {
     for (const std::string& log : logs_) {
       (void)add_different(path_of_hash, log);
     }
-    const std::vector<std::filesystem::path> logs(logs_.begin(), logs_.end());
+    const std::vector<fs::path> logs(logs_.begin(), logs_.end());
     ImportResult result =
         format_ == "motive" ? import_motive(logs, options, arm) : import_csv(logs, options, arm);
     const ArmIdentity own = identity_of(of_file);
@@ -89,8 +87,8 @@ class ImportVerb final : public Verb {
     if (!dry_run_) {
       write_recording(out_, result.recording);
     }
-    nlohmann::ordered_json json;
-    json["file"] = dry_run_ ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(out_);
+    Json json;
+    json["file"] = dry_run_ ? Json(nullptr) : Json(out_);
     json["arm"] = result.recording.arm_name;
     json["commands_are"] = commands_are(result.recording.setpoints_only());
     json.update(to_json(result.report));

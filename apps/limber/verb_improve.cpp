@@ -4,17 +4,17 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/json_number.hpp"
 #include "limber/common/json_reader.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/training/training_settings.hpp"
 #include "verbs.hpp"
 
 namespace limber {
 
 namespace {
-
-namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 using Words = std::vector<std::string>;
 
 constexpr int kPlansOfAnEpisode = 10;  // between two ventings
@@ -66,10 +66,8 @@ class ImproveVerb final : public Verb {
   int run(const CommonFlags& flags) override {
     load_asked_arm(arm_, "limber improve");
     const fs::path folder(out_);
-    if (plans_ > kPlansOfAnEpisode && plans_ % kPlansOfAnEpisode != 0) {
-      throw InputError(fmt::format("--plans {}: expected at most {}, or a multiple of it", plans_,
-                                   kPlansOfAnEpisode));
-    }
+    refuse_if(plans_ > kPlansOfAnEpisode && plans_ % kPlansOfAnEpisode != 0,
+              "--plans {}: expected at most {}, or a multiple of it", plans_, kPlansOfAnEpisode);
     begin(folder, flags);
     Json rounds = Json::array();
     std::string model = model_;
@@ -82,7 +80,7 @@ class ImproveVerb final : public Verb {
       const std::string better = (here / "model.safetensors").string();
       append(learnt, {"--data", plans});
       say(flags, "round {} of {}", round, rounds_);
-      const std::string seed = std::to_string(flags.seed + static_cast<std::uint64_t>(round) - 1);
+      const std::string seed = std::to_string(flags.seed + std::uint64_t(round) - 1);
       int code = kExitDone;
       try {
         code = step(*make_collect_verb(), collect_words(model, plans, seed),
@@ -134,19 +132,16 @@ class ImproveVerb final : public Verb {
     const fs::path made_of = folder / "improve.json";
     const fs::path result = result_of(folder);
     if (resume_ && fs::exists(made_of)) {
-      if (read_json_object(made_of) != nlohmann::json(identity(flags))) {
-        throw InputError(fmt::format(
-            "{}: a run with another model, data or settings began there; give the same, or "
-            "--force to make all rounds again",
-            made_of.string()));
-      }
+      refuse_if(read_json_object(made_of) != nlohmann::json(identity(flags)),
+                "{}: a run with another model, data or settings began there; give the same, or "
+                "--force to make all rounds again",
+                made_of.string());
       goes_on_ = true;
       return;
     }
-    if (fs::exists(made_of) && !flags.force) {
-      throw InputError(fmt::format(
-          "{}: holds rounds already; --resume goes on from them, --force makes them again", out_));
-    }
+    refuse_if(fs::exists(made_of) && !flags.force,
+              "{}: holds rounds already; --resume goes on from them, --force makes them again",
+              out_);
     refuse_to_overwrite(result, flags.force);
     for (int round = 1; fs::exists(folder_of(folder, round)); ++round) {
       for (const char* file : {"plans.h5", "model.safetensors"}) {

@@ -11,6 +11,8 @@
 #include "limber/arm/valve_parameters.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/json.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "limber/data/recording_inspection.hpp"
 #include "limber/network/compensation_model.hpp"
@@ -37,7 +39,7 @@ Finding inspect_environment(const YamlReader& root, const std::optional<ArmDescr
                   {"name", environment.name},
                   {"hash", environment_hash(environment)},
                   {"start", environment.start ? "given" : "rest"},
-                  {"obstacles", nlohmann::ordered_json::array()}};
+                  {"obstacles", Json::array()}};
   for (const Obstacle& obstacle : environment.obstacles) {
     finding.json["obstacles"].push_back(obstacle_kind(obstacle));
   }
@@ -87,12 +89,11 @@ Finding inspect_valves(const YamlReader& root, const std::optional<ArmDescriptio
 
 Finding inspect_yaml(const std::string& file, const std::string& content,
                      const std::optional<ArmDescription>& arm) {
-  if (content.find("schema") == std::string::npos) {
-    throw InputError(fmt::format(
-        "{}: not a limber file; expected a recording (HDF5), a model or forest (safetensors), "
-        "a plan (JSON), or an arm, an environment or valves (YAML with a line 'schema: limber/…')",
-        file));
-  }
+  refuse_if(
+      content.find("schema") == std::string::npos,
+      "{}: not a limber file; expected a recording (HDF5), a model or forest (safetensors), "
+      "a plan (JSON), or an arm, an environment or valves (YAML with a line 'schema: limber/…')",
+      file);
   const YamlReader root = YamlReader::from_file(file);
   const YamlReader schema = root.at("schema");
   if (schema.text() == "limber/arm/1") {
@@ -312,7 +313,7 @@ class InspectVerb final : public Verb {
         arm_.empty() ? std::nullopt : std::optional(load_any_arm(arm_));
     file_ = find_any_file(file_);
     Finding finding = inspect_file(file_, arm);
-    nlohmann::ordered_json json = {{"file", file_}};
+    Json json = {{"file", file_}};
     json.update(finding.json);
     print_result(flags, json, file_ + ": " + finding.text);
     return kExitDone;

@@ -6,7 +6,10 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/json.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "limber/planning/planner_factory.hpp"
 #include "limber/report/plan_picture.hpp"
@@ -162,8 +165,7 @@ class PlanVerb final : public Verb {
     }
     write(result, arm, environment);
     const std::string model_name = model.has_network() ? "network" : "no_load";
-    nlohmann::ordered_json json =
-        to_json(result, arm.command, environment.goal, planner_, model_name, flags.seed);
+    Json json = to_json(result, arm.command, environment.goal, planner_, model_name, flags.seed);
     std::string text = result.plan ? to_text(result, arm.command) : "";
     add_spread(forward, arm, environment, result, json, text);
     print_result(flags, json, text);
@@ -176,8 +178,8 @@ class PlanVerb final : public Verb {
  private:
   /// Of an ensemble: what each of its networks makes of the plan.
   static void add_spread(const ForwardModel& forward, const ArmDescription& arm,
-                         const Environment& environment, const PlanResult& result,
-                         nlohmann::ordered_json& json, std::string& text) {
+                         const Environment& environment, const PlanResult& result, Json& json,
+                         std::string& text) {
     if (!forward.has_network() || forward.compensation().member_count() == 1) {
       return;
     }
@@ -198,10 +200,9 @@ class PlanVerb final : public Verb {
     if (start_driver_.empty()) {
       return environment;
     }
-    if (out_.empty()) {
-      throw InputError("--start-from-driver: needs --out, beside which the environment is written");
-    }
-    const auto file = std::filesystem::path(out_).replace_extension(".environment.yaml");
+    refuse_if(out_.empty(),
+              "--start-from-driver: needs --out, beside which the environment is written");
+    const auto file = fs::path(out_).replace_extension(".environment.yaml");
     refuse_to_overwrite(file, flags.force);
     environment.start = measured_start(arm, arm_file, start_driver_, wire_);
     const std::string yaml = environment_to_yaml(environment);
@@ -213,9 +214,8 @@ class PlanVerb final : public Verb {
 
   int build_forest_alone(const ArmDescription& arm, const MotionModel& model,
                          const CommonFlags& flags) const {
-    if (!forest_.builds()) {
-      throw InputError("--environment is required: a file, or the name of one of limber's own");
-    }
+    refuse_if(!forest_.builds(),
+              "--environment is required: a file, or the name of one of limber's own");
     for (const CLI::Option* option : of_plans_) {
       if (option->count() > 0) {
         throw InputError(
@@ -263,15 +263,12 @@ class PlanVerb final : public Verb {
     const Forest none;
     (void)make_planner(settings.planner, settings.jobs, &none);
     (void)error_room(model.forward(), settings.room);
-    if (settings.rate_limit_kpa_per_s) {
-      throw InputError(
-          "--rate-limit: forests are grown with the arm's own rate; leave out this or the forest");
-    }
-    if (settings.stay_recorded && !(model.has_network() && model.compensation().learnt)) {
-      throw InputError(
-          "--stay-recorded: needs a network that stores what its recordings held; limber train "
-          "stores it");
-    }
+    refuse_if(
+        settings.rate_limit_kpa_per_s.has_value(),
+        "--rate-limit: forests are grown with the arm's own rate; leave out this or the forest");
+    refuse_if(settings.stay_recorded && !(model.has_network() && model.compensation().learnt),
+              "--stay-recorded: needs a network that stores what its recordings held; limber train "
+              "stores it");
   }
 
   void write(const PlanResult& result, const ArmDescription& arm,

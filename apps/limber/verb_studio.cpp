@@ -2,11 +2,9 @@
 #include <cstdio>
 #include <thread>
 
-#include <fmt/format.h>
-
 #include "driver_flags.hpp"
-#include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/network/compensation_model.hpp"
 #include "limber/network/gap_bounds.hpp"
 #include "limber/studio/studio.hpp"
@@ -68,11 +66,9 @@ class StudioVerb final : public Verb {
     }
     if (!driver_.empty()) {
       require_limit_scale(limit_scale_);
-      if (limit_scale_ < kFirstLimitScale) {
-        throw InputError(
-            fmt::format("--limit-scale {}: expected at least {}, with which pages begin",
-                        limit_scale_, kFirstLimitScale));
-      }
+      refuse_if(limit_scale_ < kFirstLimitScale,
+                "--limit-scale {}: expected at least {}, with which pages begin", limit_scale_,
+                kFirstLimitScale);
       settings_.driver = wire_.settings(driver_, arm, arm_file);
       settings_.driver->limit_scale = limit_scale_;
       settings_.driver->say = tell_of_arm(true);

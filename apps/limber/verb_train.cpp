@@ -12,6 +12,9 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/mapped.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/data/recording_inspection.hpp"
 #include "limber/lab/family_traits.hpp"
 #include "limber/network/arm_family.hpp"
@@ -26,8 +29,6 @@
 namespace limber {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 class TrainVerb final : public Verb {
  public:
@@ -176,11 +177,10 @@ class TrainVerb final : public Verb {
 
   /// --epochs 0.
   int only_add_bounds(const CommonFlags& flags) const {
-    if (files_.names_unseen()) {
-      throw InputError(
-          "--epochs 0 only adds bounds, and does not use --unseen: limber evaluate --model MODEL "
-          "--data UNSEEN --out OTHER measures a model's error again");
-    }
+    refuse_if(
+        files_.names_unseen(),
+        "--epochs 0 only adds bounds, and does not use --unseen: limber evaluate --model MODEL "
+        "--data UNSEEN --out OTHER measures a model's error again");
     for (const char* flag : {"--validation", "--keep-broken", "--setpoints", "--preset", "--replay",
                              "--windows", "--learning-rate", "--hidden", "--velocity", "--ensemble",
                              "--checkpoint-interval-s", "--resume"}) {
@@ -206,8 +206,7 @@ class TrainVerb final : public Verb {
     }
     if (!resume_ && !flags.force && was_stopped) {
       throw InputError(fmt::format(
-          "{}: of a run that was stopped; --resume goes on with it, --force "
-          "starts over",
+          "{}: of a run that was stopped; --resume goes on with it, --force starts over",
           (fs::exists(checkpoint_path()) ? checkpoint_path() : folds_path_of(checkpoint_path()))
               .string()));
     }
@@ -267,7 +266,7 @@ class TrainVerb final : public Verb {
   void require_no_contradiction(const CompensationModel& start) const {
     std::vector<int> units;
     for (std::size_t layer = 0; layer + 1 < start.layers.size(); ++layer) {
-      units.push_back(static_cast<int>(start.layers[layer].bias.size()));
+      units.push_back(int(start.layers[layer].bias.size()));
     }
     if (!hidden_.empty() && hidden_ != units) {
       throw InputError(
@@ -326,10 +325,8 @@ class TrainVerb final : public Verb {
   void record_origin(CompensationModel& model, const std::string& sources,
                      const TrainingSettings& settings, const EpisodeChoice& choice) const {
     model.training["data"] = sources;
-    std::vector<int> windows;
-    for (const TrainingStage& stage : settings.stages) {
-      windows.push_back(stage.window_frames);
-    }
+    const auto windows = mapped<int>(
+        settings.stages, [&](const TrainingStage& stage) { return stage.window_frames; });
     model.training["windows"] = fmt::format("{}", fmt::join(windows, " "));
     model.training["validation"] = fmt::format("{}", fmt::join(choice.validation, "; "));
     if (!from_.empty()) {

@@ -15,7 +15,9 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/json_number.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/units.hpp"
 #include "limber/lab/plan_spread.hpp"
 #include "limber/network/arm_family.hpp"
@@ -83,7 +85,7 @@ OtherJudgement judge_by(const std::string& model_file, const Plan& plan, const A
   return judgement;
 }
 
-nlohmann::ordered_json to_json(const OtherJudgement& judgement) {
+Json to_json(const OtherJudgement& judgement) {
   return {{"model", judgement.model},
           {"agrees", judgement.agrees()},
           {"goal_reached", judgement.reaches_goal},
@@ -143,7 +145,7 @@ class VerifyVerb final : public Verb {
     } catch (const InputError& error) {
       throw InputError(fmt::format("{}: {}", plan_, error.what()));
     }
-    nlohmann::ordered_json json = to_json(certificate, arm.command, environment);
+    Json json = to_json(certificate, arm.command, environment);
     std::string text = to_text(certificate, arm, environment);
     const bool is_plan = !has_failed(certificate, "sizes");
     if (used != nullptr && used->member_count() > 1 && is_plan) {
@@ -185,15 +187,11 @@ class VerifyVerb final : public Verb {
   ValveParameters valves_of(const Plan& plan, const ArmDescription& arm,
                             const CompensationModel* network) const {
     ValveParameters valves = model_.valves(arm, network);
-    if (valves.is_ideal() && !plan.valves_hash.empty()) {
-      throw InputError(
-          fmt::format("{}: made with valves (hash {}): give --valves FILE with the same valves",
-                      plan_, plan.valves_hash));
-    }
-    if (!valves.is_ideal() && plan.valves_hash.empty()) {
-      throw InputError(
-          fmt::format("{}: made without valves: give --no-valves to check it so", plan_));
-    }
+    refuse_if(valves.is_ideal() && !plan.valves_hash.empty(),
+              "{}: made with valves (hash {}): give --valves FILE with the same valves", plan_,
+              plan.valves_hash);
+    refuse_if(!valves.is_ideal() && plan.valves_hash.empty(),
+              "{}: made without valves: give --no-valves to check it so", plan_);
     return valves;
   }
 

@@ -1,5 +1,6 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/sim/disturbance.hpp"
 #include "limber/sim/driver_server.hpp"
 #include "verbs.hpp"
@@ -55,14 +56,11 @@ class VirtualArmVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
-    if (!serve_) {
-      throw InputError(
-          "expected --serve: 'limber virtual-arm --serve' speaks "
-          "the driver protocol on standard input and output");
-    }
-    if (settings_.fast && settings_.sampled_s > 0.0) {
-      throw InputError("--sampled: is in real time, which --fast is not");
-    }
+    refuse_if(!serve_,
+              "expected --serve: 'limber virtual-arm --serve' speaks "
+              "the driver protocol on standard input and output");
+    refuse_if(settings_.fast && settings_.sampled_s > 0.0,
+              "--sampled: is in real time, which --fast is not");
     if (!fault_.empty()) {
       settings_.fault = parse_server_fault(fault_);
     }
@@ -78,10 +76,9 @@ class VirtualArmVerb final : public Verb {
  private:
   DisturbedArm disturb(const ArmDescription& arm, std::uint64_t seed) const {
     const std::vector<Disturbance> disturbances = parse_disturbances(disturbance_);
-    if (has_kind(disturbances, DisturbanceKind::obstacle)) {
-      throw InputError(
-          "--disturbance obstacle: the arm does not know obstacles; limber execute has the flag");
-    }
+    refuse_if(
+        has_kind(disturbances, DisturbanceKind::obstacle),
+        "--disturbance obstacle: the arm does not know obstacles; limber execute has the flag");
     // There are no plans in space yet: there they begin with the arm.
     const bool begins_late =
         !arm.is_spatial() && (has_kind(disturbances, DisturbanceKind::picked_up) ||
@@ -104,12 +101,8 @@ class VirtualArmVerb final : public Verb {
 
   void misassemble(const ArmDescription& arm, const CommonFlags& flags) {
     if (!misassembled_) {
-      if (!truth_.empty()) {
-        throw InputError("--truth: goes with --misassembled SEED, whose truth it is");
-      }
-      if (bodies_) {
-        throw InputError("--bodies: goes with --misassembled SEED, which says how they are turned");
-      }
+      refuse_if(!truth_.empty(), "--truth: goes with --misassembled SEED, whose truth it is");
+      refuse_if(bodies_, "--bodies: goes with --misassembled SEED, which says how they are turned");
       return;
     }
     require_planar(arm, "--misassembled");

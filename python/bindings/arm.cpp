@@ -8,6 +8,7 @@
 #include "limber/arm/arm_commands.hpp"
 #include "limber/arm/arm_identity.hpp"
 #include "limber/arm/pressure_limits.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/world/environment.hpp"
 #include "others_may_run.hpp"
 #include "pictures.hpp"
@@ -90,8 +91,7 @@ Eigen::VectorXd vector_from(const DoubleArray& array, const char* name) {
 void bind_commands(py::module_& module) {
   Record<ArmCommand>(
       module, "ArmCommand",
-      "A command of the real arm, such as a motor's, and how much of it each segment "
-      "gets.")
+      "A command of the real arm, such as a motor's, and how much of it each segment gets.")
       .read_only("name", &ArmCommand::name, "Of its column in logs.")
       .read_only("shares", &ArmCommand::shares, "n, with sign.")
       .done();
@@ -105,21 +105,20 @@ void bind_command_sums(py::module_& module) {
         const Eigen::MatrixXd shares = command_shares(arm);
         return copy_of<double>(shares, {shares.rows(), shares.cols()});
       },
-      py::arg("arm"),
-      "S, float64 (n, k): commands of segments are S times the arm's own, k of them.");
+      "arm"_a, "S, float64 (n, k): commands of segments are S times the arm's own, k of them.");
   module.def(
       "segment_commands",
       [](const ArmDescription& arm, const DoubleArray& commands) {
         return vector_array(segment_commands(arm, vector_from(commands, "commands")));
       },
-      py::arg("arm"), py::arg("commands"),
+      "arm"_a, "commands"_a,
       "Commands of segments, float64 (n,), that the arm's own commands (k,) make.");
   module.def(
       "commands_for",
       [](const ArmDescription& arm, const DoubleArray& wanted) {
         return vector_array(commands_for(arm, vector_from(wanted, "segment_commands")));
       },
-      py::arg("arm"), py::arg("segment_commands"),
+      "arm"_a, "segment_commands"_a,
       "The arm's own commands, float64 (k,), that make these of its segments (n,): the smallest, "
       "by their sum of squares.");
 }
@@ -127,23 +126,23 @@ void bind_command_sums(py::module_& module) {
 py::array_t<float> largest_pressures_of(const ArmDescription& arm) {
   py::array_t<float> limits(arm.channel_count());
   for (int i = 0; i < arm.channel_count(); ++i) {
-    limits.mutable_at(i) = static_cast<float>(arm.limits_of_channel(i).largest_kpa());
+    limits.mutable_at(i) = float(arm.limits_of_channel(i).largest_kpa());
   }
   return limits;
 }
 
 void bind_arm_functions(py::module_& module) {
   module.def(
-      "load_arm", [](const std::filesystem::path& path) { return load_arm(path); }, py::arg("path"),
+      "load_arm", [](const fs::path& path) { return load_arm(path); }, "path"_a,
       py::call_guard<OthersMayRun>(),
       "Reads and checks an arm file (YAML). Raises InputError naming file, line and "
       "field, what was found and what is allowed.");
-  module.def("arm_to_yaml", &arm_to_yaml, py::arg("arm"), py::call_guard<OthersMayRun>(),
+  module.def("arm_to_yaml", &arm_to_yaml, "arm"_a, py::call_guard<OthersMayRun>(),
              "The arm as the text of a file that load_arm reads.");
-  module.def("rest_positions_m", &rest_positions_m, py::arg("arm"),
+  module.def("rest_positions_m", &rest_positions_m, "arm"_a,
              "Distance along the arm at rest from the base to each plate, a list of m "
              "numbers [m]; the first is 0.");
-  module.def("arm_differences", &arm_differences, py::arg("there"), py::arg("here"),
+  module.def("arm_differences", &arm_differences, "there"_a, "here"_a,
              "Keys in which the arms differ, with both values; empty where they are the same arm.");
 }
 
@@ -199,14 +198,14 @@ void bind_arm(py::module_& module) {
             require_number("seconds", seconds, 0.0, kMaxSeconds);
             return arm.frames_in(seconds);
           },
-          py::arg("seconds"), "Fewest frames that take at least so long. seconds: 0 to 1e6.")
+          "seconds"_a, "Fewest frames that take at least so long. seconds: 0 to 1e6.")
       .def(
           "segment_of_gap",
           [](const ArmDescription& arm, int gap) {
             require_number("gap", gap, 0, arm.point_count() - 2);
             return arm.segment_of_gap(gap);
           },
-          py::arg("gap"),
+          "gap"_a,
           "Number of the segment, from 0, that the gap between plates gap and gap + 1 "
           "belongs to. gap: 0 to m - 2.")
       .def("hash", &ArmDescription::hash,

@@ -8,6 +8,7 @@
 
 #include "limber/common/error.hpp"
 #include "limber/common/jobs.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "planar.hpp"
 #include "record.hpp"
 
@@ -20,8 +21,7 @@ bool all_finite(const float* values, py::ssize_t count) {
   constexpr std::uint32_t kExponent = 0x7f800000U;
   std::uint32_t found = 0;
   for (py::ssize_t i = 0; i < count; ++i) {
-    found |= static_cast<std::uint32_t>((std::bit_cast<std::uint32_t>(values[i]) & kExponent) ==
-                                        kExponent);
+    found |= std::uint32_t((std::bit_cast<std::uint32_t>(values[i]) & kExponent) == kExponent);
   }
   return found == 0;
 }
@@ -40,10 +40,10 @@ void require_all_finite(const Array& array, const char* name) {
   while (std::isfinite(values[at])) {
     ++at;
   }
-  const float bad = static_cast<float>(values[at]);
-  Shape index(static_cast<std::size_t>(array.ndim()));
+  const float bad = float(values[at]);
+  Shape index(std::size_t(array.ndim()));
   for (py::ssize_t axis = array.ndim(); axis-- > 0;) {
-    index[static_cast<std::size_t>(axis)] = at % array.shape(axis);
+    index[axis] = at % array.shape(axis);
     at /= array.shape(axis);
   }
   throw InputError(
@@ -63,26 +63,20 @@ bool is_float_array(py::handle object) {
 }
 
 void require_number(const char* name, double value, double lowest, double highest) {
-  if (!(value >= lowest && value <= highest)) {
-    throw InputError(
-        fmt::format("{} = {:.10g}; expected {:.10g} to {:.10g}", name, value, lowest, highest));
-  }
+  refuse_if(!(value >= lowest && value <= highest), "{} = {:.10g}; expected {:.10g} to {:.10g}",
+            name, value, lowest, highest);
 }
 
 void require_jobs(int jobs) {
-  if (jobs < 0 || jobs > kMaxJobs) {
-    throw InputError(
-        fmt::format("jobs = {}; expected 1 to {} threads, or 0: one per core", jobs, kMaxJobs));
-  }
+  refuse_if(jobs < 0 || jobs > kMaxJobs, "jobs = {}; expected 1 to {} threads, or 0: one per core",
+            jobs, kMaxJobs);
 }
 
 void require_planar_model(Dimension dimension, const char* name) {
-  if (dimension == Dimension::space) {
-    throw InputError(
-        fmt::format("{} can't use the model of an arm in space yet. ForwardModel.step, step_batch "
-                    "and rollout, predict and evaluate can",
-                    name));
-  }
+  refuse_if(dimension == Dimension::space,
+            "{} can't use the model of an arm in space yet. ForwardModel.step, step_batch "
+            "and rollout, predict and evaluate can",
+            name);
 }
 
 bool has_numbers(const py::array& array) {
@@ -117,9 +111,7 @@ void require_finite(const DoubleArray& array, const char* name) {
 }
 
 void require_finite(double value, const char* name) {
-  if (!std::isfinite(value)) {
-    throw InputError(fmt::format("{} = {}; expected a finite number", name, value));
-  }
+  refuse_if(!std::isfinite(value), "{} = {}; expected a finite number", name, value);
 }
 
 py::array_t<float> result_array(const py::object& out, const Shape& shape) {
@@ -159,8 +151,8 @@ py::ssize_t batch_size(const py::array& array, const char* name) {
 py::array_t<float> limits_array(const std::vector<PressureLimits>& limits) {
   py::array_t<float> rows({limits.size(), std::size_t{2}});
   for (std::size_t i = 0; i < limits.size(); ++i) {
-    rows.mutable_at(i, 0) = static_cast<float>(limits[i].lower_kpa);
-    rows.mutable_at(i, 1) = static_cast<float>(limits[i].upper_kpa);
+    rows.mutable_at(i, 0) = float(limits[i].lower_kpa);
+    rows.mutable_at(i, 1) = float(limits[i].upper_kpa);
   }
   return rows;
 }

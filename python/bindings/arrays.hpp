@@ -16,6 +16,7 @@
 namespace limber::python {
 
 namespace py = pybind11;
+using namespace py::literals;
 
 /// What limber computes with. A C-contiguous float32 array is taken as it is; anything else that
 /// NumPy understands is copied once. An own class for its caster: pybind11's makes an empty array

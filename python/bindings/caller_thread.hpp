@@ -18,6 +18,7 @@
 namespace limber::python {
 
 namespace py = pybind11;
+using namespace py::literals;
 
 /// Long work on a thread of its own, without Python's lock. The thread that called waits: every
 /// 20 ms it looks for signals, and it runs the Python functions that the work calls, so that these

@@ -10,6 +10,7 @@
 #include "caller_thread.hpp"
 #include "limber/arm/arm_identity.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/network/compensation_model.hpp"
 #include "others_may_run.hpp"
 #include "record.hpp"
@@ -105,12 +106,12 @@ void bind_certificate(py::module_& module) {
              return std::make_unique<OwnCertifier>(arm, std::move(network), std::move(valves),
                                                    environment);
            }),
-           py::arg("arm"), py::arg("network"), py::arg("valves"), py::arg("environment"),
-           py::keep_alive<1, 2>(), py::keep_alive<1, 5>(),
+           "arm"_a, "network"_a, "valves"_a, "environment"_a, py::keep_alive<1, 2>(),
+           py::keep_alive<1, 5>(),
            "network: a CompensationModel, None: the no-load model; valves: "
            "ValveParameters, ideal ones for a plan without valves. None of them is taken "
            "from a plan.")
-      .def("certify", &certified, py::arg("plan"),
+      .def("certify", &certified, "plan"_a,
            "The Certificate of one plan. Raises InputError where the plan was made for "
            "another arm, environment or valves; all else is a failure in the result. "
            "Ctrl-C raises KeyboardInterrupt.");
@@ -118,16 +119,13 @@ void bind_certificate(py::module_& module) {
       "certify",
       [](const Plan* plan, const ArmDescription& arm, std::optional<CompensationModel> network,
          ValveParameters valves, const Environment& environment) {
-        if (plan == nullptr) {
-          throw InputError("there is no plan: the reason of its PlanResult says why");
-        }
+        refuse_if(plan == nullptr, "there is no plan: the reason of its PlanResult says why");
         require_planar(arm, "limber.certify");
         const ArmDescription slowed = at_rate_of(plan->arm(), arm, "the plan");
         return certified(OwnCertifier(slowed, std::move(network), std::move(valves), environment),
                          *plan);
       },
-      py::arg("plan"), py::arg("arm"), py::arg("network"), py::arg("valves"),
-      py::arg("environment"),
+      "plan"_a, "arm"_a, "network"_a, "valves"_a, "environment"_a,
       "One plan, by a Certifier of its own: simulated, checked for collision and judged again, "
       "with nothing of the planner's. It says whether the plan is as the model has it, not whether "
       "the model is right. None is refused.");

@@ -10,6 +10,8 @@
 #include "episodes.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/data/simple_model.hpp"
 #include "limber/data/space_fit.hpp"
 #include "limber/sim/virtual_arm.hpp"
@@ -23,12 +25,10 @@ namespace {
 
 /// @throws InputError for an arm in a plane, or where the fit is another arm's.
 void require_spatial(const ArmDescription& arm, const char* what, const SpaceFit* fit = nullptr) {
-  if (!arm.is_spatial()) {
-    throw InputError(
-        fmt::format("{} is of arms in space; '{}' is in a plane: fit_simple_model and fitted_arm "
-                    "are of those",
-                    what, arm.name));
-  }
+  refuse_if(!arm.is_spatial(),
+            "{} is of arms in space; '{}' is in a plane: fit_simple_model and fitted_arm "
+            "are of those",
+            what, arm.name);
   if (fit != nullptr && (fit->shape.rows() != 3 * arm.segment_count() ||
                          fit->shape.cols() != arm.channel_count() + 1)) {
     throw InputError(fmt::format("{}: a fit of {} segments and {} chambers; arm '{}' has {} and {}",
@@ -40,10 +40,9 @@ void require_spatial(const ArmDescription& arm, const char* what, const SpaceFit
 /// @throws InputError for an arm in space, or where the fit is another arm's.
 void require_planar_fit(const ArmDescription& arm, const char* what, const SimpleFit& fit) {
   require_planar(arm, what);
-  if (std::ssize(fit.segments) != arm.segment_count()) {
-    throw InputError(fmt::format("{}: a fit of {} segments; arm '{}' has {}", what,
-                                 fit.segments.size(), arm.name, arm.segment_count()));
-  }
+  refuse_if(std::ssize(fit.segments) != arm.segment_count(),
+            "{}: a fit of {} segments; arm '{}' has {}", what, fit.segments.size(), arm.name,
+            arm.segment_count());
 }
 
 void bind_simple_model(py::module_& module) {
@@ -61,7 +60,7 @@ void bind_simple_model(py::module_& module) {
             require_planar_fit(arm, "SimpleFit.describe", fit);
             return to_text(fit, arm);
           },
-          py::arg("arm"), "Each number with its 95 % interval, as text.");
+          "arm"_a, "Each number with its 95 % interval, as text.");
   module.def(
       "fit_simple_model",
       [](const ArmDescription& arm, const EpisodeList& episodes) {
@@ -69,10 +68,9 @@ void bind_simple_model(py::module_& module) {
         const std::vector<Episode> runs = episodes_from(episodes);
         return interruptibly([&] { return fit_simple_model(arm, runs); });
       },
-      py::arg("arm"), py::arg("episodes"),
+      "arm"_a, "episodes"_a,
       "SimpleFit: how much a pressure bends each segment, and how long it is, from "
-      "the recordings. Raises InputError where there is no episode, or nothing was "
-      "tracked.");
+      "the recordings. Raises InputError where there is no episode, or nothing was tracked.");
   module.def(
       "fitted_arm",
       [](const ArmDescription& arm, const SimpleFit& fit, const EpisodeList& episodes) {
@@ -80,7 +78,7 @@ void bind_simple_model(py::module_& module) {
         const std::vector<Episode> runs = episodes_from(episodes);
         return interruptibly([&] { return fitted_arm(arm, fit, runs); });
       },
-      py::arg("arm"), py::arg("fit"), py::arg("episodes"),
+      "arm"_a, "fit"_a, "episodes"_a,
       "The arm with the fit's polynomials and lengths, an ArmDescription. episodes: "
       "those that were fitted.");
 }
@@ -116,7 +114,7 @@ void bind_space_fit(py::module_& module) {
             require_spatial(arm, "SpaceFit.describe", &fit);
             return to_text(fit, arm);
           },
-          py::arg("arm"), "What each chamber does, and what is odd about it, as text.")
+          "arm"_a, "What each chamber does, and what is odd about it, as text.")
       .def(
           "predict",
           [](const SpaceFit& fit, const ArmDescription& arm, const Episode& episode) {
@@ -125,7 +123,7 @@ void bind_space_fit(py::module_& module) {
             const FrameMatrix rows = predict(fit, arm, episode);
             return copy_of<float>(rows, {rows.rows(), arm.point_count(), kSpacePoseSize});
           },
-          py::arg("arm"), py::arg("episode"),
+          "arm"_a, "episode"_a,
           "Backbones float32 (T, m, 7) that it expects under an episode's commands.")
       .def("__repr__", [](const SpaceFit& fit) {
         return fmt::format("SpaceFit(dead_time_s={:.3f}, lag_s={:.3f}, tip_mm={:.1f})",
@@ -138,7 +136,7 @@ void bind_space_fit(py::module_& module) {
         const std::vector<Episode> runs = episodes_from(episodes);
         return interruptibly([&] { return fit_space_model(arm, runs); });
       },
-      py::arg("arm"), py::arg("episodes"),
+      "arm"_a, "episodes"_a,
       "SpaceFit: how chambers bend and extend every segment of an arm in space, from the "
       "recordings. Raises InputError where too few frames were tracked.");
   module.def(
@@ -147,7 +145,7 @@ void bind_space_fit(py::module_& module) {
         require_spatial(arm, "limber.with_space_fit", &fit);
         return with_space_fit(arm, fit);
       },
-      py::arg("arm"), py::arg("fit"),
+      "arm"_a, "fit"_a,
       "The arm with the fit as its no-load model, an ArmDescription. fit: a SpaceFit.");
 }
 
@@ -184,22 +182,20 @@ void bind_characterisation(py::module_& module) {
       .done();
   module.def(
       "load_arm_to_characterise",
-      [](const std::filesystem::path& path) {
-        return load_arm(path, PolynomialsOf::characterisation);
-      },
-      py::arg("path"), py::call_guard<OthersMayRun>(),
+      [](const fs::path& path) { return load_arm(path, PolynomialsOf::characterisation); },
+      "path"_a, py::call_guard<OthersMayRun>(),
       "An arm file whose strain polynomials may be missing or outdated.");
   module.def(
       "read_bench_csv",
-      [](const std::filesystem::path& path, const ArmDescription& arm) {
+      [](const fs::path& path, const ArmDescription& arm) {
         require_planar(arm, "limber.read_bench_csv");
         return read_bench_csv(path, arm);
       },
-      py::arg("path"), py::arg("arm"), py::call_guard<OthersMayRun>(),
+      "path"_a, "arm"_a, py::call_guard<OthersMayRun>(),
       "Bench points of every segment from a CSV file with the columns pressure_kpa, strain "
       "and, optionally, segment.");
-  module.def("characterise", of_planar_arms("limber.characterise", &characterise), py::arg("arm"),
-             py::arg("bench"), py::call_guard<OthersMayRun>(),
+  module.def("characterise", of_planar_arms("limber.characterise", &characterise), "arm"_a,
+             "bench"_a, py::call_guard<OthersMayRun>(),
              "Fits a monotone quartic to every segment's bench points: a CharacterisedArm. "
              "bench: a list of BenchPoint for each segment, base first, at least 5 different "
              "pressures up to the limit. Raises InputError naming the segment.");
@@ -208,15 +204,15 @@ void bind_characterisation(py::module_& module) {
       [](const ArmDescription& arm, int steps) {
         return interruptibly([&] { return bench_test_all(arm, steps); });
       },
-      py::arg("arm"), py::arg("steps") = 20,
+      "arm"_a, "steps"_a = 20,
       "The bench test of every segment of the virtual arm: a list of BenchPoint for each. steps: "
       "pressures from 0 to the limit, 4 to 1000. Ctrl-C raises KeyboardInterrupt.");
   module.def(
       "write_arm",
-      [](const std::filesystem::path& path, const ArmDescription& arm) {
+      [](const fs::path& path, const ArmDescription& arm) {
         write_file_atomically(path, arm_to_yaml(arm));
       },
-      py::arg("path"), py::arg("arm"), py::call_guard<OthersMayRun>(),
+      "path"_a, "arm"_a, py::call_guard<OthersMayRun>(),
       "Writes an arm file (YAML) that load_arm reads, atomically.");
 }
 

@@ -7,6 +7,7 @@
 #include "bindings.hpp"
 #include "caller_thread.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/sim/virtual_arm.hpp"
 #include "process_driver.hpp"
 #include "python_driver.hpp"
@@ -23,19 +24,19 @@ struct VirtualArms {
 
 /// One process for all episodes, one after the other.
 CollectionResult collect_on(const ArmDescription& arm, CollectionSettings settings,
-                            SharedProcessDriver& shared, const std::filesystem::path& path,
+                            SharedProcessDriver& shared, const fs::path& path,
                             CallerThread& caller) {
   const SharedProcessDriver::Use driver(shared);
   require_reach(arm, settings.schedule.limit_scale, *driver);
   settings.source = describe(*driver);
   settings.driver = "on an arm, by its driver";
   settings.jobs = 1;
-  settings.partial = std::filesystem::path(path).replace_extension(".partial.h5");
+  settings.partial = fs::path(path).replace_extension(".partial.h5");
   return caller.run([&] { return collect(arm, settings, on_one_driver(*driver), path); });
 }
 
 CollectionResult collect_with(const ArmDescription& arm, const CollectionSettings& asked,
-                              const py::object& make_driver, const std::filesystem::path& path) {
+                              const py::object& make_driver, const fs::path& path) {
   require_jobs(asked.jobs);
   require_number("hold_limit_s", asked.hold_limit_s, 0.0, kMaxSeconds);
   CollectionSettings settings = asked;
@@ -128,9 +129,8 @@ void bind_collection(py::module_& module) {
       [](const ArmDescription& arm, const VirtualArmOptions& options) {
         return VirtualArms{virtual_arm_factory(arm, options)};
       },
-      py::arg("arm"), py::arg("options") = VirtualArmOptions{}, py::keep_alive<0, 1>(),
-      "A DriverFactory for `collect`: a fresh VirtualArm for each episode, with noise "
-      "of its own.");
+      "arm"_a, "options"_a = VirtualArmOptions{}, py::keep_alive<0, 1>(),
+      "A DriverFactory for `collect`: a fresh VirtualArm for each episode, with noise of its own.");
   module.def(
       "virtual_collection",
       [](const ArmDescription& arm, const ScheduleSettings& schedule,
@@ -139,11 +139,10 @@ void bind_collection(py::module_& module) {
         settings.progress = Progress::Mode::quiet;
         return settings;
       },
-      py::arg("arm"), py::arg("schedule"), py::arg("options") = VirtualArmOptions{},
+      "arm"_a, "schedule"_a, "options"_a = VirtualArmOptions{},
       "CollectionSettings for the virtual arm, with its source, driver and seed.");
   module.def(
-      "collect", &collect_with, py::arg("arm"), py::arg("settings"), py::arg("make_driver"),
-      py::arg("path"),
+      "collect", &collect_with, "arm"_a, "settings"_a, "make_driver"_a, "path"_a,
       "Records a schedule to `path` (HDF5). make_driver: virtual_arm_factory(...), a "
       "ProcessDriver, or a function of the episode's index that returns an ArmDriver. Ctrl-C vents "
       "the arm and raises KeyboardInterrupt; finished episodes stay, for resume=True.");

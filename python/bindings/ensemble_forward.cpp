@@ -8,6 +8,7 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "others_may_run.hpp"
 #include "record.hpp"
 
@@ -30,9 +31,7 @@ SpreadRollout rollout(const EnsembleForward& ensemble, const FloatArray& pressur
   require_shape(first, {shape[1], shape[2]}, "first");
   require_finite(pressures_kpa, "pressures_kpa");
   require_finite(first, "first");
-  if (frames == 0) {
-    throw InputError("pressures_kpa has no frames; expected at least one");
-  }
+  refuse_if(frames == 0, "pressures_kpa has no frames; expected at least one");
   EnsembleForward::Prediction prediction;
   {
     const OthersMayRun others_may_run;
@@ -65,12 +64,12 @@ void bind_ensemble_forward(py::module_& module) {
              const OthersMayRun others_may_run;
              return EnsembleForward(arm, model);
            }),
-           py::arg("arm"), py::arg("model"),
+           "arm"_a, "model"_a,
            "model: a CompensationModel of one or more networks. Raises InputError where it was "
            "trained for another arm.")
       .def_property_readonly("member_count", &EnsembleForward::member_count,
                              "Number of networks, 1 where it is no ensemble.")
-      .def("rollout", &rollout, py::arg("pressures_kpa"), py::arg("first"),
+      .def("rollout", &rollout, "pressures_kpa"_a, "first"_a,
            "Feeds every network's own output back: pressures float32 (T, n) [kPa] from backbone "
            "`first` (m, 3), in space (m, 7), give a SpreadRollout.")
       .def("__repr__", [](const EnsembleForward& ensemble) {

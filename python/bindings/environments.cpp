@@ -10,6 +10,7 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "limber/common/atomic_file.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "others_may_run.hpp"
 #include "pictures.hpp"
@@ -49,7 +50,7 @@ void bind_obstacles(py::module_& module) {
              }
              return polygon;
            }),
-           py::arg("points_m"), "Corners x_m, y_m in order, (k, 2) [m], 3 to 1000 of them.")
+           "points_m"_a, "Corners x_m, y_m in order, (k, 2) [m], 3 to 1000 of them.")
       .def_property_readonly(
           "points_m",
           [](const Polygon& polygon) {
@@ -72,7 +73,7 @@ void bind_start(py::module_& module) {
              return ArmStart{pressures_from(pressures_kpa, pressures_kpa.size(), "pressures_kpa"),
                              backbone_from(backbone, backbone.size() / kPoseSize, "backbone")};
            }),
-           py::arg("pressures_kpa"), py::arg("backbone"),
+           "pressures_kpa"_a, "backbone"_a,
            "pressures_kpa: (n,) [kPa], signed; backbone: (m, 3), rows x_m, y_m, theta_rad "
            "in frame B, plate 0 at the base.")
       .def_property_readonly(
@@ -120,8 +121,8 @@ void bind_environments(py::module_& module) {
   py::class_<Environment>(module, "Environment",
                           "What a plan is made for: obstacles, start and goal, in frame B. Plans "
                           "borrow it, so it does not change.")
-      .def(py::init(&make_environment), py::arg("name"), py::arg("obstacles"), py::arg("goal"),
-           py::arg("start") = py::none(), py::call_guard<OthersMayRun>(),
+      .def(py::init(&make_environment), "name"_a, "obstacles"_a, "goal"_a, "start"_a = py::none(),
+           py::call_guard<OthersMayRun>(),
            "Checked as a file is: raises InputError naming the field. obstacles: a list of "
            "Circle, Rectangle and Polygon, which messages and results count from 0; goal: "
            "a PoseGoal; start: an ArmStart, None: straight and without pressure.")
@@ -142,37 +143,35 @@ void bind_environments(py::module_& module) {
       });
   module.def(
       "load_environment",
-      [](const std::filesystem::path& path, const ArmDescription* arm) {
+      [](const fs::path& path, const ArmDescription* arm) {
         if (arm != nullptr) {
           require_planar(*arm, "limber.load_environment");
         }
         return arm == nullptr ? load_environment(path) : load_environment(path, *arm);
       },
-      py::arg("path"), py::arg("arm") = py::none(), py::call_guard<OthersMayRun>(),
+      "path"_a, "arm"_a = py::none(), py::call_guard<OthersMayRun>(),
       "Reads and checks an environment file (YAML); with an arm, also that its start "
       "fits. Raises InputError naming file, line and field. Whether the goal is "
       "within reach is judged when planning.");
-  module.def("environment_to_yaml", &environment_to_yaml, py::arg("environment"),
+  module.def("environment_to_yaml", &environment_to_yaml, "environment"_a,
              py::call_guard<OthersMayRun>(),
              "The environment as the text of a file that load_environment reads.");
   module.def(
       "write_environment",
-      [](const std::filesystem::path& path, const Environment& environment) {
+      [](const fs::path& path, const Environment& environment) {
         write_file_atomically(path, environment_to_yaml(environment));
       },
-      py::arg("path"), py::arg("environment"), py::call_guard<OthersMayRun>(),
+      "path"_a, "environment"_a, py::call_guard<OthersMayRun>(),
       "Writes an environment file (YAML) that load_environment reads, atomically.");
-  module.def("environment_hash", &environment_hash, py::arg("environment"),
-             py::call_guard<OthersMayRun>(),
-             "Hash of everything that planning depends on, a text; the name is no part of "
-             "it.");
+  module.def("environment_hash", &environment_hash, "environment"_a, py::call_guard<OthersMayRun>(),
+             "Hash of everything that planning depends on, a text; the name is no part of it.");
   module.def(
       "start_state",
       [](const Environment& environment, const ArmDescription& arm) {
         require_planar(arm, "limber.start_state");
         return start_state(environment, arm);
       },
-      py::arg("environment"), py::arg("arm"), py::call_guard<OthersMayRun>(),
+      "environment"_a, "arm"_a, py::call_guard<OthersMayRun>(),
       "Where the arm starts, an ArmStart: as the environment has it, or at rest.");
 }
 

@@ -19,8 +19,7 @@ namespace {
 void bind_errors_of_tips(py::module_& module) {
   Record<ErrorStatistics>(
       module, "ErrorStatistics",
-      "Errors over frames, in the unit of the field that holds them; NaN where there "
-      "is no frame.")
+      "Errors over frames, in the unit of the field that holds them; NaN where there is no frame.")
       .read_only("mean", &ErrorStatistics::mean, "Mean over frames.")
       .read_only("std", &ErrorStatistics::std, "Standard deviation over frames.")
       .read_only("p95", &ErrorStatistics::p95, "95th percentile over frames.")
@@ -110,10 +109,9 @@ void bind_evaluation(py::module_& module) {
         return copy_of<float>(
             predicted, {predicted.rows(), model.point_count(), pose_size(model.dimension())});
       },
-      py::arg("model"), py::arg("episode"), py::arg("restart"), py::arg("jobs") = 0,
+      "model"_a, "episode"_a, "restart"_a, "jobs"_a = 0,
       "Predicted backbones float32 (T, m, 3), in space (T, m, 7), of an episode, fed with its "
-      "pressures; "
-      "NaN where a frame is only a start. restart: a Restart; jobs: threads, 0: one "
+      "pressures; NaN where a frame is only a start. restart: a Restart; jobs: threads, 0: one "
       "per core.");
   module.def(
       "evaluate",
@@ -123,7 +121,7 @@ void bind_evaluation(py::module_& module) {
         const std::vector<Episode> copies = episodes_from(episodes);
         return interruptibly([&] { return evaluate(no_load, network, copies, jobs); });
       },
-      py::arg("no_load"), py::arg("network"), py::arg("episodes"), py::arg("jobs") = 0,
+      "no_load"_a, "network"_a, "episodes"_a, "jobs"_a = 0,
       "Evaluation: errors of the no-load model and of a network on episodes. no_load: "
       "ForwardModel(arm); network: ForwardModel(arm, model), or None. Take episodes "
       "that it was not trained on. jobs: threads, 0: one per core. Raises InputError "

@@ -1,9 +1,9 @@
-#include <fmt/format.h>
 #include <pybind11/stl.h>
 
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "caller_thread.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/driver/driver_run.hpp"
 #include "limber/report/execution_report.hpp"
 #include "limber/run/controller.hpp"
@@ -33,12 +33,9 @@ void require_loop_of(const ClosedLoopOf& loop, const ArmDescription& arm,
                      const Environment& environment) {
   const auto require = [](const char* what, const std::string& of, const std::string& of_hash,
                           const std::string& name, const std::string& hash) {
-    if (of_hash != hash) {
-      throw InputError(
-          fmt::format("controller: a ClosedLoop for {} '{}' (hash {}); the run's is '{}' "
-                      "(hash {})",
-                      what, of, of_hash, name, hash));
-    }
+    refuse_if(of_hash != hash,
+              "controller: a ClosedLoop for {} '{}' (hash {}); the run's is '{}' (hash {})", what,
+              of, of_hash, name, hash);
   };
   require("arm", loop.arm, loop.arm_hash, arm.name, arm.hash());
   require("environment", loop.environment, loop.environment_hash, environment.name,
@@ -172,9 +169,8 @@ void bind_controllers(py::module_& module) {
                                  room ? *room : error_room(model.forward()), seed, adapts),
                 arm.name, environment.name, arm.hash(), environment_hash(environment)};
           }),
-          py::arg("arm"), py::arg("model"), py::arg("environment"), py::arg("room") = py::none(),
-          py::arg("seed") = 1, py::arg("adapts") = true, py::keep_alive<1, 2>(),
-          py::keep_alive<1, 3>(), py::keep_alive<1, 4>(),
+          "arm"_a, "model"_a, "environment"_a, "room"_a = py::none(), "seed"_a = 1,
+          "adapts"_a = true, py::keep_alive<1, 2>(), py::keep_alive<1, 3>(), py::keep_alive<1, 4>(),
           "room: ErrorRoom that plans keep, None: error_room(model.forward); seed: of the "
           "searches; adapts: of a model that adapt made from a family, which arm of it this is, is "
           "followed while it moves. Raises InputError for a model without a network.")
@@ -269,9 +265,8 @@ void bind_execution(py::module_& module) {
       .def_readonly("episode", &ExecutionResult::episode,
                     "Episode of what was commanded and measured, time 0 being the start.")
       .def("_repr_svg_", &picture_of);
-  module.def("execute", &execute_with, py::arg("arm"), py::arg("environment"), py::arg("plan"),
-             py::arg("driver"), py::arg("settings") = ExecutionSettings{},
-             py::arg("controller") = py::none(),
+  module.def("execute", &execute_with, "arm"_a, "environment"_a, "plan"_a, "driver"_a,
+             "settings"_a = ExecutionSettings{}, "controller"_a = py::none(),
              "Commands a plan's frames as they stand, then holds; or what a controller decides, no "
              "faster than the plan was asked to move: a ClosedLoop, or a Controller of your own. "
              "driver: a VirtualArm, a ProcessDriver, or an ArmDriver of your own for "

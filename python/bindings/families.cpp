@@ -13,6 +13,7 @@
 namespace limber::python {
 
 namespace py = pybind11;
+using namespace py::literals;
 
 namespace {
 
@@ -68,14 +69,14 @@ void bind_adaptation(py::module_& module) {
 void bind_families(py::module_& module) {
   bind_trait(module);
   bind_adaptation(module);
-  module.def("is_family", &is_family, py::arg("model"),
+  module.def("is_family", &is_family, "model"_a,
              "Whether a model is a family's, which adapt makes one arm's.");
   module.def(
       "model_of_followed_arm",
       [](const CompensationModel& model, const FloatArray& e) {
         return model_of_followed_arm(model, pressures_from(e, e.size(), "e"));
       },
-      py::arg("model"), py::arg("e"),
+      "model"_a, "e"_a,
       "The model of another arm of the family that `model` was made of: the one that a closed loop "
       "had when it certified a plan (Plan.arm_of_family, float32 (k,)). Raises InputError where "
       "the model is of no family, or e of another size.");
@@ -91,8 +92,7 @@ void bind_families(py::module_& module) {
         settings.jobs = jobs;
         return interruptibly([&] { return adapt(arm, family, copies, settings); });
       },
-      py::arg("arm"), py::arg("family"), py::arg("episodes"), py::arg("train_weights") = true,
-      py::arg("seed") = 1, py::arg("jobs") = 0,
+      "arm"_a, "family"_a, "episodes"_a, "train_weights"_a = true, "seed"_a = 1, "jobs"_a = 0,
       "Makes a family's network that of the arm in these episodes, of which a minute is enough: an "
       "Adaptation, whose model plans like any other. train_weights: whether weights are trained "
       "too where the family does not contain the arm and that is better. jobs: threads, 0: one per "
@@ -106,7 +106,7 @@ void bind_families(py::module_& module) {
         const OthersMayRun others_may_run;
         return hold_back_arms(std::move(copies), arms, fraction, seed);
       },
-      py::arg("episodes"), py::arg("arms"), py::arg("fraction"), py::arg("seed"),
+      "episodes"_a, "arms"_a, "fraction"_a, "seed"_a,
       "TrainingData for a family: the episodes of about `fraction` of the arms are held back for "
       "validation, none of fewer than ten. arms: the arm of each episode, any numbers.");
 }

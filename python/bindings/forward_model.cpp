@@ -160,7 +160,7 @@ py::array_t<float> step_batch(const ForwardModel& model, const FloatArray& previ
 double processor_s() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
 }
 
 /// What benchmarks/python_figures.py compares Python with: the same loop here. Processor seconds of
@@ -229,7 +229,7 @@ void bind_parallel_forward(py::module_& module) {
              require_jobs(jobs);
              return ParallelForward(jobs);
            }),
-           py::arg("jobs") = 0, "jobs: threads, 0: one per core; never changes a result.")
+           "jobs"_a = 0, "jobs: threads, 0: one per core; never changes a result.")
       .def(
           "step_batch",
           [](ParallelForward& parallel, const ForwardModel& model, const FloatArray& previous_kpa,
@@ -240,8 +240,8 @@ void bind_parallel_forward(py::module_& module) {
                 [&](const auto& from, const auto& to, const auto& earlier, const auto& now,
                     auto& after) { parallel.step_batch(model, from, to, earlier, now, after); });
           },
-          py::arg("model"), py::arg("previous_kpa"), py::arg("current_kpa"), py::arg("previous"),
-          py::arg("out") = py::none(), py::arg("before") = py::none(),
+          "model"_a, "previous_kpa"_a, "current_kpa"_a, "previous"_a, "out"_a = py::none(),
+          "before"_a = py::none(),
           "ForwardModel.step_batch, in parts of some hundred queries: float32 (k, n), (k, n) [kPa] "
           "and (k, m, 3) give (k, m, 3), in space 7 for 3. `before` as in ForwardModel.step.");
 }
@@ -258,14 +258,14 @@ void bind_forward_model(py::module_& module) {
              const OthersMayRun others_may_run;
              return compensation ? ForwardModel(arm, *std::move(compensation)) : ForwardModel(arm);
            }),
-           py::arg("arm"), py::arg("compensation") = py::none(),
+           "arm"_a, "compensation"_a = py::none(),
            "compensation: a CompensationModel, None: the no-load model alone. Raises "
            "InputError where it was trained for another arm.")
       .def_property_readonly("segment_count", &ForwardModel::segment_count, "Segments of the arm.")
       .def_property_readonly("command_size", &ForwardModel::command_size,
                              "Numbers that tell one query's commands: n, or of networks that read "
                              "past commands what told_commands makes of them.")
-      .def("told_commands", &told_commands, py::arg("commands"),
+      .def("told_commands", &told_commands, "commands"_a,
            "Commands (frames, channel_count) of frames one after the other as step and step_batch "
            "are told them, (frames, command_size): a network of an arm in space reads those of "
            "earlier frames too. Before the first frame they were what they are there.")
@@ -289,23 +289,23 @@ void bind_forward_model(py::module_& module) {
             return model.has_network() ? std::optional(model.compensation()) : std::nullopt;
           },
           "A copy of the CompensationModel, or None: the no-load model alone.")
-      .def("step", &step, py::arg("previous_kpa"), py::arg("current_kpa"), py::arg("previous"),
-           py::arg("out") = py::none(), py::arg("before") = py::none(),
+      .def("step", &step, "previous_kpa"_a, "current_kpa"_a, "previous"_a, "out"_a = py::none(),
+           "before"_a = py::none(),
            "One query: pressures a frame ago and now, float32 (n,) and (n,) [kPa], and the "
            "backbone a frame ago (m, 3) give the backbone now (m, 3). It is written to "
            "`out` where one is given, which may be `previous`. `before` is the backbone two "
            "frames ago (m, 3), for models of which reads_velocity says so; None: the arm stood "
            "still. In space (m, 7) for (m, 3), here and below. Raises InputError for a wrong "
            "shape, NaN or infinity.")
-      .def("checked_step", &checked_step, py::arg("previous_kpa"), py::arg("current_kpa"),
-           py::arg("previous"), py::arg("before") = py::none(),
+      .def("checked_step", &checked_step, "previous_kpa"_a, "current_kpa"_a, "previous"_a,
+           "before"_a = py::none(),
            "One query: float32 (n,), (n,) [kPa] and (m, 3) give (m, 3); pressures beyond their "
            "limits are refused too. `before` as in step.")
-      .def("step_batch", &step_batch, py::arg("previous_kpa"), py::arg("current_kpa"),
-           py::arg("previous"), py::arg("out") = py::none(), py::arg("before") = py::none(),
+      .def("step_batch", &step_batch, "previous_kpa"_a, "current_kpa"_a, "previous"_a,
+           "out"_a = py::none(), "before"_a = py::none(),
            "k queries: float32 (k, n), (k, n) [kPa] and (k, m, 3) give (k, m, 3), each row to the "
            "bit what step gives. `out` may be `previous` or `before`, (k, m, 3) as in step.")
-      .def("rollout", &rollout, py::arg("pressures_kpa"), py::arg("first"),
+      .def("rollout", &rollout, "pressures_kpa"_a, "first"_a,
            "Feeds its own output back: pressures float32 (T, n) [kPa] from backbone `first` "
            "(m, 3), where the arm stood still, give (T, m, 3), row 0 being `first`.")
       .def("__repr__", [](const ForwardModel& model) {

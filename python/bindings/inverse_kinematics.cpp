@@ -38,7 +38,7 @@ void bind_collision(py::module_& module) {
              require_planar(arm, "limber.CollisionChecker");
              return CollisionChecker(arm, environment.obstacles, margin_m);
            }),
-           py::arg("arm"), py::arg("environment"), py::arg("margin_m") = 0.0,
+           "arm"_a, "environment"_a, "margin_m"_a = 0.0,
            "margin_m: added to the arm's radius everywhere [m], >= 0.")
       .def_property_readonly("obstacle_count", &CollisionChecker::obstacle_count,
                              "Number of obstacles.")
@@ -49,20 +49,20 @@ void bind_collision(py::module_& module) {
           [](const CollisionChecker& checker, const FloatArray& backbone) {
             return checker.clearance(backbone_map(checked(checker, backbone, "backbone")));
           },
-          py::arg("backbone"), "Clearance of one backbone, float32 (m, 3), less the margin.")
+          "backbone"_a, "Clearance of one backbone, float32 (m, 3), less the margin.")
       .def(
           "is_free",
           [](const CollisionChecker& checker, const FloatArray& backbone) {
             return checker.is_free(backbone_map(checked(checker, backbone, "backbone")));
           },
-          py::arg("backbone"), "Whether nothing touches the arm: of one backbone, float32 (m, 3).")
+          "backbone"_a, "Whether nothing touches the arm: of one backbone, float32 (m, 3).")
       .def(
           "is_motion_free",
           [](const CollisionChecker& checker, const FloatArray& from, const FloatArray& to) {
             return checker.is_motion_free(backbone_map(checked(checker, from, "from_backbone")),
                                           backbone_map(checked(checker, to, "to_backbone")));
           },
-          py::arg("from_backbone"), py::arg("to_backbone"),
+          "from_backbone"_a, "to_backbone"_a,
           "Whether the arm stays free while every plate moves straight from one backbone, float32 "
           "(m, 3), to the other.")
       .def("__repr__", [](const CollisionChecker& checker) {
@@ -105,9 +105,9 @@ void bind_goals(py::module_& module) {
       .keywords()
       .fixed()
       .done();
-  module.def("pose_error", &pose_error, py::arg("goal"), py::arg("pose"),
+  module.def("pose_error", &pose_error, "goal"_a, "pose"_a,
              "How far a Pose is from the centre of a PoseGoal: a PoseError.");
-  module.def("is_within", &is_within, py::arg("goal"), py::arg("error"),
+  module.def("is_within", &is_within, "goal"_a, "error"_a,
              "Whether both numbers of a PoseError are within the goal's tolerances.");
 }
 
@@ -135,8 +135,7 @@ void bind_inverse_kinematics(py::module_& module) {
             const py::ssize_t n = result.best_pressures_kpa.size();
             py::array_t<double> rows({k, n});
             for (py::ssize_t i = 0; i < k; ++i) {
-              Eigen::Map<Eigen::VectorXd>(rows.mutable_data() + i * n, n) =
-                  result.pressures_kpa[static_cast<std::size_t>(i)];
+              Eigen::Map<Eigen::VectorXd>(rows.mutable_data() + i * n, n) = result.pressures_kpa[i];
             }
             return rows;
           },
@@ -159,8 +158,7 @@ void bind_inverse_kinematics(py::module_& module) {
         require_planar_model(model.dimension(), "limber.solve_inverse_kinematics");
         return solve_inverse_kinematics(model, goal, settings, random);
       },
-      py::arg("model"), py::arg("goal"), py::arg("settings"), py::arg("random"),
-      py::call_guard<OthersMayRun>(),
+      "model"_a, "goal"_a, "settings"_a, "random"_a, py::call_guard<OthersMayRun>(),
       "Pressures whose no-load tip is at the goal: Newton-Raphson from random starts. "
       "model: a NoLoadModel; goal: a PoseGoal; random: a RandomStream. Not complete: "
       "if none is found, there may still be one. Raises InputError where the goal or "

@@ -7,6 +7,7 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/network/prediction_error.hpp"
 #include "limber/report/execution_report.hpp"
 #include "limber/report/plan_report.hpp"
@@ -16,6 +17,7 @@
 namespace limber::python {
 
 namespace py = pybind11;
+using namespace py::literals;
 
 namespace {
 
@@ -36,13 +38,13 @@ void bind_json(py::module_& module) {
   module.def(
       "to_json",
       [](const Evaluation& evaluation) { return to_python([&] { return to_json(evaluation); }); },
-      py::arg("evaluation"), "The dict of `limber evaluate --json`.");
+      "evaluation"_a, "The dict of `limber evaluate --json`.");
   module.def(
       "to_json",
       [](const Certificate& certificate, const Environment& environment, const Command& command) {
         return to_python([&] { return to_json(certificate, command, environment); });
       },
-      py::arg("certificate"), py::arg("environment"), py::arg_v("command", Command(), "..."),
+      "certificate"_a, "environment"_a, py::arg_v("command", Command(), "..."),
       "The dict of `limber verify --json`. `command`: the arm's, where that is no pressure.");
   module.def(
       "to_json",
@@ -50,13 +52,13 @@ void bind_json(py::module_& module) {
          const std::string& model, std::uint64_t seed, const Command& command) {
         return to_python([&] { return to_json(result, command, goal, planner, model, seed); });
       },
-      py::arg("result"), py::arg("goal"), py::arg("planner"), py::arg("model"), py::arg("seed"),
+      "result"_a, "goal"_a, "planner"_a, "model"_a, "seed"_a,
       py::arg_v("command", Command(), "..."),
       "The dict of `limber plan --json`. `command`: the arm's, where that is no pressure.");
   module.def(
       "to_json",
       [](const ExecutionResult& result, const Environment& environment) {
-        const auto obstacles = static_cast<int>(environment.obstacles.size());
+        const auto obstacles = int(environment.obstacles.size());
         for (const std::optional<Contact>& contact : {result.first_collision, result.closest}) {
           if (contact && contact->clearance.obstacle >= obstacles) {
             throw InputError(
@@ -67,21 +69,19 @@ void bind_json(py::module_& module) {
         }
         return to_python([&] { return to_json(result, environment); });
       },
-      py::arg("result"), py::arg("environment"), "The dict of `limber execute --json`.");
+      "result"_a, "environment"_a, "The dict of `limber execute --json`.");
   module.def(
       "to_json",
       [](const IdentifiedValves& valves) { return to_python([&] { return to_json(valves); }); },
-      py::arg("valves"), "Valves as a dict, with the keys of a valve file.");
+      "valves"_a, "Valves as a dict, with the keys of a valve file.");
   module.def(
       "to_json",
       [](const PredictionError& error) { return to_python([&] { return to_json(error); }); },
-      py::arg("error"), "The object `prediction_error` of `limber train --json`.");
+      "error"_a, "The object `prediction_error` of `limber train --json`.");
   module.def(
-      "content_hash",
-      [](const std::filesystem::path& path) { return content_hash(read_file(path)); },
-      py::arg("path"), py::call_guard<OthersMayRun>(),
-      "Hash of a file, a text: what plans and models say of the files they were made "
-      "with.");
+      "content_hash", [](const fs::path& path) { return content_hash(read_file(path)); }, "path"_a,
+      py::call_guard<OthersMayRun>(),
+      "Hash of a file, a text: what plans and models say of the files they were made with.");
 }
 
 }  // namespace limber::python

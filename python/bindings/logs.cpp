@@ -3,6 +3,7 @@
 
 #include "bindings.hpp"
 #include "episodes.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/logs/log_import.hpp"
 #include "others_may_run.hpp"
 #include "record.hpp"
@@ -10,11 +11,12 @@
 namespace limber::python {
 
 namespace py = pybind11;
+using namespace py::literals;
 
 namespace {
 
-using Paths = std::vector<std::filesystem::path>;
-using PathList = ListOf<std::filesystem::path>;
+using Paths = std::vector<fs::path>;
+using PathList = ListOf<fs::path>;
 
 bool is_path(const py::handle& object) {
   return py::isinstance<py::str>(object) || py::hasattr(object, "__fspath__");
@@ -28,7 +30,7 @@ bool is_path(const py::handle& object) {
 /// One path, or several. @throws TypeError naming the argument, and what was found in it.
 Paths paths_from(const PathList& paths, const std::string& name) {
   if (is_path(paths)) {
-    return {paths.cast<std::filesystem::path>()};
+    return {paths.cast<fs::path>()};
   }
   if (!py::isinstance<py::iterable>(paths) || py::isinstance<py::bytes>(paths)) {
     refuse_path(name, paths);
@@ -38,7 +40,7 @@ Paths paths_from(const PathList& paths, const std::string& name) {
     if (!is_path(path)) {
       refuse_path(name + "[" + std::to_string(found.size()) + "]", path);
     }
-    found.push_back(path.cast<std::filesystem::path>());
+    found.push_back(path.cast<fs::path>());
   }
   return found;
 }
@@ -48,8 +50,8 @@ using Import = ImportResult (*)(const Paths&, const ImportOptions&, const ArmDes
 /// Shared by both kinds of log.
 template <Import import_logs>
 ImportResult import_all(const PathList& logs, const ArmDescription& arm,
-                        const std::optional<std::filesystem::path>& mapping,
-                        const PathList& command_logs, std::optional<double> time_offset_s) {
+                        const std::optional<fs::path>& mapping, const PathList& command_logs,
+                        std::optional<double> time_offset_s) {
   ImportOptions options;
   const Paths log_paths = paths_from(logs, "logs");
   options.command_logs = paths_from(command_logs, "command_logs");
@@ -80,18 +82,17 @@ void bind_logs(py::module_& module) {
       .def("__repr__", [](const ImportResult& result) {
         return "ImportResult(" + std::string(py::repr(py::cast(result.recording))) + ")";
       });
-  module.def("import_csv", &import_all<&limber::import_csv>, py::arg("logs"), py::arg("arm"),
-             py::arg("mapping") = py::none(), py::arg("command_logs") = py::tuple(),
-             py::arg("time_offset_s") = py::none(),
+  module.def("import_csv", &import_all<&limber::import_csv>, "logs"_a, "arm"_a,
+             "mapping"_a = py::none(), "command_logs"_a = py::tuple(),
+             "time_offset_s"_a = py::none(),
              "A recording from CSV logs: an ImportResult. logs: their paths, or one path; "
              "arm: whose logs they are; mapping: file that names their columns and units "
              "(docs/importing.md), required; command_logs: logs of pressures on a clock of "
              "their own, one for each of `logs`; time_offset_s: what to add to their times "
-             "[s], None: found by correlation. Raises InputError naming log, line and "
-             "column.");
-  module.def("import_motive", &import_all<&limber::import_motive>, py::arg("logs"), py::arg("arm"),
-             py::arg("mapping") = py::none(), py::arg("command_logs") = py::tuple(),
-             py::arg("time_offset_s") = py::none(),
+             "[s], None: found by correlation. Raises InputError naming log, line and column.");
+  module.def("import_motive", &import_all<&limber::import_motive>, "logs"_a, "arm"_a,
+             "mapping"_a = py::none(), "command_logs"_a = py::tuple(),
+             "time_offset_s"_a = py::none(),
              "The same from OptiTrack Motive's CSV exports. mapping: None: all rigid bodies, "
              "or else all markers, are plates; command_logs: logs of the pressures, which "
              "Motive has not, one for each of `logs`.");

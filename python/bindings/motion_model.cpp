@@ -6,6 +6,7 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/forward/error_room.hpp"
 #include "limber/forward/recorded_region.hpp"
 #include "limber/planning/problem_check.hpp"
@@ -21,13 +22,11 @@ void step(const MotionModel& model, const FloatArray& setpoint_kpa, MotionState&
   thread_local MotionModel::Workspace scratch;
   require_shape(setpoint_kpa, {model.channel_count()}, "setpoint_kpa");
   require_finite(setpoint_kpa, "setpoint_kpa");
-  if (state.valves.size() != model.valves().state_size() ||
-      state.backbone.rows() != model.point_count() ||
-      (model.has_network() && model.compensation().reads_velocity &&
-       state.before.rows() != model.point_count())) {
-    throw InputError(
-        "state: of another arm or other valves; settled_state of this model makes one");
-  }
+  refuse_if(state.valves.size() != model.valves().state_size() ||
+                state.backbone.rows() != model.point_count() ||
+                (model.has_network() && model.compensation().reads_velocity &&
+                 state.before.rows() != model.point_count()),
+            "state: of another arm or other valves; settled_state of this model makes one");
   model.step(pressures_map(setpoint_kpa), state, scratch);
 }
 
@@ -82,9 +81,8 @@ void bind_error_room(py::module_& module) {
         }
         return error_room(model, {margin_m, goal_margin_m, goal_margin_rad, tube_level});
       },
-      py::arg("model"), py::arg("margin_m") = py::none(), py::arg("goal_margin_m") = py::none(),
-      py::arg("goal_margin_rad") = py::none(), py::arg("tube_level") = py::none(),
-      py::call_guard<OthersMayRun>(),
+      "model"_a, "margin_m"_a = py::none(), "goal_margin_m"_a = py::none(),
+      "goal_margin_rad"_a = py::none(), "tube_level"_a = py::none(), py::call_guard<OthersMayRun>(),
       "The ErrorRoom that plans keep for a model's error: the tube that the model "
       "carries, else the error that it states (PredictionError). margin_m, "
       "goal_margin_m [m] and goal_margin_rad [rad], >= 0, are taken instead where "
@@ -132,9 +130,8 @@ void bind_motion_model(py::module_& module) {
              require_planar_model(forward.dimension(), "limber.MotionModel");
              return valves == nullptr ? MotionModel(forward) : MotionModel(forward, *valves);
            }),
-           py::arg("forward"), py::arg("valves") = py::none(), py::keep_alive<1, 2>(),
-           "forward: a ForwardModel; valves: a ValveModel, None: pressures are the set "
-           "points.")
+           "forward"_a, "valves"_a = py::none(), py::keep_alive<1, 2>(),
+           "forward: a ForwardModel; valves: a ValveModel, None: pressures are the set points.")
       .def_property_readonly("forward", &MotionModel::forward,
                              py::return_value_policy::reference_internal,
                              "The ForwardModel behind the valves.")
@@ -153,10 +150,9 @@ void bind_motion_model(py::module_& module) {
             return model.settled_state(pressures_from(kpa, model.channel_count(), "kpa"),
                                        backbone_from(backbone, model.point_count(), "backbone"));
           },
-          py::arg("kpa"), py::arg("backbone"),
-          "MotionState of an arm that has long stood at pressures (n,) [kPa] with "
-          "backbone (m, 3).")
-      .def("step", &step, py::arg("setpoint_kpa"), py::arg("state"),
+          "kpa"_a, "backbone"_a,
+          "MotionState of an arm that has long stood at pressures (n,) [kPa] with backbone (m, 3).")
+      .def("step", &step, "setpoint_kpa"_a, "state"_a,
            "One frame at set points float32 (n,) [kPa]: `state` becomes what follows it.")
       .def("__repr__", [](const MotionModel& model) {
         return fmt::format("MotionModel(network={}, valves={})",
@@ -170,7 +166,7 @@ void bind_motion_model(py::module_& module) {
              require_number("frame_rate_hz", frame_rate_hz, 1e-3, 1e6);
              return RecordedRegion(learnt, frame_rate_hz);
            }),
-           py::arg("learnt"), py::arg("frame_rate_hz"), py::keep_alive<1, 2>(),
+           "learnt"_a, "frame_rate_hz"_a, py::keep_alive<1, 2>(),
            "learnt: LearntRegion, a model's model.learnt; frame_rate_hz: the arm's [Hz], > 0.")
       .def("__repr__", [](const RecordedRegion& region) {
         return fmt::format("RecordedRegion(segments={}, points={})",

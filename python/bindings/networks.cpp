@@ -8,6 +8,8 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/mapped.hpp"
 #include "others_may_run.hpp"
 #include "record.hpp"
 
@@ -76,15 +78,13 @@ void bind_prediction_error(py::module_& module) {
   Record<PredictionError>(
       module, "PredictionError",
       "How far predictions were from the arm on motions that neither trained nor "
-      "chose the model, open loop. Each number is one that 95 % of the runs do not "
-      "exceed.")
+      "chose the model, open loop. Each number is one that 95 % of the runs do not exceed.")
       .read_only("runs", &PredictionError::runs, "Number of runs that it was measured over, >= 1.")
       .read_only("run_s", &PredictionError::run_s, "Mean length of a run [s].")
       .read_only("max_position_m", &PredictionError::max_position_m,
                  "Largest distance of any plate from its prediction in a run [m].")
       .read_only("off_path_m", &PredictionError::off_path_m,
-                 "Largest distance of the arm from the predicted path in a run, early or late "
-                 "[m].")
+                 "Largest distance of the arm from the predicted path in a run, early or late [m].")
       .read_only("end_position_m", &PredictionError::end_position_m,
                  "Distance of the tip from its prediction at a run's end [m].")
       .read_only(
@@ -100,10 +100,9 @@ void bind_learnt_region(py::module_& module) {
       "What the training recordings held: ranges of pressures [kPa], of their rates "
       "[kPa/s], and of shapes.")
       .def("__repr__", [](const LearntRegion& learnt) {
-        std::vector<std::string> ranges;
-        for (Eigen::Index s = 0; s < learnt.low_kpa.size(); ++s) {
-          ranges.push_back(fmt::format("({:.1f}, {:.1f})", learnt.low_kpa[s], learnt.high_kpa[s]));
-        }
+        const auto ranges = mapped<std::string>(learnt.low_kpa.size(), [&](Eigen::Index s) {
+          return fmt::format("({:.1f}, {:.1f})", learnt.low_kpa[s], learnt.high_kpa[s]);
+        });
         return fmt::format("LearntRegion(pressure_kpa=[{}], points={})", fmt::join(ranges, ", "),
                            learnt.point_count());
       });
@@ -170,7 +169,7 @@ void bind_network(py::module_& module) {
       .def_property("bounds", value_of(&CompensationModel::bounds),
                     assigning(&CompensationModel::bounds),
                     "What predictions stay within, or None: see gap_bounds_of.")
-      .def("set_valves", &CompensationModel::set_valves, py::arg("identified"),
+      .def("set_valves", &CompensationModel::set_valves, "identified"_a,
            "Stores valves and how they were found. identified: IdentifiedValves, as "
            "identify_valves returns them.")
       .def("__repr__", [](const CompensationModel& model) {
@@ -187,18 +186,16 @@ void bind_networks(py::module_& module) {
   bind_gap_bounds(module);
   bind_learnt_region(module);
   bind_network(module);
-  module.def("read_model", &read_model, py::arg("path"), py::call_guard<OthersMayRun>(),
+  module.def("read_model", &read_model, "path"_a, py::call_guard<OthersMayRun>(),
              "Reads and checks a model (safetensors). Raises InputError naming file and key.");
   module.def(
       "write_model",
-      [](const std::filesystem::path& path, CompensationModel model) {  // Python may change its own
+      [](const fs::path& path, CompensationModel model) {  // Python may change its own
         const OthersMayRun others_may_run;
         write_model(path, model);
       },
-      py::arg("path"), py::arg("model"),
-      "Writes a model (safetensors) that read_model reads, atomically.");
-  module.def("require_model_of", &require_model_of, py::arg("model"), py::arg("arm"),
-             py::arg("where") = "model",
+      "path"_a, "model"_a, "Writes a model (safetensors) that read_model reads, atomically.");
+  module.def("require_model_of", &require_model_of, "model"_a, "arm"_a, "where"_a = "model",
              "Raises InputError unless the model was trained for the arm. where: the model's "
              "name in the message.");
 }

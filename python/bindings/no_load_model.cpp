@@ -71,13 +71,13 @@ void bind_no_load_model(py::module_& module) {
   py::class_<NoLoadModel>(module, "NoLoadModel",
                           "Shape of the unloaded, frictionless arm at given "
                           "pressures. Constant: any number of threads may share it.")
-      .def(py::init<const ArmDescription&>(), py::arg("arm"), "The simple model of an arm.")
+      .def(py::init<const ArmDescription&>(), "arm"_a, "The simple model of an arm.")
       .def_property_readonly("segment_count", &NoLoadModel::segment_count, "Segments of the arm.")
       .def_property_readonly("channel_count", &NoLoadModel::channel_count,
                              "n: pressures, one for each segment, in space for each chamber.")
       .def_property_readonly("point_count", &NoLoadModel::point_count,
                              "m: plates of the arm, base included.")
-      .def("backbone", &backbone, py::arg("pressures_kpa"), py::arg("out") = py::none(),
+      .def("backbone", &backbone, "pressures_kpa"_a, "out"_a = py::none(),
            "Backbone at pressures [kPa]: float32 (n,) gives (m, 3), rows x_m, y_m, theta_rad from "
            "base to tip, in space (m, 7), rows x_m, y_m, z_m, qx, qy, qz, qw; (k, n) gives "
            "(k, m, 3) or (k, m, 7). Written to `out` where one is given.")
@@ -88,7 +88,7 @@ void bind_no_load_model(py::module_& module) {
             require_finite(pressure_kpa, "pressure_kpa");
             return model.segment_shape(segment, pressure_kpa);
           },
-          py::arg("segment"), py::arg("pressure_kpa"),
+          "segment"_a, "pressure_kpa"_a,
           "Curvature and length of one segment under a pressure: docs/model.md, (3) and "
           "(4). segment: 0 at the base; pressure_kpa: signed [kPa]. Raises IndexError for "
           "a segment that there is not.")
@@ -99,19 +99,17 @@ void bind_no_load_model(py::module_& module) {
             require_finite(curvature_per_m, "curvature_per_m");
             return model.pressure_for_curvature(segment, curvature_per_m);
           },
-          py::arg("segment"), py::arg("curvature_per_m"),
+          "segment"_a, "curvature_per_m"_a,
           "Pressure that bends a segment as wanted, the inverse of segment_shape: (11). "
-          "curvature_per_m: positive bends left [1/m]. Beyond the limit: reachable is "
-          "False.")
+          "curvature_per_m: positive bends left [1/m]. Beyond the limit: reachable is False.")
       .def(
           "curvature_limit_per_m",
           [](const NoLoadModel& model, int segment) {
             require_segment(model, segment, "NoLoadModel.curvature_limit_per_m");
             return model.curvature_limit_per_m(segment);
           },
-          py::arg("segment"),
-          "Largest curvature that the pressure limit of a segment allows, in magnitude "
-          "[1/m].")
+          "segment"_a,
+          "Largest curvature that the pressure limit of a segment allows, in magnitude [1/m].")
       .def("__repr__", [](const NoLoadModel& model) {
         return fmt::format("NoLoadModel(segments={}, points={})", model.segment_count(),
                            model.point_count());
@@ -125,7 +123,7 @@ void bind_no_load_model(py::module_& module) {
         const py::ssize_t last = backbone.shape(0) - 1;
         return Pose{rows(last, 0), rows(last, 1), rows(last, 2)};
       },
-      py::arg("backbone"), "Pose of the end effector: the last row of a planar backbone (m, 3).");
+      "backbone"_a, "Pose of the end effector: the last row of a planar backbone (m, 3).");
 }
 
 }  // namespace limber::python

@@ -133,15 +133,14 @@ std::string evaluation_picture(const Evaluation& evaluation) {
 
 void bind_pictures(py::module_& module) {
   module.def("environment_picture",
-             of_planar_arms("limber.environment_picture", &environment_picture), py::arg("arm"),
-             py::arg("environment"), py::call_guard<OthersMayRun>(),
+             of_planar_arms("limber.environment_picture", &environment_picture), "arm"_a,
+             "environment"_a, py::call_guard<OthersMayRun>(),
              "The environment with the arm at its start, as an SVG file's text.");
-  module.def("plan_picture", of_planar_arms("limber.plan_picture", &plan_picture), py::arg("arm"),
-             py::arg("environment"), py::arg("result"), py::call_guard<OthersMayRun>(),
+  module.def("plan_picture", of_planar_arms("limber.plan_picture", &plan_picture), "arm"_a,
+             "environment"_a, "result"_a, py::call_guard<OthersMayRun>(),
              "Environment, search tree and plan (or the nearest motion, dashed), as SVG text.");
-  module.def("plan_animation", of_planar_arms("limber.plan_animation", &plan_animation),
-             py::arg("arm"), py::arg("environment"), py::arg("plan"),
-             py::call_guard<OthersMayRun>(),
+  module.def("plan_animation", of_planar_arms("limber.plan_animation", &plan_animation), "arm"_a,
+             "environment"_a, "plan"_a, py::call_guard<OthersMayRun>(),
              "One self-contained HTML page in which the arm moves.");
   module.def(
       "pressure_picture",
@@ -150,26 +149,24 @@ void bind_pictures(py::module_& module) {
         require_plan_of(plan, arm, "plan");
         return pressure_picture(arm, plan);
       },
-      py::arg("arm"), py::arg("plan"), py::call_guard<OthersMayRun>(),
+      "arm"_a, "plan"_a, py::call_guard<OthersMayRun>(),
       "Set points and the pressures predicted from them over time, as SVG text.");
   module.def("execution_picture", of_planar_arms("limber.execution_picture", &execution_picture),
-             py::arg("arm"), py::arg("environment"), py::arg("plan"), py::arg("result"),
-             py::call_guard<OthersMayRun>(),
+             "arm"_a, "environment"_a, "plan"_a, "result"_a, py::call_guard<OthersMayRun>(),
              "One run beside its prediction, as an SVG file's text.");
   module.def("execution_animation",
-             of_planar_arms("limber.execution_animation", &execution_animation), py::arg("arm"),
-             py::arg("environment"), py::arg("plan"), py::arg("result"),
-             py::call_guard<OthersMayRun>(),
+             of_planar_arms("limber.execution_animation", &execution_animation), "arm"_a,
+             "environment"_a, "plan"_a, "result"_a, py::call_guard<OthersMayRun>(),
              "A page in which the arm moves, as predicted and as measured.");
-  module.def("learning_curve_svg", &learning_curve_svg, py::arg("curve"),
-             py::call_guard<OthersMayRun>(), "Loss and validation error over epochs, as SVG text.");
+  module.def("learning_curve_svg", &learning_curve_svg, "curve"_a, py::call_guard<OthersMayRun>(),
+             "Loss and validation error over epochs, as SVG text.");
   module.def(
       "arm_svg",
       [](const ArmDescription& arm, const FloatArray& backbone) {
         require_planar(arm, "limber.arm_svg");
         return backbone_picture(arm, backbone_from(backbone, arm.point_count(), "backbone"));
       },
-      py::arg("arm"), py::arg("backbone"), "The arm with this backbone, float32 (m, 3), as SVG.");
+      "arm"_a, "backbone"_a, "The arm with this backbone, float32 (m, 3), as SVG.");
 }
 
 }  // namespace limber::python

@@ -11,6 +11,9 @@
 #include "bindings.hpp"
 #include "caller_thread.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/mapped.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/network/gap_bounds.hpp"
 #include "limber/planning/planner_factory.hpp"
 #include "others_may_run.hpp"
@@ -60,9 +63,7 @@ class OnePlanner {
   PlanResult plan(const PlanningProblem& problem, PlannerLimits limits, std::uint64_t seed,
                   const py::object& callback) {
     require_bounded_model(problem);
-    if (busy_.exchange(true)) {
-      throw InputError("this planner is planning already; make one for each thread");
-    }
+    refuse_if(busy_.exchange(true), "this planner is planning already; make one for each thread");
     const std::unique_ptr<std::atomic<bool>, void (*)(std::atomic<bool>*)> free_again(
         &busy_, [](std::atomic<bool>* busy) { busy->store(false); });
     CallerThread caller;
@@ -144,12 +145,11 @@ void bind_problem(py::module_& module) {
             problem.tube = tube;
             return problem;
           }),
-          py::arg("arm"), py::arg("model"), py::arg("environment"), py::arg("margin_m") = 0.0,
-          py::arg("goal_margin") = PoseError{}, py::arg("stay_within") = py::none(),
-          py::arg("margin_yields_to_start") = false,
-          py::arg("limits_kpa") = std::vector<std::pair<double, double>>{},
-          py::arg("tube") = py::none(), py::keep_alive<1, 2>(), py::keep_alive<1, 3>(),
-          py::keep_alive<1, 4>(), py::keep_alive<1, 7>(),
+          "arm"_a, "model"_a, "environment"_a, "margin_m"_a = 0.0, "goal_margin"_a = PoseError{},
+          "stay_within"_a = py::none(), "margin_yields_to_start"_a = false,
+          "limits_kpa"_a = std::vector<std::pair<double, double>>{}, "tube"_a = py::none(),
+          py::keep_alive<1, 2>(), py::keep_alive<1, 3>(), py::keep_alive<1, 4>(),
+          py::keep_alive<1, 7>(),
           "margin_m: clearance kept from obstacles [m], >= 0; goal_margin: how far inside "
           "the goal's tolerances plans end; stay_within: a RecordedRegion that plans stay "
           "in, None: anywhere; margin_yields_to_start: see ErrorRoom; limits_kpa: (lower, "
@@ -176,10 +176,9 @@ PlanResult along(const PlanningProblem& problem, const FloatArray& waypoints_kpa
   require_shape(waypoints_kpa, {batch_size(waypoints_kpa, "waypoints_kpa"), n}, "waypoints_kpa");
   require_finite(waypoints_kpa, "waypoints_kpa");
   require_bounded_model(problem);
-  std::vector<Pressures> waypoints;
-  for (py::ssize_t w = 0; w < waypoints_kpa.shape(0); ++w) {
-    waypoints.emplace_back(Eigen::Map<const Pressures>(waypoints_kpa.data(w, 0), n));
-  }
+  const auto waypoints = mapped<Pressures>(waypoints_kpa.shape(0), [&](py::ssize_t w) {
+    return Pressures(Eigen::Map<const Pressures>(waypoints_kpa.data(w, 0), n));
+  });
   return interruptibly([&] { return plan_along(problem, waypoints, planner, seed); });
 }
 
@@ -263,7 +262,7 @@ void bind_plan_result(py::module_& module) {
 }
 
 // A copy of the network, as Python may assign to its parts meanwhile.
-using AnyModel = std::variant<std::filesystem::path, CompensationModel, const MotionModel*>;
+using AnyModel = std::variant<fs::path, CompensationModel, const MotionModel*>;
 
 PlanResult plan_with(const ArmDescription& arm, const AnyModel& model,
                      const Environment& environment, PlannerLimits limits, std::uint64_t seed,
@@ -273,7 +272,7 @@ PlanResult plan_with(const ArmDescription& arm, const AnyModel& model,
   CallerThread caller;
   settings.callback = watched(caller, callback);
   return caller.run([&] {
-    if (const auto* file = std::get_if<std::filesystem::path>(&model)) {
+    if (const auto* file = std::get_if<fs::path>(&model)) {
       return plan(arm, *file, environment, limits, seed, settings);
     }
     if (const auto* network = std::get_if<CompensationModel>(&model)) {
@@ -301,14 +300,12 @@ void bind_plan_function(py::module_& module) {
                           planner,
                           jobs});
       },
-      py::arg("arm"), py::arg("model").none(false), py::arg("environment"),
-      py::arg("limits") = PlannerLimits{}, py::arg("seed") = 1, py::kw_only(),
-      py::arg("callback") = py::none(), py::arg("planner") = "default", py::arg("jobs") = 0,
-      py::arg("margin_m") = py::none(), py::arg("goal_margin_m") = py::none(),
-      py::arg("goal_margin_rad") = py::none(), py::arg("tube_level") = py::none(),
-      py::arg("stay_recorded") = false,
-      py::arg("limits_kpa") = std::vector<std::pair<double, double>>{},
-      py::arg("rate_limit_kpa_per_s") = py::none(),
+      "arm"_a, "model"_a.none(false), "environment"_a, "limits"_a = PlannerLimits{}, "seed"_a = 1,
+      py::kw_only(), "callback"_a = py::none(), "planner"_a = "default", "jobs"_a = 0,
+      "margin_m"_a = py::none(), "goal_margin_m"_a = py::none(), "goal_margin_rad"_a = py::none(),
+      "tube_level"_a = py::none(), "stay_recorded"_a = false,
+      "limits_kpa"_a = std::vector<std::pair<double, double>>{},
+      "rate_limit_kpa_per_s"_a = py::none(),
       "What `limber plan` does, and the same plan: it keeps the tube that the model carries, or "
       "the error that it states, stands behind the valves that it was trained with, and is "
       "certified. model: the file of one, which the plan then names; a CompensationModel; or a "
@@ -325,15 +322,14 @@ void bind_planning(py::module_& module) {
   bind_limits(module);
   bind_problem(module);
   module.def("problem_with_room", of_planar_arms("limber.problem_with_room", &problem_with_room),
-             py::arg("arm"), py::arg("model"), py::arg("environment"), py::arg("room"),
-             py::keep_alive<0, 1>(), py::keep_alive<0, 2>(), py::keep_alive<0, 3>(),
+             "arm"_a, "model"_a, "environment"_a, "room"_a, py::keep_alive<0, 1>(),
+             py::keep_alive<0, 2>(), py::keep_alive<0, 3>(),
              "The PlanningProblem whose plans keep that room: the model's tube, or one "
              "clearance everywhere. room: an ErrorRoom, as error_room makes it.");
   bind_plan_result(module);
   py::class_<OnePlanner>(module, "Planner", "A planner in pressure space: one caller at a time.")
       .def_property_readonly("name", &OnePlanner::name, "Its name, a text that make_planner takes.")
-      .def("plan", &OnePlanner::plan, py::arg("problem"), py::arg("limits"), py::arg("seed"),
-           py::arg("callback") = py::none(),
+      .def("plan", &OnePlanner::plan, "problem"_a, "limits"_a, "seed"_a, "callback"_a = py::none(),
            "Searches; the plan is certified. `callback(progress)` comes about ten times per "
            "second; False stops the search. Ctrl-C ends it with KeyboardInterrupt. With limits of "
            "iterations or queries alone the seed decides everything.")
@@ -347,11 +343,10 @@ void bind_planning(py::module_& module) {
         require_jobs(jobs);
         return std::make_unique<OnePlanner>(make_planner(name, jobs));
       },
-      py::arg("name") = "default", py::arg("jobs") = 0, py::call_guard<OthersMayRun>(),
+      "name"_a = "default", "jobs"_a = 0, py::call_guard<OthersMayRun>(),
       "By name; settings may follow it: \"default,improved_plans=0\". jobs: threads, 0: one per "
       "core; they never change a result.");
-  module.def("plan_along", &along, py::arg("problem"), py::arg("waypoints_kpa"), py::arg("planner"),
-             py::arg("seed") = 0,
+  module.def("plan_along", &along, "problem"_a, "waypoints_kpa"_a, "planner"_a, "seed"_a = 0,
              "The motion that a planner of your own proposes, from the start straight to each of "
              "the waypoints (w, n) [kPa]: simulated, held and certified. Not certified: "
              "best_partial is the motion, reason what is wrong with it.");

@@ -37,8 +37,7 @@ py::array_t<float> backbones_of(const Plan& plan) {
 void bind_certified_figures(py::module_& module) {
   Record<CertifiedFigures>(module, "CertifiedFigures", "What its certificate said of a plan.")
       .read_only("clearance_m", &CertifiedFigures::clearance_m,
-                 "Smallest distance of the moving arm from an obstacle [m]; inf without "
-                 "obstacles.")
+                 "Smallest distance of the moving arm from an obstacle [m]; inf without obstacles.")
       .read_only("max_deviation_m", &CertifiedFigures::max_deviation_m,
                  "Largest distance of a plate between the certificate's simulation and the plan "
                  "[m].")
@@ -89,8 +88,7 @@ void bind_plan_motion(py::class_<Plan>& binding) {
           "Pressures predicted from them, float32 (T, n) [kPa]; a copy.")
       .def_property_readonly(
           "backbone", &backbones_of,
-          "Predicted shapes, float32 (T, m, 3): x_m, y_m, theta_rad of each plate; a "
-          "copy.")
+          "Predicted shapes, float32 (T, m, 3): x_m, y_m, theta_rad of each plate; a copy.")
       .def(
           "_repr_svg_",
           [](const Plan& plan) -> std::optional<std::string> {
@@ -131,25 +129,22 @@ void bind_plan(py::module_& module) {
 void bind_plans(py::module_& module) {
   bind_certified_figures(module);
   bind_plan(module);
-  module.def("read_plan", &read_plan, py::arg("path"), py::call_guard<OthersMayRun>(),
+  module.def("read_plan", &read_plan, "path"_a, py::call_guard<OthersMayRun>(),
              "Reads and checks a plan (JSON). Raises InputError naming file and field.");
-  module.def("read_plan_unchecked", &read_plan_unchecked, py::arg("path"),
-             py::call_guard<OthersMayRun>(),
+  module.def("read_plan_unchecked", &read_plan_unchecked, "path"_a, py::call_guard<OthersMayRun>(),
              "Reads a plan (JSON) for `certify` to judge: only types and finite numbers are "
              "checked.");
-  module.def("write_plan", &write_plan, py::arg("path"), py::arg("plan"),
-             py::call_guard<OthersMayRun>(),
+  module.def("write_plan", &write_plan, "path"_a, "plan"_a, py::call_guard<OthersMayRun>(),
              "Writes a plan (JSON), atomically, every number exactly.");
-  module.def("write_setpoints_csv", &write_setpoints_csv, py::arg("path"), py::arg("plan"),
+  module.def("write_setpoints_csv", &write_setpoints_csv, "path"_a, "plan"_a,
              py::call_guard<OthersMayRun>(),
              "Set points for a valve controller as CSV, one row for each frame: time_s, "
              "setpoint_0_kpa, ..., pressure_0_kpa, ...");
-  module.def("write_backbones_csv", &write_backbones_csv, py::arg("path"), py::arg("plan"),
+  module.def("write_backbones_csv", &write_backbones_csv, "path"_a, "plan"_a,
              py::call_guard<OthersMayRun>(),
              "Predicted shapes as CSV, one row for each frame: time_s, x_0_m, y_0_m, "
              "theta_0_rad, ...");
-  module.def("require_plan_of", &require_plan_of, py::arg("plan"), py::arg("arm"),
-             py::arg("file") = "plan",
+  module.def("require_plan_of", &require_plan_of, "plan"_a, "arm"_a, "file"_a = "plan",
              "Raises InputError where the plan was made for another arm or breaks its "
              "limits. file: the plan's name in the message.");
 }

@@ -8,6 +8,8 @@
 #include "bindings.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "others_may_run.hpp"
 
 namespace limber::python {
@@ -15,7 +17,7 @@ namespace limber::python {
 namespace {
 
 using DriverUse = SharedProcessDriver::Use;
-using Path = std::filesystem::path;
+using Path = fs::path;
 
 constexpr std::string_view kExec = "exec:";
 
@@ -24,7 +26,7 @@ void tell(const py::object& on_message, const std::string& message) noexcept {
   const py::gil_scoped_acquire python;
   try {
     if (on_message.is_none()) {
-      py::print(message, py::arg("file") = py::module_::import("sys").attr("stderr"));
+      py::print(message, "file"_a = py::module_::import("sys").attr("stderr"));
     } else {
       on_message(message);
     }
@@ -40,14 +42,10 @@ std::unique_ptr<SharedProcessDriver> start(const ArmDescription& arm, const std:
                                            const py::object& on_message, bool simulated,
                                            const std::optional<Path>& calibration) {
   require_planar(arm, "limber.ProcessDriver");
-  if (!command.starts_with(kExec) || command.size() == kExec.size()) {
-    throw InputError(fmt::format(
-        "driver '{}': expected exec:COMMAND, as in \"exec:python3 my_driver.py\"", command));
-  }
-  if (!(limit_scale > 0.0 && limit_scale <= 1.0)) {
-    throw InputError(
-        fmt::format("limit_scale = {}: expected a number over 0, at most 1", limit_scale));
-  }
+  refuse_if(!command.starts_with(kExec) || command.size() == kExec.size(),
+            "driver '{}': expected exec:COMMAND, as in \"exec:python3 my_driver.py\"", command);
+  refuse_if(!(limit_scale > 0.0 && limit_scale <= 1.0),
+            "limit_scale = {}: expected a number over 0, at most 1", limit_scale);
   ProcessDriverSettings settings;
   settings.command = command.substr(kExec.size());
   settings.limit_scale = limit_scale;
@@ -109,9 +107,7 @@ void SharedProcessDriver::close() {
 }
 
 SharedProcessDriver::Use::Use(SharedProcessDriver& shared) : shared_(shared) {
-  if (shared.busy_.exchange(true)) {
-    throw InputError("this driver moves the arm already; one thread at a time");
-  }
+  refuse_if(shared.busy_.exchange(true), "this driver moves the arm already; one thread at a time");
   if (!shared.is_open()) {
     shared.busy_.store(false);
     throw InputError("this driver was closed; start another one");
@@ -141,10 +137,9 @@ void bind_process_driver(py::module_& module) {
       "An arm behind a program of your own (docs/driver.md; limber.driver.serve makes one of "
       "Python), in a process that closes the valves whatever becomes of this one. One thread at a "
       "time; `with` closes it.")
-      .def(py::init(&start), py::arg("arm"), py::arg("command"), py::arg("arm_file") = py::none(),
-           py::arg("limit_scale") = 1.0, py::arg("check_rate") = true, py::arg("log") = py::none(),
-           py::arg("on_message") = py::none(), py::arg("simulated") = false,
-           py::arg("calibration") = py::none(),
+      .def(py::init(&start), "arm"_a, "command"_a, "arm_file"_a = py::none(), "limit_scale"_a = 1.0,
+           "check_rate"_a = true, "log"_a = py::none(), "on_message"_a = py::none(),
+           "simulated"_a = false, "calibration"_a = py::none(),
            "Starts \"exec:COMMAND\" without a shell, and vents. arm_file: its mapping `safety` "
            "counts; limit_scale: limits in force are so many times the arm's; check_rate: False "
            "where motions jump and the valves ramp by themselves; log: file of what both sides "
@@ -154,7 +149,7 @@ void bind_process_driver(py::module_& module) {
       .def(
           "state", [](SharedProcessDriver& shared) { return DriverUse(shared)->state(); },
           "The latest ArmState, as the driver measured it.")
-      .def("command", &command, py::arg("setpoint_kpa"),
+      .def("command", &command, "setpoint_kpa"_a,
            "One frame at set points (n,) [kPa]; returns the ArmState after it. Who "
            "commands by hand vents by hand. Raises SystemFault where the driver fails, and for "
            "a set point beyond the limits, which is not sent: the driver can then only vent.")

@@ -7,6 +7,7 @@
 #include <pybind11/numpy.h>
 
 #include "limber/common/error.hpp"
+#include "limber/common/mapped.hpp"
 
 namespace limber::python {
 
@@ -17,7 +18,7 @@ constexpr std::size_t kLongestShown = 6;  // numbers or values of a list
 std::string value_to_text(const py::object& value) {
   if (py::isinstance<py::array>(value)) {
     const auto array = py::reinterpret_borrow<py::array>(value);
-    if (array.ndim() > 1 || static_cast<std::size_t>(array.size()) > kLongestShown) {
+    if (array.ndim() > 1 || std::size_t(array.size()) > kLongestShown) {
       return fmt::format("<{} {}>", std::string(py::str(array.dtype())),
                          std::string(py::str(array.attr("shape"))));
     }
@@ -41,11 +42,9 @@ std::string type_of(const py::object& object, const std::string& field) {
 }  // namespace
 
 std::string record_to_text(const py::object& object, const std::vector<std::string>& names) {
-  std::vector<std::string> fields;
-  fields.reserve(names.size());
-  for (const std::string& name : names) {
-    fields.push_back(fmt::format("{}={}", name, value_to_text(object.attr(name.c_str()))));
-  }
+  const auto fields = mapped<std::string>(names, [&](const std::string& name) {
+    return fmt::format("{}={}", name, value_to_text(object.attr(name.c_str())));
+  });
   return fmt::format("{}({})", type_name(object), fmt::join(fields, ", "));
 }
 

@@ -13,6 +13,7 @@
 namespace limber::python {
 
 namespace py = pybind11;
+using namespace py::literals;
 
 /// Of an object's class, for messages: "list".
 inline std::string type_name(py::handle of) {
@@ -70,7 +71,7 @@ class Choice : public py::enum_<T> {
                 require_value(py::type::of<T>(), value);
                 return static_cast<T>(value);
               }),
-              py::arg("value"));
+              "value"_a);
   }
 };
 

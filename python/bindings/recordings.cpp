@@ -13,6 +13,8 @@
 #include "caller_thread.hpp"
 #include "episodes.hpp"
 #include "limber/arm/space_pose.hpp"
+#include "limber/common/mapped.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/data/recording_export.hpp"
 #include "limber/data/recording_inspection.hpp"
 #include "limber/data/valve_identification.hpp"
@@ -79,9 +81,8 @@ Episode make_episode(const DoubleArray& time_s, const FloatArray& pressure_kpa,
         fmt::format("pressure_kpa has shape {}; expected (T, n)", to_text(shape_of(pressure_kpa))));
   }
   require_shape(setpoint_kpa, shape_of(pressure_kpa), "setpoint_kpa");
-  if (setpoints_only && episode.pressure_kpa != episode.setpoint_kpa) {
-    throw InputError("pressure_kpa is not setpoint_kpa; expected that with setpoints_only");
-  }
+  refuse_if(setpoints_only && episode.pressure_kpa != episode.setpoint_kpa,
+            "pressure_kpa is not setpoint_kpa; expected that with setpoints_only");
   const bool in_space = backbone.ndim() == 3 && backbone.shape(2) == kSpacePoseSize;
   if (backbone.ndim() != 3 || (!in_space && backbone.shape(2) != kPoseSize) ||
       (frames > 0 && backbone.shape(1) < 2)) {
@@ -117,16 +118,14 @@ void bind_episode(py::module_& module) {
   py::class_<Episode>(module, "Episode",
                       "One unbroken run of the arm: T frames, n segments, m plates. Its arrays "
                       "are read-only views of limber's own memory.")
-      .def(py::init(&make_episode), py::arg("time_s"), py::arg("pressure_kpa"),
-           py::arg("setpoint_kpa"), py::arg("backbone"), py::arg("motion_index"),
-           py::arg("tracked") = py::none(), py::arg("setpoints_only") = false,
-           py::arg("physics") = "", py::arg("lifted") = false, py::arg("log") = "",
+      .def(py::init(&make_episode), "time_s"_a, "pressure_kpa"_a, "setpoint_kpa"_a, "backbone"_a,
+           "motion_index"_a, "tracked"_a = py::none(), "setpoints_only"_a = false, "physics"_a = "",
+           "lifted"_a = false, "log"_a = "",
            "Copies its arrays once: time_s (T,) [s], pressure_kpa and setpoint_kpa (T, n) "
            "[kPa], backbone (T, m, 3) in frame B, in space (T, m, 7), motion_index (T,), and "
            "tracked (T,) or None: all frames. With setpoints_only, pressure_kpa has to be "
            "setpoint_kpa. lifted: in space, rotations were made from positions. log: the "
-           "file that it is of. "
-           "Raises InputError naming the array that does not fit.")
+           "file that it is of. Raises InputError naming the array that does not fit.")
       .def_property_readonly(
           "time_s",
           [](const py::object& self) {
@@ -235,8 +234,7 @@ void bind_recording(py::module_& module) {
 }
 
 void bind_export(py::module_& module) {
-  module.def("export_csv", &export_csv, py::arg("recording"), py::arg("folder"),
-             py::call_guard<OthersMayRun>(),
+  module.def("export_csv", &export_csv, "recording"_a, "folder"_a, py::call_guard<OthersMayRun>(),
              "Writes each episode as one CSV table, and mapping.yaml to read them back with "
              "import_csv. folder: made where it is missing.");
   Record<EpisodeErrors>(module, "EpisodeErrors", "The simple model's error in every episode.")
@@ -252,14 +250,10 @@ void bind_export(py::module_& module) {
       .def_property_readonly(
           "tip_cm",
           [](const EpisodeErrors& errors) {
-            std::vector<double> tips;
-            for (const EpisodeError& one : errors.episodes) {
-              tips.push_back(one.tip_cm);
-            }
-            return tips;
+            return mapped<double>(errors.episodes,
+                                  [&](const EpisodeError& one) { return one.tip_cm; });
           },
-          "Mean error of each episode at the tip, a list [cm]; NaN where nothing was "
-          "tracked.")
+          "Mean error of each episode at the tip, a list [cm]; NaN where nothing was tracked.")
       .def("__str__", [](const EpisodeErrors& errors) { return to_text(errors); });
   module.def(
       "episode_errors",
@@ -267,7 +261,7 @@ void bind_export(py::module_& module) {
         const std::vector<Episode> copies = episodes_from(episodes);
         return interruptibly([&] { return episode_errors(arm, copies); });
       },
-      py::arg("arm"), py::arg("episodes"),
+      "arm"_a, "episodes"_a,
       "EpisodeErrors of the simple model, fitted to all episodes; an episode far "
       "above the others was broken. Raises InputError where there is no episode, or "
       "nothing was tracked.");
@@ -279,11 +273,9 @@ void bind_recording_inspection(py::module_& module) {
       [](const Recording& recording, const ArmDescription* arm, const std::string& file) {
         return to_text(recording, inspect(recording, arm, file));
       },
-      py::arg("recording"), py::arg("arm") = py::none(), py::arg("file") = "recording",
-      py::call_guard<OthersMayRun>(),
+      "recording"_a, "arm"_a = py::none(), "file"_a = "recording", py::call_guard<OthersMayRun>(),
       "What a recording holds and what is odd about it, a text. arm: gives the "
-      "limits, None: the largest set points stand for them; file: its name in "
-      "messages.");
+      "limits, None: the largest set points stand for them; file: its name in messages.");
   module.def(
       "identify_valves",
       [](const EpisodeList& episodes, const ArmDescription& arm, const std::string& source) {
@@ -292,7 +284,7 @@ void bind_recording_inspection(py::module_& module) {
         require_episodes_of(copies, arm, source);
         return identify_valves(copies, arm, source);
       },
-      py::arg("episodes"), py::arg("arm"), py::arg("source") = "recordings",
+      "episodes"_a, "arm"_a, "source"_a = "recordings",
       "IdentifiedValves between set points and measured pressures; the findings say how well they "
       "fit, or why there are none. source: the recordings' name in the findings.");
 }
@@ -358,7 +350,7 @@ void bind_recordings(py::module_& module) {
         require_episodes_of(recording.episodes, arm, "recording");
         return recording;
       },
-      py::arg("arm"), py::arg("episodes"), py::arg("source") = "python", py::arg("seed") = 0,
+      "arm"_a, "episodes"_a, "source"_a = "python", "seed"_a = 0,
       "A Recording of these episodes (copied), checked: sizes agree, times increase, "
       "numbers are finite; else InputError. source: what moved, in words.");
   module.def(
@@ -371,15 +363,15 @@ void bind_recordings(py::module_& module) {
         }
         return episodes_to(std::move(copies));
       },
-      py::arg("episodes"),
+      "episodes"_a,
       "Copies of the episodes without measured pressures: set points take their place.");
-  module.def("read_recording", &read_recording, py::arg("path"), py::call_guard<OthersMayRun>(),
+  module.def("read_recording", &read_recording, "path"_a, py::call_guard<OthersMayRun>(),
              "Reads and checks a recording (HDF5). Raises InputError naming file and field.");
-  module.def("write_recording", &write_recording, py::arg("path"), py::arg("recording"),
+  module.def("write_recording", &write_recording, "path"_a, "recording"_a,
              py::call_guard<OthersMayRun>(),
              "Writes a recording (HDF5) that read_recording reads, atomically.");
-  module.def("require_recording_of", &require_recording_of, py::arg("recording"), py::arg("arm"),
-             py::arg("file") = "recording", py::call_guard<OthersMayRun>(),
+  module.def("require_recording_of", &require_recording_of, "recording"_a, "arm"_a,
+             "file"_a = "recording", py::call_guard<OthersMayRun>(),
              "Raises InputError where the recording is not one of this arm. file: the "
              "recording's name in the message.");
   bind_export(module);

@@ -4,6 +4,7 @@
 #include "bindings.hpp"
 #include "caller_thread.hpp"
 #include "episodes.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/report/training_report.hpp"
 #include "limber/training/fine_tuning.hpp"
 #include "limber/training/gap_bounds_fit.hpp"
@@ -44,9 +45,8 @@ void bind_data(py::module_& module) {
              return TrainingData{episodes_from(training), episodes_from(validation),
                                  episodes_from(replay), episodes_from(unseen)};
            }),
-           py::arg("training"), py::arg("validation") = py::tuple(),
-           py::arg("replay") = py::tuple(), py::arg("unseen") = py::tuple(),
-           "Lists of Episode, copied; no episode belongs in two of them.")
+           "training"_a, "validation"_a = py::tuple(), "replay"_a = py::tuple(),
+           "unseen"_a = py::tuple(), "Lists of Episode, copied; no episode belongs in two of them.")
       .def_property(
           "training", [](const TrainingData& data) { return episodes_to(data.training); },
           [](TrainingData& data, const EpisodeList& e) { data.training = episodes_from(e); },
@@ -82,14 +82,13 @@ void bind_data(py::module_& module) {
         const OthersMayRun others_may_run;
         return hold_back_validation(std::move(copies), fraction, seed);
       },
-      py::arg("episodes"), py::arg("fraction"), py::arg("seed"),
+      "episodes"_a, "fraction"_a, "seed"_a,
       "TrainingData of the episodes, some of which are held back for validation: about `fraction` "
       "of the frames, in (0, 1), in whole episodes chosen by `seed`, at least one. Of one that has "
       "over 40 % of all frames its end is held back. Raises InputError where nothing would be left "
       "to learn from.");
   // With Python's lock, as it changes what others may read.
-  module.def("hold_back_unseen", &hold_back_unseen, py::arg("data"), py::arg("fraction"),
-             py::arg("seed"),
+  module.def("hold_back_unseen", &hold_back_unseen, "data"_a, "fraction"_a, "seed"_a,
              "Moves about `fraction` of the frames, in [0, 1), from data.training to "
              "data.unseen, for note_unseen to measure the error on: whole episodes chosen by "
              "`seed`, or the end of the longest. `data` is changed; where it is too short, "
@@ -161,7 +160,7 @@ void bind_runs(py::module_& module) {
         const TrainingHooks hooks = hooks_for(caller, on_epoch);
         return caller.run([&] { return train(arm, data, settings, hooks); });
       },
-      py::arg("arm"), py::arg("data"), py::arg("settings"), py::arg("on_epoch") = py::none(),
+      "arm"_a, "data"_a, "settings"_a, "on_epoch"_a = py::none(),
       "Trains a network: a TrainingResult. data: TrainingData, as "
       "hold_back_validation makes it. `on_epoch(LearningCurvePoint)` comes after "
       "every epoch; False stops the run. Ctrl-C raises KeyboardInterrupt; with a "
@@ -175,8 +174,7 @@ void bind_runs(py::module_& module) {
         const TrainingHooks hooks = hooks_for(caller, on_epoch);
         return caller.run([&] { return fine_tune(arm, data, settings, start, hooks); });
       },
-      py::arg("arm"), py::arg("data"), py::arg("settings"), py::arg("start"),
-      py::arg("on_epoch") = py::none(),
+      "arm"_a, "data"_a, "settings"_a, "start"_a, "on_epoch"_a = py::none(),
       "Trains on from the weights of the model `start`, which keeps its layout and "
       "sizes; else as `train`. Raises InputError where it is another arm's.");
   module.def(
@@ -186,19 +184,17 @@ void bind_runs(py::module_& module) {
         const OthersMayRun others_may_run;
         return gap_bounds_of(copies);
       },
-      py::arg("episodes"),
+      "episodes"_a,
       "The bounds of a model that learnt from these episodes, for the model.bounds of an old one.");
   module.def(
       "learnt_region_of",
       [](TrainingData data) {
         const OthersMayRun others_may_run;
-        if (data.training.empty()) {
-          throw InputError("learnt_region_of: no episodes to train with");
-        }
+        refuse_if(data.training.empty(), "learnt_region_of: no episodes to train with");
         require_planar_model(data.training.front().dimension, "limber.learnt_region_of");
         return learnt_region_of(data);
       },
-      py::arg("data"), "What a model has learnt that was trained on these data, for model.learnt.");
+      "data"_a, "What a model has learnt that was trained on these data, for model.learnt.");
   module.def(
       "note_unseen",
       [](const ArmDescription& arm, CompensationModel& model, const EpisodeList& unseen, int jobs) {
@@ -212,7 +208,7 @@ void bind_runs(py::module_& module) {
         model.prediction_error = std::move(measured.prediction_error);
         model.learnt = std::move(measured.learnt);
       },
-      py::arg("arm"), py::arg("model"), py::arg("unseen"), py::arg("jobs") = 0,
+      "arm"_a, "model"_a, "unseen"_a, "jobs"_a = 0,
       "Measures the finished model's error on episodes that it has never seen, and "
       "stores it as model.prediction_error: error_room then keeps plans so far clear "
       "of obstacles. unseen: data.unseen; motions in it count that move a set point, "

@@ -67,8 +67,7 @@ void add_run_fields(Record<TrainingSettings>& settings) {
   settings.field("seed", &S::seed, "Seed of first weights and of the windows' order.")
       .field("jobs", &S::jobs, "Threads, 0: one per core; never changes a result.")
       .field("time_limit_s", &S::time_limit_s,
-             "> 0: epochs are scaled to about this time, once, at the start [s]; 0: no "
-             "limit.")
+             "> 0: epochs are scaled to about this time, once, at the start [s]; 0: no limit.")
       .field("keep_epoch", &S::keep_epoch,
              "> 0: training ends after this epoch, whose network is kept; nothing may validate. 0: "
              "the best one is.")
@@ -135,9 +134,8 @@ void bind_settings(py::module_& module) {
 }
 
 void bind_training_presets(py::module_& module) {
-  module.def("training_preset", &training_preset, py::arg("name"),
-             "TrainingSettings by name: \"best\" or \"paper\". Raises InputError naming "
-             "them.");
+  module.def("training_preset", &training_preset, "name"_a,
+             "TrainingSettings by name: \"best\" or \"paper\". Raises InputError naming them.");
   module.def("best_preset", &best_preset,
              "The default TrainingSettings: a network that predicts how each plate moves "
              "about the one before it, trained by SOAP in windows of 32 frames. epoch_count says "
@@ -145,18 +143,18 @@ void bind_training_presets(py::module_& module) {
   module.def("paper_preset", &paper_preset,
              "The TrainingSettings of the paper: windows of 32 frames, SGD, 6000 epochs. For "
              "comparison.");
-  module.def("set_epoch_count", &set_epoch_count, py::arg("settings"), py::arg("epochs"),
+  module.def("set_epoch_count", &set_epoch_count, "settings"_a, "epochs"_a,
              "Scales the stages of `settings` to so many epochs in all, keeping their "
              "proportions. Raises InputError where there are fewer epochs than stages.");
-  module.def("set_window_frames", &set_window_frames, py::arg("settings"), py::arg("window_frames"),
+  module.def("set_window_frames", &set_window_frames, "settings"_a, "window_frames"_a,
              "Replaces the stages of `settings` by windows of these lengths [frames], in "
              "this order, which share the epochs. Raises InputError where there is none or "
              "one is < 1.");
-  module.def("set_family_size", &set_family_size, py::arg("settings"), py::arg("size"),
+  module.def("set_family_size", &set_family_size, "settings"_a, "size"_a,
              "Settings for a family of arms that so many numbers tell apart, 1 to 64: trained by "
              "SOAP in windows of 32 frames; replaces the stages' windows and hidden_units, three "
              "layers of 100.");
-  module.def("fine_tuning_of", &fine_tuning_of, py::arg("preset"),
+  module.def("fine_tuning_of", &fine_tuning_of, "preset"_a,
              "Settings for fine_tune, to go on with a model that has learnt: the last stage "
              "of `preset` with half its epochs and a tenth of its learning_rate; Adam in place of "
              "SOAP, without weight_decay, and all frames of a window alike.");

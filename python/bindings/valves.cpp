@@ -7,6 +7,7 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "limber/arm/valve_parameters.hpp"
+#include "limber/common/filesystem.hpp"
 #include "others_may_run.hpp"
 #include "record.hpp"
 
@@ -28,8 +29,7 @@ void bind_parameters(py::module_& module) {
              "ValveDirection of pressures that go away from 0 (that rise, where has_sides is "
              "False).")
       .field("venting", &SegmentValves::venting,
-             "ValveDirection of pressures that go towards 0 (that fall, where has_sides is "
-             "False).")
+             "ValveDirection of pressures that go towards 0 (that fall, where has_sides is False).")
       .field("dead_time_s", &SegmentValves::dead_time_s,
              "From a set point to its first effect [s], 0 to 5; need not be whole frames.")
       .field("dead_band_kpa", &SegmentValves::dead_band_kpa,
@@ -63,8 +63,7 @@ void bind_parameters(py::module_& module) {
       .def_property_readonly("is_ideal", &ValveParameters::is_ideal,
                              "Whether there are no segments, so that pressures are the set points.")
       .def("hash", &ValveParameters::hash,
-           "Hash of everything that a prediction depends on, a text; empty for ideal "
-           "valves.")
+           "Hash of everything that a prediction depends on, a text; empty for ideal valves.")
       .def(
           "__eq__", [](const ValveParameters& a, const ValveParameters& b) { return a == b; },
           py::is_operator());
@@ -73,8 +72,7 @@ void bind_parameters(py::module_& module) {
 void bind_valve_findings(py::module_& module) {
   Record<ValveErrors>(
       module, "ValveErrors",
-      "Size of modelled less measured pressure, over frames whose set point changed "
-      "within 0.5 s.")
+      "Size of modelled less measured pressure, over frames whose set point changed within 0.5 s.")
       .read_only("mean_kpa", &ValveErrors::mean_kpa, "Mean [kPa].")
       .read_only("p95_kpa", &ValveErrors::p95_kpa, "95th percentile [kPa].")
       .read_only("max_kpa", &ValveErrors::max_kpa, "Largest [kPa].")
@@ -130,7 +128,7 @@ void bind_valves(py::module_& module) {
       .def(py::init([](const ArmDescription& arm, std::optional<ValveParameters> parameters) {
              return parameters ? ValveModel(arm, *std::move(parameters)) : ValveModel(arm);
            }),
-           py::arg("arm"), py::arg("parameters") = py::none(),
+           "arm"_a, "parameters"_a = py::none(),
            "Without parameters ideal valves: pressures are the set points. Raises "
            "InputError where the parameters do not fit the arm.")
       .def_property_readonly("is_ideal", &ValveModel::is_ideal,
@@ -140,7 +138,7 @@ void bind_valves(py::module_& module) {
           "ValveParameters, as given; a copy, whose fields can't be set.")
       .def_property_readonly("segment_count", &ValveModel::segment_count,
                              "n: segments of the arm, in space chambers.")
-      .def("run", &run, py::arg("setpoint_kpa"), py::arg("first_pressure_kpa"),
+      .def("run", &run, "setpoint_kpa"_a, "first_pressure_kpa"_a,
            "Pressures along set points float64 (T, n) [kPa] from a settled start (n,): float64 "
            "(T, n), row k after frame k; row 0 is the start.")
       .def("__repr__", [](const ValveModel& model) {
@@ -148,14 +146,12 @@ void bind_valves(py::module_& module) {
                            model.is_ideal() ? "ideal" : model.parameters().hash());
       });
   module.def(
-      "read_valves", [](const std::filesystem::path& path) { return read_valves(path); },
-      py::arg("path"), py::call_guard<OthersMayRun>(),
+      "read_valves", [](const fs::path& path) { return read_valves(path); }, "path"_a,
+      py::call_guard<OthersMayRun>(),
       "Reads and checks a valve file (YAML or JSON): IdentifiedValves. Raises "
       "InputError naming file and key.");
-  module.def("write_valves", &write_valves, py::arg("path"), py::arg("valves"),
-             py::call_guard<OthersMayRun>(),
-             "Writes a valve file that read_valves reads, atomically. valves: "
-             "IdentifiedValves.");
+  module.def("write_valves", &write_valves, "path"_a, "valves"_a, py::call_guard<OthersMayRun>(),
+             "Writes a valve file that read_valves reads, atomically. valves: IdentifiedValves.");
 }
 
 }  // namespace limber::python

@@ -40,8 +40,8 @@ void bind_state(py::module_& module) {
              state.tracker_s = tracker_t;
              return state;
            }),
-           py::arg("time_s"), py::arg("pressure_kpa"), py::arg("backbone") = py::none(),
-           py::arg("setpoint_kpa") = py::none(), py::arg("tracker_t") = py::none(),
+           "time_s"_a, "pressure_kpa"_a, "backbone"_a = py::none(), "setpoint_kpa"_a = py::none(),
+           "tracker_t"_a = py::none(),
            "[s]; (n,) [kPa]; (m, 3), in space (m, 7), or None where nothing tracks it; (n,) [kPa], "
            "in force when this was measured, None: the one commanded last; [s] or None.")
       .def_readonly("time_s", &ArmState::time_s, "When it was measured [s].")
@@ -109,8 +109,8 @@ void bind_virtual_arm(py::module_& module) {
   bind_virtual_arm_options(module);
   py::class_<SharedVirtualArm>(module, "VirtualArm",
                                "A soft arm, simulated: on a table, or in space; an ArmDriver.")
-      .def(py::init<const ArmDescription&, const VirtualArmOptions&>(), py::arg("arm"),
-           py::arg("options") = VirtualArmOptions{}, py::call_guard<OthersMayRun>(),
+      .def(py::init<const ArmDescription&, const VirtualArmOptions&>(), "arm"_a,
+           "options"_a = VirtualArmOptions{}, py::call_guard<OthersMayRun>(),
            "At rest: straight, vented, at time 0. Raises InputError where an option is out "
            "of range.")
       .def(
@@ -125,7 +125,7 @@ void bind_virtual_arm(py::module_& module) {
             const OthersMayRun others_may_run;
             return ArmState(use->command(setpoints));
           },
-          py::arg("setpoint_kpa"),
+          "setpoint_kpa"_a,
           "One frame at set points (n,) [kPa]; returns the ArmState after it. Raises "
           "InputError for a set point beyond the limits.")
       .def(
@@ -140,7 +140,7 @@ void bind_virtual_arm(py::module_& module) {
             const ArmUse use(arm);
             return interruptibly([&] { return use->settle(setpoints, seconds); });
           },
-          py::arg("setpoint_kpa"), py::arg("seconds"),
+          "setpoint_kpa"_a, "seconds"_a,
           "The same set points (n,) [kPa] for so long [s]; returns the ArmState after it. Ctrl-C "
           "raises KeyboardInterrupt.")
       .def(

@@ -2,7 +2,7 @@
 
 #include <atomic>
 
-#include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/sim/virtual_arm.hpp"
 
 namespace limber::python {
@@ -19,9 +19,8 @@ class SharedVirtualArm {
   class Use {
    public:
     explicit Use(SharedVirtualArm& shared) : shared_(shared) {
-      if (shared.busy_.exchange(true)) {
-        throw InputError("this virtual arm is moving already; make one for each thread");
-      }
+      refuse_if(shared.busy_.exchange(true),
+                "this virtual arm is moving already; make one for each thread");
     }
     ~Use() { shared_.busy_.store(false); }
     Use(const Use&) = delete;

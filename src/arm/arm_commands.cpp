@@ -10,7 +10,7 @@
 
 #include "arm_commands_file.hpp"
 #include "limber/arm/names.hpp"
-#include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/yaml_reader.hpp"
 
 namespace limber {
@@ -21,7 +21,7 @@ constexpr std::size_t kMaxCommands = 256;
 constexpr double kSmallestPivot = 1e-9;  // of the largest: below it, rows of S depend on each other
 
 Eigen::MatrixXd shares_of(const std::vector<ArmCommand>& commands, int segments) {
-  Eigen::MatrixXd shares(segments, static_cast<Eigen::Index>(commands.size()));
+  Eigen::MatrixXd shares(segments, Eigen::Index(commands.size()));
   for (std::size_t k = 0; k < commands.size(); ++k) {
     shares.col(Eigen::Index(k)) =
         Eigen::Map<const Eigen::VectorXd>(commands[k].shares.data(), segments);
@@ -31,9 +31,7 @@ Eigen::MatrixXd shares_of(const std::vector<ArmCommand>& commands, int segments)
 
 void require_size(const ArmDescription& arm, Eigen::Index found, Eigen::Index expected,
                   const char* what) {
-  if (found != expected) {
-    throw InputError(fmt::format("{} {}; arm '{}' has {}", found, what, arm.name, expected));
-  }
+  refuse_if(found != expected, "{} {}; arm '{}' has {}", found, what, arm.name, expected);
 }
 
 std::string read_name(const YamlReader& node, const std::vector<ArmCommand>& before) {
@@ -59,7 +57,7 @@ const char* part_of(const ArmDescription& arm) {
 std::vector<double> read_shares(const YamlReader& node, const ArmDescription& arm) {
   const char* const part = part_of(arm);
   const int channels = arm.channel_count();
-  std::vector<double> shares(static_cast<std::size_t>(channels), 0.0);
+  std::vector<double> shares(channels, 0.0);
   for (const std::string& key : node.keys()) {
     int channel = 0;
     while (channel < channels && key != std::to_string(channel)) {
@@ -113,12 +111,10 @@ std::vector<ArmCommand> read_arm_commands(const YamlReader& node, const ArmDescr
     command.shares = read_shares(element.at("acts_on"), arm);
     commands.push_back(std::move(command));
   }
-  if (commands.empty() || commands.size() > kMaxCommands) {
-    node.refuse(
-        fmt::format("{} commands found; expected 1 to {}, or no such key where each segment "
-                    "has a command of its own",
-                    commands.size(), kMaxCommands));
-  }
+  node.refuse_if(commands.empty() || commands.size() > kMaxCommands,
+                 "{} commands found; expected 1 to {}, or no such key where each segment "
+                 "has a command of its own",
+                 commands.size(), kMaxCommands);
   require_own_commands(node, commands, arm);
   return commands;
 }

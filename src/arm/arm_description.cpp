@@ -11,7 +11,9 @@
 #include "arm_commands_file.hpp"
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/content_hash.hpp"
-#include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/mapped.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "segment_reader.hpp"
 #include "space_segments.hpp"
@@ -51,9 +53,8 @@ NoLoadKind read_no_load(const YamlReader& root, Dimension dimension) {
 Command read_command(const YamlReader& node) {
   node.refuse_unknown_keys({"name", "unit", "limit", "rate_limit_per_s"});
   Command command{node.at("name").text(), node.at("unit").text()};
-  if (command.name.empty() || command.unit.empty()) {
-    node.refuse("an empty name or unit found; expected words such as 'motor angle' and 'rad'");
-  }
+  node.refuse_if(command.name.empty() || command.unit.empty(),
+                 "an empty name or unit found; expected words such as 'motor angle' and 'rad'");
   return command;
 }
 
@@ -109,16 +110,14 @@ std::string schema_line() {
 }  // namespace
 
 int ArmDescription::channel_count() const {
-  int count = 0;
-  for (const Segment& segment : segments) {
-    count += is_spatial() ? static_cast<int>(segment.chambers.size()) : 1;
-  }
-  return count;
+  return sum_of<int>(segments, [&](const Segment& segment) {
+    return is_spatial() ? int(segment.chambers.size()) : 1;
+  });
 }
 
 const Chamber& ArmDescription::chamber(int channel) const {
   std::size_t segment = 0;
-  auto at = static_cast<std::size_t>(channel);
+  auto at = std::size_t(channel);
   while (at >= segments[segment].chambers.size()) {
     at -= segments[segment++].chambers.size();
   }
@@ -126,8 +125,7 @@ const Chamber& ArmDescription::chamber(int channel) const {
 }
 
 const PressureLimits& ArmDescription::limits_of_channel(int channel) const {
-  return is_spatial() ? chamber(channel).limit_kpa
-                      : segments[static_cast<std::size_t>(channel)].pressure_limit_kpa;
+  return is_spatial() ? chamber(channel).limit_kpa : segments[channel].pressure_limit_kpa;
 }
 
 int ArmDescription::point_count() const {
@@ -139,22 +137,18 @@ int ArmDescription::point_count() const {
 }
 
 double ArmDescription::length_m() const {
-  double sum = 0.0;
-  for (const Segment& segment : segments) {
-    sum += segment.length_m;
-  }
-  return sum;
+  return sum_of<double>(segments, [&](const Segment& segment) { return segment.length_m; });
 }
 
 int ArmDescription::frames_in(double seconds) const {
   constexpr double kRounding = 1e-9;  // 0.15 s at 20 Hz are three frames
-  return static_cast<int>(std::ceil(seconds * frame_rate_hz - kRounding));
+  return int(std::ceil(seconds * frame_rate_hz - kRounding));
 }
 
 int ArmDescription::segment_of_gap(int gap) const {
   int segment = 0;
-  while (gap >= segments[static_cast<std::size_t>(segment)].gaps) {
-    gap -= segments[static_cast<std::size_t>(segment)].gaps;
+  while (gap >= segments[segment].gaps) {
+    gap -= segments[segment].gaps;
     ++segment;
   }
   return segment;
@@ -190,26 +184,22 @@ std::string ArmDescription::hash() const {
 const char* to_string(NoLoadKind kind) {
   constexpr std::array kNames = {"strain_polynomial", "curvature", "straight", "chambers",
                                  "fitted"};  // in the order of NoLoadKind
-  return kNames[static_cast<std::size_t>(kind)];
+  return kNames[std::size_t(kind)];
 }
 
 void require_planar(const ArmDescription& arm, const std::string& what) {
-  if (arm.is_spatial()) {
-    throw InputError(fmt::format(
-        "{} can't use an arm in space yet, and '{}' is one. collect, import, inspect, "
-        "characterize --recording and --valves, train, family, adapt, evaluate, export and bench "
-        "can",
-        what, arm.name));
-  }
+  refuse_if(
+      arm.is_spatial(),
+      "{} can't use an arm in space yet, and '{}' is one. collect, import, inspect, "
+      "characterize --recording and --valves, train, family, adapt, evaluate, export and bench can",
+      what, arm.name);
 }
 
 void require_pressure_driven(const ArmDescription& arm, const std::string& what) {
-  if (!arm.command.is_pressure_kpa()) {
-    throw InputError(fmt::format(
-        "{} needs an arm that is driven by pressures in kPa; arm '{}' is driven by '{}' in {}. "
-        "Record it on its hardware and bring the logs with 'limber import'",
-        what, arm.name, arm.command.name, arm.command.unit));
-  }
+  refuse_if(!arm.command.is_pressure_kpa(),
+            "{} needs an arm that is driven by pressures in kPa; arm '{}' is driven by '{}' in {}. "
+            "Record it on its hardware and bring the logs with 'limber import'",
+            what, arm.name, arm.command.name, arm.command.unit);
 }
 
 ArmDescription read_arm(const YamlReader& root, PolynomialsOf polynomials) {
@@ -244,10 +234,8 @@ ArmDescription read_arm(const YamlReader& root, PolynomialsOf polynomials) {
       arm.segments.push_back(reader.read(node));
     }
   }
-  if (arm.segments.empty() || arm.segments.size() > kMaxSegments) {
-    segments.refuse(
-        fmt::format("{} segments found; expected 1 to {}", arm.segments.size(), kMaxSegments));
-  }
+  segments.refuse_if(arm.segments.empty() || arm.segments.size() > kMaxSegments,
+                     "{} segments found; expected 1 to {}", arm.segments.size(), kMaxSegments);
   require_usable_rate(root, arm);
   if (root.has("commands")) {
     arm.commands = read_arm_commands(root.at("commands"), arm);
@@ -267,7 +255,7 @@ ArmDescription read_arm(const YamlReader& root, PolynomialsOf polynomials) {
   return arm;
 }
 
-ArmDescription load_arm(const std::filesystem::path& path, PolynomialsOf polynomials) {
+ArmDescription load_arm(const fs::path& path, PolynomialsOf polynomials) {
   return read_arm(YamlReader::from_file(path), polynomials);
 }
 

@@ -9,6 +9,7 @@
 
 #include "limber/arm/characterisation.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/yaml_reader.hpp"
 
 namespace limber {
@@ -55,10 +56,8 @@ class MappingEditor {
 
   /// Rows of numbers.
   void set(const char* key, const Eigen::MatrixXd& rows) {
-    std::vector<std::string> lists;
-    for (const auto& row : rows.rowwise()) {
-      lists.push_back(fmt::format("[{}]", fmt::join(row, ", ")));
-    }
+    const auto lists = mapped<std::string>(
+        rows.rowwise(), [&](const auto& row) { return fmt::format("[{}]", fmt::join(row, ", ")); });
     set_list(key, fmt::format("[{}]", fmt::join(lists, ", ")),
              [](const YAML::Node&) { return false; });
   }

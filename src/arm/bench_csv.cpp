@@ -8,6 +8,7 @@
 #include "limber/arm/characterisation.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/csv_reader.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/printable.hpp"
 
 namespace limber {
@@ -17,7 +18,7 @@ namespace {
 /// Bench data row by row.
 class BenchCsv {
  public:
-  BenchCsv(const std::filesystem::path& path, const ArmDescription& arm)
+  BenchCsv(const fs::path& path, const ArmDescription& arm)
       : csv_(CsvReader::from_file(path)), segments_(arm.segment_count()) {
     double limit = 0.0;
     for (const Segment& segment : arm.segments) {
@@ -27,7 +28,7 @@ class BenchCsv {
   }
 
   BenchData read() {
-    BenchData data(static_cast<std::size_t>(segments_));
+    BenchData data(segments_);
     bool header_read = false;
     std::vector<CsvCell> row;
     for (csv_.skip_lines_with('#'); csv_.next(row); csv_.skip_lines_with('#')) {
@@ -133,7 +134,7 @@ class BenchCsv {
 
 }  // namespace
 
-BenchData read_bench_csv(const std::filesystem::path& path, const ArmDescription& arm) {
+BenchData read_bench_csv(const fs::path& path, const ArmDescription& arm) {
   return BenchCsv(path, arm).read();
 }
 

@@ -11,6 +11,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/number_text.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "monotone_fit.hpp"
 
 namespace limber {
@@ -66,11 +67,9 @@ void require_coverage(const std::vector<BenchPoint>& points, double limit_kpa) {
     pressures.insert(point.pressure_kpa);
     moment += point.pressure_kpa * point.strain;
   }
-  if (int(pressures.size()) < kMinPressures) {
-    throw InputError(
-        fmt::format("{} bench points at {} distinct pressures up to {} kPa; expected at least {}",
-                    points.size(), pressures.size(), limit_kpa, kMinPressures));
-  }
+  refuse_if(int(pressures.size()) < kMinPressures,
+            "{} bench points at {} distinct pressures up to {} kPa; expected at least {}",
+            points.size(), pressures.size(), limit_kpa, kMinPressures);
   if (*pressures.rbegin() < kCoveredTo * limit_kpa) {
     throw InputError(fmt::format(
         "bench pressures end at {} kPa; expected at least {:.4g} kPa, 90 % of the segment's limit "
@@ -78,18 +77,15 @@ void require_coverage(const std::vector<BenchPoint>& points, double limit_kpa) {
         *pressures.rbegin(), kCoveredTo * limit_kpa));
   }
   const double lowest = *pressures.upper_bound(0.0);
-  if (lowest > kCoveredFrom * limit_kpa) {
-    throw InputError(fmt::format(
-        "the lowest bench pressure above 0 is {} kPa; expected one below {:.4g} kPa, 30 % of the "
-        "segment's limit, or the curve between is a guess",
-        lowest, kCoveredFrom * limit_kpa));
-  }
-  if (moment >= 0.0) {
-    throw InputError(
-        "the bench strain is positive: the side would lengthen under pressure. Expected "
-        "contraction as a negative strain, (length - l0)/l0; if the data hold the amount of "
-        "contraction, change their sign");
-  }
+  refuse_if(
+      lowest > kCoveredFrom * limit_kpa,
+      "the lowest bench pressure above 0 is {} kPa; expected one below {:.4g} kPa, 30 % of the "
+      "segment's limit, or the curve between is a guess",
+      lowest, kCoveredFrom * limit_kpa);
+  refuse_if(moment >= 0.0,
+            "the bench strain is positive: the side would lengthen under pressure. Expected "
+            "contraction as a negative strain, (length - l0)/l0; if the data hold the amount of "
+            "contraction, change their sign");
 }
 
 /// Points inside the range, readings around zero at zero.
@@ -177,12 +173,11 @@ StrainFit fit_strain_polynomial(const std::vector<BenchPoint>& points, double pr
       !reason.empty()) {
     throw InputError("the fitted polynomial " + reason);
   }
-  if (fit.refitted && fit.rms_residual > kRefusedResidual) {
-    throw InputError(fmt::format(
-        "the bench strain rises and falls with pressure: the best curve that never falls leaves a "
-        "residual of {:.1f} % of full strain, expected at most {:.0f} %",
-        100.0 * fit.rms_residual, 100.0 * kRefusedResidual));
-  }
+  refuse_if(
+      fit.refitted && fit.rms_residual > kRefusedResidual,
+      "the bench strain rises and falls with pressure: the best curve that never falls leaves a "
+      "residual of {:.1f} % of full strain, expected at most {:.0f} %",
+      100.0 * fit.rms_residual, 100.0 * kRefusedResidual);
   add_warnings(points.size(), fit);
   return fit;
 }
@@ -214,10 +209,8 @@ void keep_what_agrees(const StrainPolynomial& of_file, StrainFit& fit) {
 
 CharacterisedArm characterise(const ArmDescription& arm, const BenchData& bench) {
   require_characterisable(arm);
-  if (int(bench.size()) != arm.segment_count()) {
-    throw InputError(fmt::format("bench data of {} segments; arm '{}' has {}", bench.size(),
-                                 arm.name, arm.segment_count()));
-  }
+  refuse_if(int(bench.size()) != arm.segment_count(), "bench data of {} segments; arm '{}' has {}",
+            bench.size(), arm.name, arm.segment_count());
   CharacterisedArm result{arm, {}};
   for (std::size_t i = 0; i < bench.size(); ++i) {
     throw_if_interrupted();

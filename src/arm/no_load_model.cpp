@@ -8,6 +8,7 @@
 #include "limber/arm/names.hpp"
 #include "limber/arm/space_no_load.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 
 namespace limber {
 
@@ -39,9 +40,7 @@ NoLoadModel::NoLoadModel(const ArmDescription& arm)
   for (int i = 0; kind_ == NoLoadKind::strain_polynomial && i < segment_count(); ++i) {
     const std::string reason =
         why_unusable(segment(i).strain_polynomial, segment(i).pressure_limit_kpa.largest_kpa());
-    if (!reason.empty()) {
-      throw InputError(fmt::format("segments[{}].strain_polynomial {}", i, reason));
-    }
+    refuse_if(!reason.empty(), "segments[{}].strain_polynomial {}", i, reason);
   }
 }
 

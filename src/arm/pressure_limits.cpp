@@ -4,13 +4,15 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "limber/common/json.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/yaml_reader.hpp"
 
 namespace limber {
 
 bool PressureLimits::contains(double kpa) const {
-  return kpa >= std::min(lower_kpa, double(static_cast<float>(lower_kpa))) &&
-         kpa <= std::max(upper_kpa, double(static_cast<float>(upper_kpa)));
+  return kpa >= std::min(lower_kpa, double(float(lower_kpa))) &&
+         kpa <= std::max(upper_kpa, double(float(upper_kpa)));
 }
 
 PressureLimits PressureLimits::widened(double factor) const {
@@ -57,7 +59,7 @@ std::string limits_to_yaml(const PressureLimits& limits) {
                                : fmt::format("[{}, {}]", limits.lower_kpa, limits.upper_kpa);
 }
 
-nlohmann::ordered_json to_json(const PressureLimits& limits) {
+Json to_json(const PressureLimits& limits) {
   if (limits.is_symmetric()) {
     return limits.upper_kpa;
   }
@@ -79,11 +81,8 @@ PressureLimits measured_limits(const PressureLimits& limits) {
 }
 
 std::vector<PressureLimits> limits_of(const ArmDescription& arm) {
-  std::vector<PressureLimits> limits;
-  for (int channel = 0; channel < arm.channel_count(); ++channel) {
-    limits.push_back(arm.limits_of_channel(channel));
-  }
-  return limits;
+  return mapped<PressureLimits>(arm.channel_count(),
+                                [&](int channel) { return arm.limits_of_channel(channel); });
 }
 
 ArmDescription with_limits(ArmDescription arm, const std::vector<PressureLimits>& limits) {

@@ -22,22 +22,18 @@ inline constexpr double kMaxRadius_m = 1.0;   ///< of an actuator
 /// A length > 0. @throws InputError also beyond kMaxLength_m, where it may be in millimetres.
 inline double read_length_m(const YamlReader& node) {
   const double length_m = node.positive("a length in metres");
-  if (length_m > kMaxLength_m) {
-    node.refuse(fmt::format(
-        "{} found; expected a length in metres, > 0 and at most {}. Is it in millimetres?",
-        length_m, kMaxLength_m));
-  }
+  node.refuse_if(length_m > kMaxLength_m,
+                 "{} found; expected a length in metres, > 0 and at most {}. Is it in millimetres?",
+                 length_m, kMaxLength_m);
   return length_m;
 }
 
 /// A radius >= 0. @throws InputError also beyond kMaxRadius_m.
 inline double read_radius_m(const YamlReader& node) {
   const double radius_m = node.number("a length in metres", 0.0);
-  if (radius_m > kMaxRadius_m) {
-    node.refuse(
-        fmt::format("{} found; expected a length in metres, from 0 to {}. Is it in millimetres?",
-                    radius_m, kMaxRadius_m));
-  }
+  node.refuse_if(radius_m > kMaxRadius_m,
+                 "{} found; expected a length in metres, from 0 to {}. Is it in millimetres?",
+                 radius_m, kMaxRadius_m);
   return radius_m;
 }
 
@@ -46,12 +42,10 @@ inline constexpr int kMaxGaps = 100;  ///< of a segment
 inline StrainPolynomial read_coefficients(const YamlReader& node) {
   const std::vector<double> coefficients = node.numbers("a coefficient c1 … c4 for kPa");
   StrainPolynomial polynomial{};
-  if (coefficients.size() != polynomial.size()) {
-    node.refuse(fmt::format(
-        "{} coefficients found; expected 4: c1 … c4 of e = c1 p + c2 p² + c3 p³ + c4 p⁴ "
-        "('limber characterize' fits them)",
-        coefficients.size()));
-  }
+  node.refuse_if(coefficients.size() != polynomial.size(),
+                 "{} coefficients found; expected 4: c1 … c4 of e = c1 p + c2 p² + c3 p³ + c4 p⁴ "
+                 "('limber characterize' fits them)",
+                 coefficients.size());
   std::copy(coefficients.begin(), coefficients.end(), polynomial.begin());
   return polynomial;
 }
@@ -165,11 +159,9 @@ class SegmentReader : private SegmentPartReader {
     if (node.has("curvature_per_unit") || unit_ != "1/m") {
       const YamlReader factor = node.at("curvature_per_unit");
       segment.curvature_per_unit = factor.number(fmt::format("1/m of curvature for 1 {}", unit_));
-      if (segment.curvature_per_unit == 0.0) {
-        factor.refuse(
-            "0 found; expected another factor (negative where a positive command bends "
-            "right), or 'no_load: straight' for the arm");
-      }
+      factor.refuse_if(segment.curvature_per_unit == 0.0,
+                       "0 found; expected another factor (negative where a positive command bends "
+                       "right), or 'no_load: straight' for the arm");
     }
     const double limit = segment.pressure_limit_kpa.largest_kpa();
     const double turn_rad = std::abs(segment.curvature_per_unit) * limit * segment.length_m;

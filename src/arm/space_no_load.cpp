@@ -22,10 +22,10 @@ Eigen::Index rank_of(const Eigen::MatrixXd& matrix, double least) {
 /// Of a segment whose chambers are springs of equal stiffness: the constant strain that fits all of
 /// their own strains best. A chamber at (y, z) has ε = ε0 − κz y + κy z.
 Eigen::MatrixXd shape_of_chambers(const Segment& segment) {
-  const auto count = static_cast<Eigen::Index>(segment.chambers.size());
+  const auto count = Eigen::Index(segment.chambers.size());
   Eigen::MatrixXd places(count, kShapeRows);
   for (Eigen::Index i = 0; i < count; ++i) {
-    const Chamber& chamber = segment.chambers[static_cast<std::size_t>(i)];
+    const Chamber& chamber = segment.chambers[i];
     const double angle_rad = chamber.angle_deg * std::numbers::pi / 180.0;
     places.row(i) << chamber.radius_m * std::sin(angle_rad),
         -chamber.radius_m * std::cos(angle_rad), 1.0;
@@ -54,8 +54,8 @@ SpaceNoLoad::SpaceNoLoad(const ArmDescription& arm) : arm_(arm) {
   shape_ = Eigen::MatrixXd::Zero(kShapeRows * arm.segment_count(), arm.channel_count());
   Eigen::Index first = 0;
   for (int i = 0; i < arm.segment_count(); ++i) {
-    const Segment& segment = arm.segments[static_cast<std::size_t>(i)];
-    const auto chambers = static_cast<Eigen::Index>(segment.chambers.size());
+    const Segment& segment = arm.segments[i];
+    const auto chambers = Eigen::Index(segment.chambers.size());
     if (arm.no_load == NoLoadKind::chambers) {
       shape_.block(kShapeRows * i, first, kShapeRows, chambers) = shape_of_chambers(segment);
     } else if (arm.no_load == NoLoadKind::fitted) {
@@ -68,7 +68,7 @@ SpaceNoLoad::SpaceNoLoad(const ArmDescription& arm) : arm_(arm) {
 Eigen::VectorXd SpaceNoLoad::strains(const Eigen::Ref<const Eigen::VectorXd>& commands) const {
   Eigen::VectorXd result(commands.size());
   for (Eigen::Index i = 0; i < commands.size(); ++i) {
-    const Chamber& chamber = arm_.chamber(static_cast<int>(i));
+    const Chamber& chamber = arm_.chamber(int(i));
     double strain = commands[i];
     if (chamber.strain_polynomial != StrainPolynomial{}) {
       const double size = strain_beyond(chamber.strain_polynomial, chamber.limit_kpa.largest_kpa(),
@@ -81,7 +81,7 @@ Eigen::VectorXd SpaceNoLoad::strains(const Eigen::Ref<const Eigen::VectorXd>& co
 }
 
 SpaceSegmentShape SpaceNoLoad::segment_shape(int segment, const Eigen::VectorXd& strains) const {
-  return shape_of(arm_.segments[static_cast<std::size_t>(segment)],
+  return shape_of(arm_.segments[segment],
                   shape_.middleRows<kShapeRows>(kShapeRows * segment) * strains);
 }
 
@@ -96,7 +96,7 @@ void SpaceNoLoad::poses_of_shapes(const Eigen::Ref<const Eigen::VectorXd>& shape
   numbers.head<kSpacePoseSize>() = numbers_of(pose).cast<float>();
   Eigen::Index at = 0;
   for (int i = 0; i < arm_.segment_count(); ++i) {
-    const Segment& segment = arm_.segments[static_cast<std::size_t>(i)];
+    const Segment& segment = arm_.segments[i];
     const SpaceSegmentShape shape = shape_of(segment, shapes.segment<kShapeRows>(kShapeRows * i));
     const int gaps = segment.gaps;
     const SpacePose step =
@@ -117,7 +117,7 @@ Eigen::VectorXd shapes_of_poses(const ArmDescription& arm,
   };
   Eigen::Index plate = 0;
   for (int i = 0; i < arm.segment_count(); ++i) {
-    const Segment& segment = arm.segments[static_cast<std::size_t>(i)];
+    const Segment& segment = arm.segments[i];
     Eigen::Vector3d turned = Eigen::Vector3d::Zero();
     double length_m = 0.0;
     for (int g = 0; g < segment.gaps; ++g, ++plate) {

@@ -18,16 +18,14 @@ constexpr std::size_t kMaxChambers = 16;  // of a segment
 
 Eigen::Vector3d read_gravity(const YamlReader& node) {
   const std::vector<double> numbers = node.numbers("a part of gravity's direction");
-  if (numbers.size() != 3) {
-    node.refuse(fmt::format(
-        "{} numbers found; expected 3, where things fall in the frame of the base: [1, 0, 0] for "
-        "an arm that hangs, [-1, 0, 0] for one that stands upright",
-        numbers.size()));
-  }
+  node.refuse_if(
+      numbers.size() != 3,
+      "{} numbers found; expected 3, where things fall in the frame of the base: [1, 0, 0] for "
+      "an arm that hangs, [-1, 0, 0] for one that stands upright",
+      numbers.size());
   const Eigen::Vector3d direction(numbers[0], numbers[1], numbers[2]);
-  if (!(direction.norm() > 0.0)) {
-    node.refuse("[0, 0, 0] found; expected a direction, or no such key");
-  }
+  node.refuse_if(!(direction.norm() > 0.0),
+                 "[0, 0, 0] found; expected a direction, or no such key");
   constexpr double kUnit = 1e-9;  // what is one already keeps its bits
   return std::abs(direction.norm() - 1.0) < kUnit ? direction : direction.normalized();
 }
@@ -44,10 +42,9 @@ class SpaceSegmentReader : private SegmentPartReader {
     for (const YamlReader& chamber : chambers.elements()) {
       segment.chambers.push_back(read_chamber(chamber));
     }
-    if (segment.chambers.empty() || segment.chambers.size() > kMaxChambers) {
-      chambers.refuse(fmt::format("{} chambers found; expected 1 to {}", segment.chambers.size(),
-                                  kMaxChambers));
-    }
+    chambers.refuse_if(segment.chambers.empty() || segment.chambers.size() > kMaxChambers,
+                       "{} chambers found; expected 1 to {}", segment.chambers.size(),
+                       kMaxChambers);
     return segment;
   }
 
@@ -68,18 +65,15 @@ class SpaceSegmentReader : private SegmentPartReader {
     Eigen::MatrixXd result(kShapeRows, channels);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const std::vector<double> row = rows[i].numbers("a share of a chamber's strain");
-      if (rows.size() != kShapeRows || row.size() != static_cast<std::size_t>(channels)) {
-        matrix.refuse(fmt::format(
-            "{} rows, one of {} numbers, found; expected 3, bend about y and about z [rad] and "
-            "extension [share of length_m], of {} numbers, one for each chamber of the arm "
-            "('limber characterize --recording' fits them)",
-            rows.size(), row.size(), channels));
-      }
+      matrix.refuse_if(
+          rows.size() != kShapeRows || row.size() != std::size_t(channels),
+          "{} rows, one of {} numbers, found; expected 3, bend about y and about z [rad] and "
+          "extension [share of length_m], of {} numbers, one for each chamber of the arm "
+          "('limber characterize --recording' fits them)",
+          rows.size(), row.size(), channels);
       result.row(Eigen::Index(i)) = Eigen::Map<const Eigen::RowVectorXd>(row.data(), channels);
     }
-    if (rows.empty()) {
-      matrix.refuse("no row found; expected 3");
-    }
+    matrix.refuse_if(rows.empty(), "no row found; expected 3");
     return result;
   }
 
@@ -94,9 +88,9 @@ class SpaceSegmentReader : private SegmentPartReader {
     if (has_place || node.has("radius_m")) {
       const YamlReader radius = node.at("radius_m");
       chamber.radius_m = read_radius_m(radius);
-      if (has_place && chamber.radius_m == 0.0) {
-        radius.refuse("0 found; expected the chamber's distance from the segment's axis in metres");
-      }
+      radius.refuse_if(
+          has_place && chamber.radius_m == 0.0,
+          "0 found; expected the chamber's distance from the segment's axis in metres");
     }
     if (has_place || node.has("sense")) {
       chamber.sense = read_sense(node.at("sense"));

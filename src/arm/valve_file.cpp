@@ -9,14 +9,15 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/common/atomic_file.hpp"
-#include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/json.hpp"
+#include "limber/common/mapped.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/yaml_reader.hpp"
 
 namespace limber {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr const char* kValvesSchema = "limber/valves/1";
 
@@ -119,10 +120,8 @@ std::string to_text(const SegmentValves& valves, bool has_sides, const std::stri
 }  // namespace
 
 Json to_json(const IdentifiedValves& valves) {
-  Json segments = Json::array();
-  for (const SegmentValves& segment : valves.parameters.segments) {
-    segments.push_back(to_json(segment));
-  }
+  const auto segments = mapped<Json>(
+      valves.parameters.segments, [&](const SegmentValves& segment) { return to_json(segment); });
   return {{"schema", kValvesSchema},
           {"has_sides", valves.parameters.has_sides},
           {"segments", segments},
@@ -177,16 +176,14 @@ std::string to_text(const IdentifiedValves& valves, const std::string& unit, Dim
   return text;
 }
 
-void write_valves(const std::filesystem::path& path, const IdentifiedValves& valves) {
+void write_valves(const fs::path& path, const IdentifiedValves& valves) {
   const ValveParameters& parameters = valves.parameters;
-  const std::string fault = why_unusable(parameters, static_cast<int>(parameters.segments.size()));
-  if (!fault.empty()) {
-    throw InputError(fmt::format("{}: {}", path.string(), fault));
-  }
+  const std::string fault = why_unusable(parameters, int(parameters.segments.size()));
+  refuse_if(!fault.empty(), "{}: {}", path.string(), fault);
   write_file_atomically(path, valves_to_yaml(valves));
 }
 
-IdentifiedValves read_valves(const std::filesystem::path& path) {
+IdentifiedValves read_valves(const fs::path& path) {
   return read_valves(YamlReader::from_file(path));
 }
 

@@ -11,6 +11,7 @@
 #include "limber/arm/valve_parameters.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 
 namespace limber {
 
@@ -74,9 +75,7 @@ template <class Scalar>
 }
 
 void require_size(const char* what, Eigen::Index found, Eigen::Index expected) {
-  if (found != expected) {
-    throw InputError(fmt::format("valve model: {} of size {}; expected {}", what, found, expected));
-  }
+  refuse_if(found != expected, "valve model: {} of size {}; expected {}", what, found, expected);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "give_up.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/units.hpp"
 #include "swept_clearance.hpp"
 
@@ -111,11 +112,11 @@ class Certifier::Certification {
                          .pressures_along(setpoints_kpa, start_.pressure_kpa, start_.before_kpa);
     for (std::size_t k = 0; k < pressures_kpa_.size(); ++k) {
       for (std::size_t i = 0; i < pressures_kpa_[k].size(); ++i) {
-        const double stored = double(plan_.frames[k].pressure_kpa[static_cast<Eigen::Index>(i)]);
+        const double stored = double(plan_.frames[k].pressure_kpa[Eigen::Index(i)]);
         const double apart = std::abs(pressures_kpa_[k][i] - stored);
         raise_to(result_.max_pressure_deviation_kpa, apart);
         if (!(apart <= rounding_kpa(i)) && !has_failed("valves")) {
-          fail("valves", static_cast<int>(k),
+          fail("valves", int(k),
                fmt::format("{} is said to be at {:.6g} {unit}; "
                            "its valves bring it to {:.6g} {unit}",
                            segment_name(i), stored, pressures_kpa_[k][i],
@@ -128,8 +129,7 @@ class Certifier::Certification {
   /// The goal is judged once the pressures have arrived.
   void check_settling() {
     for (std::size_t i = 0; i < valves_.segments.size(); ++i) {
-      const double setpoint =
-          double(plan_.frames.back().setpoint_kpa[static_cast<Eigen::Index>(i)]);
+      const double setpoint = double(plan_.frames.back().setpoint_kpa[Eigen::Index(i)]);
       const double apart = std::abs(pressures_kpa_.back()[i] - setpoint);
       const double allowed =
           std::max(valves_.segments[i].dead_band_kpa,
@@ -177,7 +177,7 @@ class Certifier::Certification {
     raise_to(result_.max_heading_deviation_rad, of_path.turned_rad);
     if (agreed && !(of_path.apart_m <= Certificate::kDeviationM &&
                     of_path.turned_rad <= Certificate::kHeadingDeviationRad)) {
-      fail_model(static_cast<int>(k), of_path);
+      fail_model(int(k), of_path);
     }
   }
 
@@ -199,7 +199,7 @@ class Certifier::Certification {
   bool check_shapes() {
     for (std::size_t k = 0; k < simulated_.size(); ++k) {
       if (!is_drawable(simulated_[k])) {
-        fail("model", static_cast<int>(k), "the model predicts a shape that no arm has");
+        fail("model", int(k), "the model predicts a shape that no arm has");
         return false;
       }
     }
@@ -319,10 +319,8 @@ std::string why_not_usable(const CompensationModel* network, const ArmDescriptio
 }
 
 void require_same(const char* what, const std::string& made_for, const std::string& given) {
-  if (made_for != given) {
-    throw InputError(fmt::format("the plan was made for another {} ({}; this one is {})", what,
-                                 made_for, given));
-  }
+  refuse_if(made_for != given, "the plan was made for another {} ({}; this one is {})", what,
+            made_for, given);
 }
 
 std::string valves_named(const std::string& hash) {
@@ -367,12 +365,10 @@ void Certifier::require_plan_of_problem(const Plan& plan) const {
     }
   }
   require_same("valve model", valves_named(plan.valves_hash), valves_named(problem.valves_hash));
-  if (plan.environment_hash != problem.environment_hash) {
-    throw InputError(fmt::format(
-        "the plan was made for another environment ('{}', hash {}; this one is '{}', hash {})",
-        plan.environment_name, plan.environment_hash, problem.environment.name,
-        problem.environment_hash));
-  }
+  refuse_if(plan.environment_hash != problem.environment_hash,
+            "the plan was made for another environment ('{}', hash {}; this one is '{}', hash {})",
+            plan.environment_name, plan.environment_hash, problem.environment.name,
+            problem.environment_hash);
   require_same("kind of model", plan.model, problem.network != nullptr ? "network" : "no_load");
   if (!problem.refusal.empty()) {
     throw InputError(problem.refusal);

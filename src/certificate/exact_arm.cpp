@@ -108,7 +108,7 @@ double contraction(const Segment& segment, double size_kpa) {
   double strain = 0.0;
   double slope = 0.0;
   for (int k = 4; k >= 1; --k) {
-    const double sum = strain + segment.strain_polynomial[static_cast<std::size_t>(k - 1)];
+    const double sum = strain + segment.strain_polynomial[k - 1];
     slope = slope * inside_kpa + sum;
     strain = sum * inside_kpa;
   }
@@ -194,7 +194,7 @@ std::vector<double> combined(OutputForm form, const std::vector<double>& previou
 
 /// (20): the step keeps its direction and the gap's bounds decide its length; so does the turn.
 Pose within(const GapBounds& bounds, std::size_t gap, const Pose& step) {
-  const auto i = static_cast<Eigen::Index>(gap);
+  const auto i = Eigen::Index(gap);
   const double length = std::hypot(step.x_m, step.y_m);
   const double kept =
       std::clamp(length, double(bounds.min_length_m[i]), double(bounds.max_length_m[i]));

@@ -49,15 +49,15 @@ ExactNetwork::ExactNetwork(const CompensationModel& network, CpuLevel level)
 
 ExactNetwork::PackedLayer ExactNetwork::packed(const Layer& layer) {
   PackedLayer result;
-  result.rows = static_cast<std::size_t>(layer.weight.rows());
-  result.columns = static_cast<std::size_t>(layer.weight.cols());
+  result.rows = std::size_t(layer.weight.rows());
+  result.columns = std::size_t(layer.weight.cols());
   result.weight.resize(eights(result.rows) * result.columns);
   result.bias.resize(eights(result.rows));
   for (std::size_t row = 0; row < result.rows; ++row) {
-    const auto r = static_cast<Eigen::Index>(row);
+    const auto r = Eigen::Index(row);
     for (std::size_t k = 0; k < result.columns; ++k) {
       result.weight[row / kRows * result.columns + k].value[row % kRows] =
-          double(layer.weight(r, static_cast<Eigen::Index>(k)));
+          double(layer.weight(r, Eigen::Index(k)));
     }
     result.bias[row / kRows].value[row % kRows] = double(layer.bias[r]);
   }

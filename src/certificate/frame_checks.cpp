@@ -22,7 +22,7 @@ bool is_room(double value) {
 
 /// Why these are no radii of the arm; empty: they are.
 std::string why_no_radii(const PlanTube& tube, const ArmDescription& arm) {
-  if (static_cast<int>(tube.plate_radius_m.size()) != arm.point_count()) {
+  if (int(tube.plate_radius_m.size()) != arm.point_count()) {
     return fmt::format("{} radii; the arm has {} plates", tube.plate_radius_m.size(),
                        arm.point_count());
   }
@@ -56,9 +56,8 @@ std::string why_not_promised(const PlanTube& tube, const CompensationModel* netw
   const std::vector<double>& scale_m = network->tube->plate_scale_m;
   for (std::size_t i = 0; i < scale_m.size() && i < tube.plate_radius_m.size(); ++i) {
     if (is_narrower(tube.plate_radius_m[i], scale_m[i])) {
-      return fmt::format("{} has {:.3f} mm; the model promises {:.3f} mm",
-                         plate_name(static_cast<int>(i)), tube.plate_radius_m[i] * 1e3,
-                         promised->factor * scale_m[i] * 1e3);
+      return fmt::format("{} has {:.3f} mm; the model promises {:.3f} mm", plate_name(int(i)),
+                         tube.plate_radius_m[i] * 1e3, promised->factor * scale_m[i] * 1e3);
     }
   }
   const RoomGrowth& growth = network->tube->growth;
@@ -103,10 +102,10 @@ class FrameChecks {
 
  private:
   double rounding_kpa(Eigen::Index segment) const {
-    return kSetpointShare * arm_.limits_of_channel(static_cast<int>(segment)).largest_kpa();
+    return kSetpointShare * arm_.limits_of_channel(int(segment)).largest_kpa();
   }
   void fail(const char* check, std::size_t frame, std::string message) {
-    certificate_.failures.push_back({check, static_cast<int>(frame), std::move(message)});
+    certificate_.failures.push_back({check, int(frame), std::move(message)});
   }
   void fail(const char* check, std::string message) {
     certificate_.failures.push_back({check, -1, std::move(message)});
@@ -156,7 +155,7 @@ class FrameChecks {
   void check_limits() {
     for (std::size_t k = 0; k < plan_.frames.size(); ++k) {
       for (Eigen::Index i = 0; i < plan_.frames[k].setpoint_kpa.size(); ++i) {
-        const auto segment = static_cast<std::size_t>(i);
+        const auto segment = std::size_t(i);
         const double pressure = double(plan_.frames[k].setpoint_kpa[i]);
         const PressureLimits& own = arm_.segments[segment].pressure_limit_kpa;
         const bool is_in_own = is_within(pressure, own);
@@ -200,8 +199,8 @@ class FrameChecks {
   }
 
   void check_hold() {
-    const auto needed = static_cast<std::size_t>(std::ceil(kGoalHoldS * arm_.frame_rate_hz - 1e-9));
-    const auto held = static_cast<std::size_t>(std::max(0, plan_.hold_frame_count));
+    const auto needed = std::size_t(std::ceil(kGoalHoldS * arm_.frame_rate_hz - 1e-9));
+    const auto held = std::size_t(std::max(0, plan_.hold_frame_count));
     if (held < needed || held >= plan_.frames.size()) {
       fail("hold", fmt::format("hold_frame_count = {} of {} frames; {} are needed",
                                plan_.hold_frame_count, plan_.frames.size(), needed));
@@ -250,8 +249,8 @@ class FrameChecks {
       for (Eigen::Index i = 0; i < from.size(); ++i) {
         frames = std::max(frames, std::abs(change_kpa(from, to, i)) / step_limit);
       }
-      const auto min_frames = static_cast<std::size_t>(std::max(1.0, std::ceil(frames - kFrames)));
-      const auto max_frames = static_cast<std::size_t>(std::max(1.0, std::ceil(frames + kFrames)));
+      const auto min_frames = std::size_t(std::max(1.0, std::ceil(frames - kFrames)));
+      const auto max_frames = std::size_t(std::max(1.0, std::ceil(frames + kFrames)));
       std::size_t bad = 0;
       if (runs_straight(at, min_frames, from, to, bad)) {
         at += min_frames;
@@ -264,8 +263,7 @@ class FrameChecks {
         return;
       }
     }
-    if (at + static_cast<std::size_t>(std::max(0, plan_.hold_frame_count)) + 1 !=
-        plan_.frames.size()) {
+    if (at + std::size_t(std::max(0, plan_.hold_frame_count)) + 1 != plan_.frames.size()) {
       fail("waypoints", at,
            fmt::format("{} frames in all; the waypoints make {} and the hold {}",
                        plan_.frames.size(), at + 1, plan_.hold_frame_count));
@@ -285,7 +283,7 @@ std::vector<double> numbers(const Pressures& kpa) {
 
 ExactArm::Shape shape_of(const Backbone& backbone) {
   ExactArm::Shape shape;
-  shape.reserve(static_cast<std::size_t>(backbone.rows()));
+  shape.reserve(backbone.rows());
   for (Eigen::Index i = 0; i < backbone.rows(); ++i) {
     shape.push_back({double(backbone(i, 0)), double(backbone(i, 1)), double(backbone(i, 2))});
   }
@@ -316,7 +314,7 @@ Deviation deviation(const ExactArm::Shape& own, const ExactArm::Shape& stored) {
     const double y = own[i].y_m - stored[i].y_m;
     const double apart = std::sqrt(x * x + y * y);
     if (raise_to(largest.apart_m, apart)) {
-      largest.plate = static_cast<int>(i);
+      largest.plate = int(i);
     }
     raise_to(largest.turned_rad, std::abs(own[i].theta_rad - stored[i].theta_rad));
   }

@@ -232,11 +232,11 @@ class SweptClearance::Search {
     if (nearest.obstacle < 0) {
       return;
     }
-    const auto k = static_cast<std::size_t>(nearest.frame);
-    const auto plate = static_cast<std::size_t>(nearest.gap);
+    const auto k = std::size_t(nearest.frame);
+    const auto plate = std::size_t(nearest.gap);
     for (std::size_t gap = plate == 0 ? 0 : plate - 1; gap <= plate && gap < radius_m_[k].size();
          ++gap) {
-      look_at_gap(k, gap, static_cast<std::size_t>(nearest.obstacle));
+      look_at_gap(k, gap, std::size_t(nearest.obstacle));
     }
     best_ = {best_.value_m};
   }
@@ -253,7 +253,7 @@ class SweptClearance::Search {
     }
     const double value = obstacle.read(p).distance_m - thickest;
     if (value < nearest.value_m) {
-      nearest = {value, static_cast<int>(k), static_cast<int>(plate), static_cast<int>(o)};
+      nearest = {value, int(k), int(plate), int(o)};
     }
   }
 
@@ -299,7 +299,7 @@ class SweptClearance::Search {
     const double known = best_.value_m + radius;
     const double value = lowest(arc, clearance_.obstacles_[o], known);
     if (value < known) {  // compared before the radius is taken off again: rounding finds nothing
-      best_ = {value - radius, static_cast<int>(k), static_cast<int>(gap), static_cast<int>(o)};
+      best_ = {value - radius, int(k), int(gap), int(o)};
     }
   }
 
@@ -354,7 +354,7 @@ SweptClearance::SweptClearance(const ArmDescription& arm, const std::vector<Obst
                                double tolerance_m)
     : tolerance_m_(tolerance_m), obstacles_(obstacles.begin(), obstacles.end()) {
   for (const Segment& segment : arm.segments) {
-    radius_m_.insert(radius_m_.end(), static_cast<std::size_t>(segment.gaps),
+    radius_m_.insert(radius_m_.end(), std::size_t(segment.gaps),
                      segment.width_m / 2.0 + arm.actuator_radius_m);
   }
 }

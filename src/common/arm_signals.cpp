@@ -144,7 +144,7 @@ void install_arm_signals() {
     set_handler(number, handle_stop, 0);
   }
   for (const int number : kCrashes) {
-    set_handler(number, handle_crash, static_cast<int>(SA_ONSTACK | SA_RESETHAND));
+    set_handler(number, handle_crash, int(SA_ONSTACK | SA_RESETHAND));
   }
   for (const int number : {SIGTTIN, SIGTTOU}) {  // a job in the background is not stopped
     set_handler(number, SIG_IGN, 0);
@@ -192,7 +192,7 @@ LastWords::Sent LastWords::send_all() noexcept {
       const ssize_t written = ::write(descriptor, line.text.data(), line.size);
       ::close(descriptor);
       ++sent.pipes;
-      sent.lines += written > 0 && static_cast<std::size_t>(written) == line.size ? 1 : 0;
+      sent.lines += written > 0 && std::size_t(written) == line.size ? 1 : 0;
     }
   }
   return sent;

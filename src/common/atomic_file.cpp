@@ -11,12 +11,12 @@
 
 #include "limber/common/descriptor.hpp"
 #include "limber/common/file_error.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/large_file.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "temporary_file.hpp"
 
 namespace limber {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -36,7 +36,7 @@ bool write_all(int descriptor, std::string_view content) {
     if (written < 0 && errno != EINTR) {
       return false;
     }
-    content.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
+    content.remove_prefix(std::size_t(std::max<ssize_t>(written, 0)));
   }
   return true;
 }
@@ -108,12 +108,10 @@ bool rename_to_new(const fs::path& from, const fs::path& to) {
   constexpr int kMaxNames = 1000;
   for (int k = 2; k < kMaxNames; ++k) {
     const fs::path beside = fmt::format("{}.{}", path.string(), k);
-    if (rename_to_new(temporary, beside)) {
-      throw InputError(
-          fmt::format("{}: exists already: it was written while this run worked, whose own file is "
-                      "{}; --force replaces it",
-                      path.string(), beside.string()));
-    }
+    refuse_if(rename_to_new(temporary, beside),
+              "{}: exists already: it was written while this run worked, whose own file is "
+              "{}; --force replaces it",
+              path.string(), beside.string());
   }
   throw InputError(fmt::format("{}: exists already; --force replaces it", path.string()));
 }
@@ -149,16 +147,13 @@ fs::path existing_folder(const fs::path& path) {
 void require_writable(const fs::path& path) {
   const fs::path folder = existing_folder(path);
   std::error_code error;
-  if (!fs::is_directory(folder, error)) {
-    throw InputError(fmt::format("{}: {} is no folder", path.string(), folder.string()));
-  }
+  refuse_if(!fs::is_directory(folder, error), "{}: {} is no folder", path.string(),
+            folder.string());
   const long longest = ::pathconf(folder.c_str(), _PC_NAME_MAX);
   for (const fs::path& part : path) {
-    if (longest > 0 && part.string().size() > static_cast<std::size_t>(longest)) {
-      throw InputError(
-          fmt::format("{}: a name of {} bytes is too long; at most {} are allowed there",
-                      path.string(), part.string().size(), longest));
-    }
+    refuse_if(longest > 0 && part.string().size() > std::size_t(longest),
+              "{}: a name of {} bytes is too long; at most {} are allowed there", path.string(),
+              part.string().size(), longest);
   }
   remove_abandoned_files_once(folder);  // a run that was killed here may write elsewhere now
   const fs::path probe = folder / temporary_name(path.filename().string());
@@ -180,16 +175,12 @@ Descriptor open_to_read(const fs::path& path) {
   if (::stat(path.c_str(), &status) != 0) {
     throw_file_error(path, "can't be read", errno);
   }
-  if (S_ISDIR(status.st_mode)) {
-    throw InputError(fmt::format("{}: is a folder; expected a file", path.string()));
-  }
+  refuse_if(S_ISDIR(status.st_mode), "{}: is a folder; expected a file", path.string());
   // A pipe would block, and a device has no end.
-  if (!S_ISREG(status.st_mode)) {
-    throw InputError(
-        fmt::format("{}: is a pipe or a device; expected a plain file", path.string()));
-  }
-  if (static_cast<std::uintmax_t>(status.st_size) > kMaxFile) {
-    refuse_size(path, static_cast<std::uintmax_t>(status.st_size));
+  refuse_if(!S_ISREG(status.st_mode), "{}: is a pipe or a device; expected a plain file",
+            path.string());
+  if (std::uintmax_t(status.st_size) > kMaxFile) {
+    refuse_size(path, std::uintmax_t(status.st_size));
   }
   Descriptor file(path, O_RDONLY | O_NONBLOCK);
   if (!file.is_open()) {
@@ -200,10 +191,8 @@ Descriptor open_to_read(const fs::path& path) {
 
 /// A folder, a device or a link: for root, a rename would put a file in the place of /dev/null.
 void refuse_to_replace(const fs::path& path, const fs::file_status& status) {
-  if (fs::exists(status) && !fs::is_regular_file(status)) {
-    throw InputError(
-        fmt::format("{}: exists and is not a plain file; it is never replaced", path.string()));
-  }
+  refuse_if(fs::exists(status) && !fs::is_regular_file(status),
+            "{}: exists and is not a plain file; it is never replaced", path.string());
 }
 
 }  // namespace
@@ -259,7 +248,7 @@ std::size_t read_some(const Descriptor& file, const fs::path& path, char* to, st
   while (true) {
     const ssize_t count = ::read(file.get(), to, most);
     if (count >= 0) {
-      return static_cast<std::size_t>(count);
+      return std::size_t(count);
     }
     if (errno != EINTR) {
       throw_fault(path, "can't be read", errno);
@@ -276,7 +265,7 @@ std::string read_file(const fs::path& path) {
   constexpr std::size_t kBlock = std::size_t{1} << 16U;
   // One byte more than expected shows the end without another block; the kernel's own files say
   // that they are empty.
-  std::string content(has_size ? static_cast<std::size_t>(status.st_size) + 1 : kBlock, '\0');
+  std::string content(has_size ? std::size_t(status.st_size) + 1 : kBlock, '\0');
   std::size_t size = 0;
   while (true) {
     const std::size_t count = read_some(file, path, content.data() + size, content.size() - size);
@@ -316,15 +305,11 @@ void read_blocks(const fs::path& path, const std::function<void(std::string_view
 }
 
 void refuse_to_overwrite(const fs::path& path, bool force) {
-  if (!path.has_filename()) {
-    throw InputError(fmt::format("'{}': names no file; expected a file to write", path.string()));
-  }
+  refuse_if(!path.has_filename(), "'{}': names no file; expected a file to write", path.string());
   std::error_code error;
   const fs::file_status status = fs::symlink_status(path, error);
   refuse_to_replace(path, status);
-  if (!force && fs::exists(status)) {
-    throw InputError(fmt::format("{}: exists already; --force replaces it", path.string()));
-  }
+  refuse_if(!force && fs::exists(status), "{}: exists already; --force replaces it", path.string());
   require_writable(path);
   missing_files().set(path, !force);
 }
@@ -332,12 +317,9 @@ void refuse_to_overwrite(const fs::path& path, bool force) {
 void require_writable_folder(const fs::path& folder) {
   std::error_code error;
   const fs::file_status status = fs::status(folder, error);
-  if (folder.empty()) {
-    throw InputError("'': names no folder; expected one to write into");
-  }
-  if (fs::exists(status) && !fs::is_directory(status)) {
-    throw InputError(fmt::format("{}: is a file; expected a folder, or nothing", folder.string()));
-  }
+  refuse_if(folder.empty(), "'': names no folder; expected one to write into");
+  refuse_if(fs::exists(status) && !fs::is_directory(status),
+            "{}: is a file; expected a folder, or nothing", folder.string());
   require_writable(folder / "");
 }
 

@@ -4,6 +4,7 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>
@@ -22,7 +23,7 @@ std::string content_hash(std::string_view content) {
   return digits_of(XXH3_128bits(content.data(), content.size()));
 }
 
-std::string file_hash(const std::filesystem::path& path) {
+std::string file_hash(const fs::path& path) {
   XXH3_state_t state;
   XXH3_INITSTATE(&state);
   XXH3_128bits_reset(&state);
@@ -32,8 +33,7 @@ std::string file_hash(const std::filesystem::path& path) {
   return digits_of(XXH3_128bits_digest(&state));
 }
 
-std::string add_different(std::map<std::string, std::string>& path_of_hash,
-                          const std::filesystem::path& path) {
+std::string add_different(std::map<std::string, std::string>& path_of_hash, const fs::path& path) {
   const auto [other, is_new] = path_of_hash.emplace(file_hash(path), path.string());
   if (!is_new) {
     throw InputError(

@@ -15,7 +15,7 @@ namespace limber {
 
 const char* to_string(CpuLevel level) {
   constexpr std::array kNames = {"baseline", "avx2", "avx512"};  // in the order of CpuLevel
-  return kNames[static_cast<std::size_t>(level)];
+  return kNames[std::size_t(level)];
 }
 
 std::vector<CpuLevel> available_cpu_levels() {

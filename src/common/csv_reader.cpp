@@ -6,6 +6,7 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/printable.hpp"
 #include "limber/common/utf8.hpp"
 
@@ -21,7 +22,7 @@ std::string_view trimmed(std::string_view text) {
 
 }  // namespace
 
-CsvReader CsvReader::from_file(const std::filesystem::path& path, char separator) {
+CsvReader CsvReader::from_file(const fs::path& path, char separator) {
   return CsvReader(read_file(path), path.string(), separator);
 }
 

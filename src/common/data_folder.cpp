@@ -6,10 +6,9 @@
 #include <fmt/format.h>
 
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 
 namespace limber {
-
-namespace fs = std::filesystem;
 
 fs::path data_folder() {
   std::vector<fs::path> candidates;

@@ -6,13 +6,10 @@
 
 #include <cerrno>
 
-#include <fmt/format.h>
-
-#include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/refuse_if.hpp"
 
 namespace limber {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -35,12 +32,9 @@ FolderLock::FolderLock(const fs::path& folder, const std::string& who) {
     if (!descriptor_.is_open()) {
       return;  // whoever writes there says why that can't be done
     }
-    if (::flock(descriptor_.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-      throw InputError(
-          fmt::format("{}: another {} is writing there; wait for its end, or choose "
-                      "another --out",
-                      folder.string(), who));
-    }
+    refuse_if(::flock(descriptor_.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK,
+              "{}: another {} is writing there; wait for its end, or choose another --out",
+              folder.string(), who);
     if (has_name(descriptor_.get(), folder)) {
       return;  // also where a file system has no locks
     }

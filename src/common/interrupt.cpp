@@ -20,7 +20,7 @@ void request_stop_at(int number) {
   struct sigaction action {};
   action.sa_handler = handle_signal;
   sigemptyset(&action.sa_mask);
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  action.sa_flags = int(SA_RESETHAND);
   sigaction(number, &action, nullptr);
 }
 

@@ -11,23 +11,25 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/file_format.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/utf8.hpp"
 
 namespace limber {
 
 namespace {
 
-using Json = nlohmann::json;
+using PlainJson = nlohmann::json;
 
 /// A few numbers, which say more than how many there are.
-bool is_short(const Json& list) {
+bool is_short(const PlainJson& list) {
   constexpr std::size_t kMaxShown = 4;
   return list.size() <= kMaxShown &&
-         std::ranges::all_of(list, [](const Json& item) { return item.is_number(); });
+         std::ranges::all_of(list, [](const PlainJson& item) { return item.is_number(); });
 }
 
 /// What the library says, without its own numbering: "[json.exception.parse_error.101] ".
-std::string reason_of(const Json::exception& error) {
+std::string reason_of(const PlainJson::exception& error) {
   constexpr std::size_t kMaxReason = 160;
   const std::string text = with_other_bytes_escaped(error.what());  // it quotes what it read
   const std::size_t end = text.find("] ");
@@ -36,10 +38,10 @@ std::string reason_of(const Json::exception& error) {
 
 }  // namespace
 
-Json parse_json_object(std::string_view text, const std::string& where) {
+PlainJson parse_json_object(std::string_view text, const std::string& where) {
   std::vector<std::set<std::string>> keys;  // of the objects that are open
-  const auto sound = [&](int depth, Json::parse_event_t event, const Json& value) {
-    using Event = Json::parse_event_t;
+  const auto sound = [&](int depth, PlainJson::parse_event_t event, const PlainJson& value) {
+    using Event = PlainJson::parse_event_t;
     if (event == Event::object_start) {
       keys.emplace_back();
     } else if (event == Event::object_end) {
@@ -50,47 +52,46 @@ Json parse_json_object(std::string_view text, const std::string& where) {
                       "counts can't be known",
                       where, in_few_words(value)));
     }
-    if ((event == Event::object_start || event == Event::array_start) && depth >= kMaxJsonLevels) {
-      throw InputError(
-          fmt::format("{}: lists and objects nested more than {} deep; no limber file has so many",
-                      where, kMaxJsonLevels));
-    }
+    refuse_if(
+        (event == Event::object_start || event == Event::array_start) && depth >= kMaxJsonLevels,
+        "{}: lists and objects nested more than {} deep; no limber file has so many", where,
+        kMaxJsonLevels);
     return true;
   };
   try {
-    Json root = Json::parse(text, sound);
+    PlainJson root = PlainJson::parse(text, sound);
     if (!root.is_object()) {
       throw InputError(
           fmt::format("{}: {} found; expected a JSON object, {{…}}", where, in_few_words(root)));
     }
     return root;
-  } catch (const Json::exception& error) {
+  } catch (const PlainJson::exception& error) {
     throw InputError(fmt::format("{}: not valid JSON: {}", where, reason_of(error)));
   }
 }
 
-Json read_json_object(const std::filesystem::path& path) {
+PlainJson read_json_object(const fs::path& path) {
   const std::string text = read_file(path);
   refuse_other_format(text, "JSON", path.string());
   return parse_json_object(text, path.string());
 }
 
-std::string in_few_words(const Json& value) {
+std::string in_few_words(const PlainJson& value) {
   switch (value.type()) {
-    case Json::value_t::null:
+    case PlainJson::value_t::null:
       return "null";
-    case Json::value_t::object:
+    case PlainJson::value_t::object:
       return fmt::format("an object of {}", value.size());
-    case Json::value_t::array:
+    case PlainJson::value_t::array:
       return is_short(value) ? value.dump() : fmt::format("a list of {}", value.size());
-    case Json::value_t::string:
+    case PlainJson::value_t::string:
       return fmt::format("'{}'", shortened(value.get_ref<const std::string&>()));
     default:
       return value.dump();
   }
 }
 
-JsonReader::JsonReader(const Json& value, std::string file, std::string field)
+JsonReader::JsonReader(const PlainJson& value, std::string file, std::string field)
     : value_(value), file_(std::move(file)), field_(std::move(field)) {}
 
 void JsonReader::refuse(const std::string& message) const {
@@ -103,9 +104,7 @@ void JsonReader::refuse_found(const std::string& message) const {
 
 JsonReader JsonReader::at(const char* key) const {
   std::string field = field_.empty() ? key : fmt::format("{}.{}", field_, key);
-  if (!has(key)) {
-    throw InputError(fmt::format("{}: {}: missing", file_, field));
-  }
+  refuse_if(!has(key), "{}: {}: missing", file_, field);
   return {value_.at(key), file_, std::move(field)};
 }
 
@@ -126,12 +125,9 @@ std::vector<JsonReader> JsonReader::elements(const std::string& expected) const 
   if (!value_.is_array()) {
     refuse_found("expected " + expected);
   }
-  std::vector<JsonReader> result;
-  result.reserve(value_.size());
-  for (std::size_t i = 0; i < value_.size(); ++i) {
-    result.emplace_back(value_[i], file_, fmt::format("{}[{}]", field_, i));
-  }
-  return result;
+  return mapped<JsonReader>(value_.size(), [&](std::size_t i) {
+    return JsonReader(value_[i], file_, fmt::format("{}[{}]", field_, i));
+  });
 }
 
 bool JsonReader::is_null() const {
@@ -180,7 +176,7 @@ int JsonReader::integer(int low, int high) const {
   if (!fits || value < low || value > high) {
     refuse_found(fmt::format("expected a whole number from {} to {}", low, high));
   }
-  return static_cast<int>(value);
+  return int(value);
 }
 
 std::vector<double> JsonReader::numbers(std::size_t size, const char* what, double low,
@@ -188,13 +184,12 @@ std::vector<double> JsonReader::numbers(std::size_t size, const char* what, doub
   if (!value_.is_array()) {
     refuse_found(fmt::format("expected a list of {}", what));
   }
-  if (size != std::string::npos && value_.size() != size) {
-    refuse(fmt::format("{} numbers found; expected {} {}", value_.size(), size, what));
-  }
+  refuse_if(size != std::string::npos && value_.size() != size, "{} numbers found; expected {} {}",
+            value_.size(), size, what);
   std::vector<double> result;
   result.reserve(value_.size());
   for (std::size_t i = 0; i < value_.size(); ++i) {
-    const Json& item = value_[i];
+    const PlainJson& item = value_[i];
     const double value = item.is_number() ? item.get<double>() : std::nan("");
     if (!(value >= low && value <= high)) {
       // Says what and where.

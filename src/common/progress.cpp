@@ -18,9 +18,8 @@ constexpr double kTerminalInterval_s = 0.1;
 constexpr double kLogInterval_s = 10.0;
 
 std::string bar(double fraction) {
-  const int filled = static_cast<int>(fraction * kBarWidth);
-  return std::string(static_cast<std::size_t>(filled), '#') +
-         std::string(static_cast<std::size_t>(kBarWidth - filled), '.');
+  const int filled = int(fraction * kBarWidth);
+  return std::string(std::size_t(filled), '#') + std::string(std::size_t(kBarWidth - filled), '.');
 }
 
 }  // namespace
@@ -76,12 +75,12 @@ void Progress::print(bool last) {
   }
   last_print_ = now;
   const double elapsed_s = std::chrono::duration<double>(now - start_).count();
-  const double rate = elapsed_s > 0.0 ? static_cast<double>(done_) / elapsed_s : 0.0;
+  const double rate = elapsed_s > 0.0 ? double(done_) / elapsed_s : 0.0;
 
   std::string line = terminal_ ? "\r" : "";
   line += printable(task_);
   if (total_ > 0) {
-    const double fraction = std::min(1.0, static_cast<double>(done_) / static_cast<double>(total_));
+    const double fraction = std::min(1.0, double(done_) / double(total_));
     line += terminal_ ? fmt::format(" [{}]", bar(fraction)) : std::string();
     line += fmt::format(" {}/{} {}", done_, total_, unit_);
   } else {
@@ -91,7 +90,7 @@ void Progress::print(bool last) {
   if (last) {
     line += fmt::format(", took {}", format_duration(elapsed_s));
   } else if (total_ > done_ && rate > 0.0) {
-    line += fmt::format(", {} left", format_duration(static_cast<double>(total_ - done_) / rate));
+    line += fmt::format(", {} left", format_duration(double(total_ - done_) / rate));
   }
   line += note_.empty() ? std::string() : ", " + printable(note_);
   line += terminal_ ? (last ? "\x1b[K\n" : "\x1b[K") : "\n";

@@ -14,8 +14,8 @@ constexpr std::uint64_t kWordsPerBlock = 4;
 
 void fill_block(std::uint64_t seed, std::uint64_t stream, std::uint64_t index,
                 std::uint32_t (&block)[kWordsPerBlock]) {
-  const auto low = [](std::uint64_t x) { return static_cast<std::uint32_t>(x); };
-  const auto high = [](std::uint64_t x) { return static_cast<std::uint32_t>(x >> 32U); };
+  const auto low = [](std::uint64_t x) { return std::uint32_t(x); };
+  const auto high = [](std::uint64_t x) { return std::uint32_t(x >> 32U); };
   const r123::Philox4x32::ctr_type counter = {{low(index), high(index), low(stream), high(stream)}};
   const r123::Philox4x32::key_type key = {{low(seed), high(seed)}};
   const auto words = r123::Philox4x32()(counter, key);
@@ -48,7 +48,7 @@ void RandomStream::seek(std::uint64_t position) {
 double RandomStream::uniform() {
   const std::uint64_t high = next_u32() >> 5U;
   const std::uint64_t low = next_u32() >> 6U;
-  return static_cast<double>((high << 26U) | low) * 0x1.0p-53;
+  return double((high << 26U) | low) * 0x1.0p-53;
 }
 
 double RandomStream::uniform(double low, double high) {
@@ -67,8 +67,8 @@ std::uint32_t RandomStream::index(std::uint32_t count) {
   const std::uint32_t threshold = (0U - count) % count;
   for (;;) {
     const std::uint64_t product = std::uint64_t{next_u32()} * count;
-    if (static_cast<std::uint32_t>(product) >= threshold) {
-      return static_cast<std::uint32_t>(product >> 32U);
+    if (std::uint32_t(product) >= threshold) {
+      return std::uint32_t(product >> 32U);
     }
   }
 }

@@ -14,13 +14,14 @@
 #include "limber/common/error.hpp"
 #include "limber/common/file_format.hpp"
 #include "limber/common/json_reader.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/utf8.hpp"
 
 namespace limber {
 
 namespace {
 
-using Json = nlohmann::json;
+using PlainJson = nlohmann::json;
 
 constexpr std::size_t kLengthBytes = 8;
 constexpr std::size_t kAlignment = 8;
@@ -42,30 +43,25 @@ struct Range {
 };
 
 std::string_view header_of(std::string_view bytes, const std::string& where) {
-  if (bytes.size() < kLengthBytes) {
-    refuse(where, fmt::format("{} bytes; a safetensors file begins with 8 bytes of header length",
-                              bytes.size()));
-  }
+  refuse_if(bytes.size() < kLengthBytes,
+            "{}: {} bytes; a safetensors file begins with 8 bytes of header length", where,
+            bytes.size());
   std::uint64_t length = 0;
   std::memcpy(&length, bytes.data(), kLengthBytes);
-  if (length > kMaxHeader || length > bytes.size() - kLengthBytes) {
-    refuse(where,
-           fmt::format(
-               "header length is {} bytes, but {} follow it: truncated, or not a safetensors file",
-               length, bytes.size() - kLengthBytes));
-  }
-  return bytes.substr(kLengthBytes, static_cast<std::size_t>(length));
+  refuse_if(length > kMaxHeader || length > bytes.size() - kLengthBytes,
+            "{}: header length is {} bytes, but {} follow it: truncated, or not a safetensors file",
+            where, length, bytes.size() - kLengthBytes);
+  return bytes.substr(kLengthBytes, std::size_t(length));
 }
 
 // A list of whole numbers ≥ 0 at header[name][key].
-std::vector<std::size_t> sizes_at(const Json& entry, const char* key, const std::string& name,
+std::vector<std::size_t> sizes_at(const PlainJson& entry, const char* key, const std::string& name,
                                   const std::string& where) {
   const auto found = entry.find(key);
-  if (found == entry.end() || !found->is_array()) {
-    refuse(where, fmt::format("tensor {}: no list {}", name, key));
-  }
+  refuse_if(found == entry.end() || !found->is_array(), "{}: tensor {}: no list {}", where, name,
+            key);
   std::vector<std::size_t> sizes;
-  for (const Json& size : *found) {
+  for (const PlainJson& size : *found) {
     if (!size.is_number_unsigned()) {
       refuse(where, fmt::format("tensor {}: {} is {}; expected whole numbers ≥ 0", name, key,
                                 in_few_words(*found)));
@@ -88,7 +84,7 @@ std::size_t element_count(const std::vector<std::size_t>& shape, const std::stri
   return count;
 }
 
-std::string dtype_of(const Json& entry, const std::string& name, const std::string& where) {
+std::string dtype_of(const PlainJson& entry, const std::string& name, const std::string& where) {
   if (!entry.is_object()) {
     refuse(where, fmt::format("tensor {}: header entry is {}; expected an object", name,
                               in_few_words(entry)));
@@ -98,7 +94,7 @@ std::string dtype_of(const Json& entry, const std::string& name, const std::stri
 }
 
 template <class Number>
-TensorOf<Number> read_tensor(const Json& entry, const std::string& name, std::string_view data,
+TensorOf<Number> read_tensor(const PlainJson& entry, const std::string& name, std::string_view data,
                              const std::string& where, Range& range) {
   TensorOf<Number> tensor;
   tensor.shape = sizes_at(entry, "shape", name, where);
@@ -124,7 +120,7 @@ TensorOf<Number> read_tensor(const Json& entry, const std::string& name, std::st
 
 template <class Number>
 void append_tensors(const std::map<std::string, TensorOf<Number>>& tensors, const char* dtype,
-                    Json& header, std::string& data) {
+                    PlainJson& header, std::string& data) {
   for (const auto& [name, tensor] : tensors) {
     const std::size_t begin = data.size();
     data.append(reinterpret_cast<const char*>(tensor.values.data()),
@@ -149,15 +145,12 @@ void require_contiguous(std::vector<Range> ranges, std::size_t size, const std::
     }
     end = range.end;
   }
-  if (end != size) {
-    refuse(where, fmt::format("{} bytes of data behind the last tensor", size - end));
-  }
+  refuse_if(end != size, "{}: {} bytes of data behind the last tensor", where, size - end);
 }
 
-std::map<std::string, std::string> read_metadata(const Json& metadata, const std::string& where) {
-  if (!metadata.is_object()) {
-    refuse(where, "__metadata__ is not a JSON object");
-  }
+std::map<std::string, std::string> read_metadata(const PlainJson& metadata,
+                                                 const std::string& where) {
+  refuse_if(!metadata.is_object(), "{}: __metadata__ is not a JSON object", where);
   std::map<std::string, std::string> strings;
   for (const auto& [key, value] : metadata.items()) {
     if (!value.is_string()) {
@@ -172,14 +165,14 @@ std::map<std::string, std::string> read_metadata(const Json& metadata, const std
 }  // namespace
 
 std::string safetensors_bytes(const Safetensors& content) {
-  Json header = Json::object();
+  PlainJson header = PlainJson::object();
   if (!content.metadata.empty()) {
     header[kMetadataKey] = content.metadata;
   }
   std::string data;
   append_tensors(content.tensors, kFloats, header, data);
   append_tensors(content.shorts, kShorts, header, data);  // behind, so that floats stay aligned
-  std::string text = header.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string text = header.dump(-1, ' ', false, PlainJson::error_handler_t::replace);
   text.append((kAlignment - text.size() % kAlignment) % kAlignment, ' ');
   const std::uint64_t length = text.size();
   std::string bytes(kLengthBytes, '\0');
@@ -191,7 +184,7 @@ Safetensors parse_safetensors(std::string_view bytes, const std::string& where) 
   refuse_other_format(bytes, kSafetensorsFormat, where);
   const std::string_view text = header_of(bytes, where);
   const std::string_view data = bytes.substr(kLengthBytes + text.size());
-  const Json header = parse_json_object(text, where + ": header");
+  const PlainJson header = parse_json_object(text, where + ": header");
   Safetensors content;
   std::vector<Range> ranges;
   for (const auto& [name, entry] : header.items()) {

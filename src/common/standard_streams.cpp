@@ -78,7 +78,7 @@ void print_to_stderr(std::string_view text) noexcept {
   while (!text.empty()) {
     const ssize_t written = stream.write(text);
     if (written >= 0) {
-      text.remove_prefix(static_cast<std::size_t>(written));
+      text.remove_prefix(std::size_t(written));
     } else if (errno == EAGAIN && Clock::now() < deadline) {
       (void)is_writable(1);
     } else if (errno != EINTR) {

@@ -6,17 +6,16 @@
 #include <numeric>
 #include <utility>
 
+#include "limber/common/mapped.hpp"
+
 namespace limber {
 
 namespace {
 
 double sum_of_squares(std::span<const double> values) {
   const double middle = mean(values);
-  double sum = 0.0;
-  for (const double value : values) {
-    sum += (value - middle) * (value - middle);
-  }
-  return sum;
+  return sum_of<double>(values,
+                        [&](const double value) { return (value - middle) * (value - middle); });
 }
 
 }  // namespace
@@ -43,7 +42,7 @@ double jackknife_error(std::span<const double> left_out) {
 double quantile(std::vector<double> values, double share) {
   assert(!values.empty() && share >= 0.0 && share <= 1.0);
   const double position = share * double(values.size() - 1);
-  const auto below = values.begin() + static_cast<std::ptrdiff_t>(position);
+  const auto below = values.begin() + std::ptrdiff_t(position);
   std::nth_element(values.begin(), below, values.end());
   const double weight = position - std::floor(position);
   return weight == 0.0 ? *below

@@ -19,10 +19,9 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 
 namespace limber {
-
-namespace fs = std::filesystem;
 
 namespace {
 

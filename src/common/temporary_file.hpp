@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <string>
 
+#include "limber/common/filesystem.hpp"
+
 namespace limber {
 
 /// Name under which this process writes a file called `name`, another one at each call:
@@ -12,6 +14,6 @@ namespace limber {
 std::string temporary_name(const std::string& name);
 
 /// The same as remove_abandoned_files (common/atomic_file.hpp), once per folder and process.
-void remove_abandoned_files_once(const std::filesystem::path& folder);
+void remove_abandoned_files_once(const fs::path& folder);
 
 }  // namespace limber

@@ -7,8 +7,7 @@ namespace limber {
 
 std::size_t find_invalid_utf8(std::string_view text) {
   const auto found = utf8::find_invalid(text.begin(), text.end());
-  return found == text.end() ? std::string_view::npos
-                             : static_cast<std::size_t>(found - text.begin());
+  return found == text.end() ? std::string_view::npos : std::size_t(found - text.begin());
 }
 
 std::string with_other_bytes_escaped(std::string text) {

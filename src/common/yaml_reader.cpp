@@ -12,6 +12,8 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/file_format.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/number_text.hpp"
 #include "limber/common/utf8.hpp"
 
@@ -92,7 +94,7 @@ void refuse_oddities(const YAML::Node& node, const std::string& name, const std:
 YamlReader::YamlReader(std::string file, std::string field, YAML::Node node, int line)
     : file_(std::move(file)), field_(std::move(field)), node_(std::move(node)), line_(line) {}
 
-YamlReader YamlReader::from_file(const std::filesystem::path& path) {
+YamlReader YamlReader::from_file(const fs::path& path) {
   return from_text(read_file(path), path.string());
 }
 
@@ -151,9 +153,7 @@ YamlReader YamlReader::at(const std::string& key) const {
     refuse(fmt::format("{} found; expected a mapping with the key '{}'", found(), key));
   }
   const YAML::Node child = node_[key];
-  if (!child) {
-    refuse(fmt::format("the key '{}' is missing", key));
-  }
+  refuse_if(!child, "the key '{}' is missing", key);
   int line = line_of(child, line_);
   if (child.IsNull()) {  // yaml-cpp puts an absent value where the next token is
     for (const auto& entry : node_) {
@@ -167,23 +167,18 @@ std::vector<YamlReader> YamlReader::elements() const {
   if (!node_.IsSequence()) {
     refuse(fmt::format("{} found; expected a list", found()));
   }
-  std::vector<YamlReader> result;
-  for (std::size_t i = 0; i < node_.size(); ++i) {
-    result.push_back(
-        YamlReader(file_, fmt::format("{}[{}]", field_, i), node_[i], line_of(node_[i], line_)));
-  }
-  return result;
+  return mapped<YamlReader>(node_.size(), [&](std::size_t i) {
+    return YamlReader(file_, fmt::format("{}[{}]", field_, i), node_[i], line_of(node_[i], line_));
+  });
 }
 
 std::vector<std::string> YamlReader::keys() const {
   if (!node_.IsMap()) {
     refuse(fmt::format("{} found; expected a mapping", found()));
   }
-  std::vector<std::string> result;
-  for (const auto& entry : node_) {
-    result.push_back(entry.first.IsScalar() ? entry.first.Scalar() : "?");
-  }
-  return result;
+  return mapped<std::string>(node_, [&](const auto& entry) {
+    return entry.first.IsScalar() ? entry.first.Scalar() : "?";
+  });
 }
 
 std::string YamlReader::mapping_as_text(const std::string& key) const {
@@ -247,34 +242,23 @@ double YamlReader::number(const std::string& unit, double low, double high) cons
 
 double YamlReader::positive(const std::string& unit) const {
   const double value = number(unit);
-  if (value <= 0.0) {
-    refuse(fmt::format("{} found; expected {}, > 0", value, unit));
-  }
+  refuse_if(value <= 0.0, "{} found; expected {}, > 0", value, unit);
   return value;
 }
 
 int YamlReader::integer(const std::string& what, int low, int high) const {
   const double value = number(what, low, high);
-  if (value != std::floor(value)) {
-    refuse(fmt::format("{} found; expected {}, a whole number", value, what));
-  }
-  return static_cast<int>(value);
+  refuse_if(value != std::floor(value), "{} found; expected {}, a whole number", value, what);
+  return int(value);
 }
 
 std::vector<double> YamlReader::numbers(const std::string& unit) const {
-  std::vector<double> result;
-  for (const YamlReader& element : elements()) {
-    result.push_back(element.number(unit));
-  }
-  return result;
+  return mapped<double>(elements(),
+                        [&](const YamlReader& element) { return element.number(unit); });
 }
 
 std::vector<std::string> YamlReader::texts() const {
-  std::vector<std::string> result;
-  for (const YamlReader& element : elements()) {
-    result.push_back(element.text());
-  }
-  return result;
+  return mapped<std::string>(elements(), [&](const YamlReader& element) { return element.text(); });
 }
 
 void YamlReader::require_schema(const std::string& expected) const {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "limber/common/mapped.hpp"
+
 namespace limber {
 
 namespace {
@@ -15,7 +17,7 @@ class Assigner {
  public:
   explicit Assigner(const Eigen::MatrixXd& gain)
       : gain_(gain),
-        size_(static_cast<std::size_t>(gain.rows())),
+        size_(std::size_t(gain.rows())),
         row_potential_(size_, 0.0),
         column_potential_(size_ + 1, 0.0),
         row_of_(size_ + 1, kNobody) {}
@@ -26,7 +28,7 @@ class Assigner {
     }
     std::vector<Eigen::Index> column_of(size_);
     for (std::size_t column = 0; column < size_; ++column) {
-      column_of[row_of_[column]] = static_cast<Eigen::Index>(column);
+      column_of[row_of_[column]] = Eigen::Index(column);
     }
     return column_of;
   }
@@ -67,8 +69,8 @@ class Assigner {
       if (done[c] != 0) {
         continue;
       }
-      const double cost = -gain_(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(c)) -
-                          row_potential_[row] - column_potential_[c];
+      const double cost =
+          -gain_(Eigen::Index(row), Eigen::Index(c)) - row_potential_[row] - column_potential_[c];
       if (cost < distance[c]) {
         distance[c] = cost;
         before[c] = column;
@@ -95,8 +97,8 @@ double assignment_margin(const Eigen::MatrixXd& gain, const std::vector<Eigen::I
   double margin = std::numeric_limits<double>::infinity();
   for (Eigen::Index a = 0; a < gain.rows(); ++a) {
     for (Eigen::Index b = a + 1; b < gain.rows(); ++b) {
-      const Eigen::Index of_a = column[static_cast<std::size_t>(a)];
-      const Eigen::Index of_b = column[static_cast<std::size_t>(b)];
+      const Eigen::Index of_a = column[a];
+      const Eigen::Index of_b = column[b];
       margin = std::min(margin, gain(a, of_a) + gain(b, of_b) - gain(a, of_b) - gain(b, of_a));
     }
   }
@@ -104,11 +106,7 @@ double assignment_margin(const Eigen::MatrixXd& gain, const std::vector<Eigen::I
 }
 
 double assigned_sum(const Eigen::MatrixXd& gain, const std::vector<Eigen::Index>& column) {
-  double sum = 0.0;
-  for (Eigen::Index i = 0; i < gain.rows(); ++i) {
-    sum += gain(i, column[static_cast<std::size_t>(i)]);
-  }
-  return sum;
+  return sum_of<double>(gain.rows(), [&](Eigen::Index i) { return gain(i, column[i]); });
 }
 
 }  // namespace limber

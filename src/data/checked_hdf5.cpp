@@ -14,6 +14,8 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/descriptor.hpp"
 #include "limber/common/file_error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/refuse_if.hpp"
 
 namespace limber {
 
@@ -83,14 +85,14 @@ H5::FileAccPropList borrowing(const MappedFile& file) {
 
 }  // namespace
 
-MappedFile::MappedFile(const std::filesystem::path& path) : name_(path.string()) {
+MappedFile::MappedFile(const fs::path& path) : name_(path.string()) {
   require_plain_file(path);
   const Descriptor file(path, O_RDONLY | O_NOCTTY | O_NONBLOCK);
   struct stat status {};
   if (!file.is_open() || ::fstat(file.get(), &status) != 0) {
     throw_file_error(path, "can't be read", errno);
   }
-  size_ = static_cast<std::size_t>(status.st_size);
+  size_ = std::size_t(status.st_size);
   void* found = nullptr;
   if (size_ > 0) {
     found = ::mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, file.get(), 0);
@@ -111,11 +113,9 @@ CheckedHdf5::CheckedHdf5(const MappedFile& file)
     : name_(file.name()), size_(file.size()), file_(open(file)) {}
 
 H5::H5File CheckedHdf5::open(const MappedFile& file) const {
-  if (!starts_as_hdf5(file)) {
-    throw InputError(
-        fmt::format("{}: not an HDF5 file; expected a recording, schema '{}' (docs/formats.md)",
-                    name_, kRecordingSchema));
-  }
+  refuse_if(!starts_as_hdf5(file),
+            "{}: not an HDF5 file; expected a recording, schema '{}' (docs/formats.md)", name_,
+            kRecordingSchema);
   try {
     return H5::H5File(kNoFile, H5F_ACC_RDONLY, H5::FileCreatPropList::DEFAULT, borrowing(file));
   } catch (const H5::Exception&) {
@@ -180,7 +180,7 @@ H5::DataSet CheckedHdf5::data_set(const std::string& path, const Shape& wanted, 
   }
   const H5::DataSpace space = found.getSpace();
   const int rank = space.getSimpleExtentNdims();
-  Shape shape(static_cast<std::size_t>(std::max(rank, 0)));
+  Shape shape(std::size_t(std::max(rank, 0)));
   if (rank > 0) {
     space.getSimpleExtentDims(shape.data());
   }
@@ -228,7 +228,7 @@ void CheckedHdf5::require_known_filters(const std::string& path,
         found != H5Z_FILTER_FLETCHER32) {
       refuse(path, fmt::format("HDF5 filter {} found; expected no filter, or deflate (gzip), "
                                "shuffle and fletcher32",
-                               static_cast<int>(found)));
+                               int(found)));
     }
   }
   if (how.getLayout() != H5D_CHUNKED) {
@@ -271,7 +271,7 @@ FrameMatrix CheckedHdf5::matrix(const std::string& path, const Shape& wanted,
   hsize_t extents[3] = {};
   const int rank = found.getSpace().getSimpleExtentDims(extents);
   const hsize_t columns = rank == 3 ? extents[1] * extents[2] : extents[1];
-  FrameMatrix result(static_cast<Eigen::Index>(extents[0]), static_cast<Eigen::Index>(columns));
+  FrameMatrix result(extents[0], columns);
   read_into(path, found, result.data(), H5::PredType::NATIVE_FLOAT);
   return result;
 }

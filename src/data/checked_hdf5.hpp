@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/utf8.hpp"
 #include "recording_hdf5.hpp"
 
@@ -17,7 +18,7 @@ namespace limber {
 class MappedFile {
  public:
   /// @throws InputError, SystemFault as read_file does
-  explicit MappedFile(const std::filesystem::path& path);
+  explicit MappedFile(const fs::path& path);
   ~MappedFile();
   MappedFile(const MappedFile&) = delete;
   MappedFile& operator=(const MappedFile&) = delete;

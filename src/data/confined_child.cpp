@@ -23,6 +23,7 @@
 
 #include "limber/common/descriptor.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 
 namespace limber {
 
@@ -60,7 +61,7 @@ void allow_computing_only() {
       BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS),
       BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr))};
   for (const auto call : kAllowedCalls) {
-    program.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(call), 0, 1));
+    program.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, std::uint32_t(call), 0, 1));
     program.push_back(BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW));
   }
   program.push_back(BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | EPERM));
@@ -81,7 +82,7 @@ std::uintmax_t address_space() {
     pages = std::fscanf(file, "%lu", &found) == 1 ? found : 0;
     (void)std::fclose(file);
   }
-  return pages * static_cast<std::uintmax_t>(::sysconf(_SC_PAGESIZE));
+  return pages * std::uintmax_t(::sysconf(_SC_PAGESIZE));
 }
 
 /// In the child, before it reads anything: the pipe is all that is left to it.
@@ -189,9 +190,7 @@ void run_confined(const std::string& name, const ChildLimits& limits,
   try {
     receive(child.read_end());
   } catch (const EndOfPipe& end) {
-    if (end.silent) {
-      throw InputError(fmt::format("{}: reading it does not end: {}", name, kExpected));
-    }
+    refuse_if(end.silent, "{}: reading it does not end: {}", name, kExpected);
     explain(name, limits, child.status());
   }
 }

@@ -52,7 +52,7 @@ class EpisodeCheck {
 
   template <class Values>
   void length(const char* data_set, const Values& values, Eigen::Index frames) const {
-    if (static_cast<Eigen::Index>(values.size()) != frames) {
+    if (Eigen::Index(values.size()) != frames) {
       refuse(data_set, fmt::format("{} numbers found; expected one for each of the {} frames",
                                    values.size(), frames));
     }

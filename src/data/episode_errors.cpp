@@ -10,7 +10,9 @@
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/names.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/json_number.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/common/units.hpp"
 #include "limber/data/episode_slice.hpp"
@@ -36,7 +38,7 @@ double turn_error(const SimpleModel& model, const ArmDescription& arm, const Epi
   for (const int t : tracked_frames(episode)) {
     Eigen::Index column = 2;
     for (int i = 0; i < arm.segment_count(); ++i) {
-      const auto at = static_cast<std::size_t>(i);
+      const auto at = std::size_t(i);
       const Eigen::Index end = column + kPoseSize * arm.segments[at].gaps;
       const double seen = double(episode.backbone(t, end) - episode.backbone(t, column));
       const SimpleSegment& segment = model.segments[at];
@@ -144,10 +146,9 @@ double mean_tip_error_cm(const FrameMatrix& expected, const Episode& episode) {
   const Eigen::Index tip = expected.cols() - pose_size(episode.dimension);
   const Eigen::Index numbers = position_size(episode.dimension);
   const std::vector<int> frames = tracked_frames(episode);
-  double sum = 0.0;
-  for (const int t : frames) {
-    sum += double((expected.row(t) - episode.backbone.row(t)).segment(tip, numbers).norm());
-  }
+  const auto sum = sum_of<double>(frames, [&](const int t) {
+    return double((expected.row(t) - episode.backbone.row(t)).segment(tip, numbers).norm());
+  });
   return frames.empty() ? std::nan("") : kCmPerM * sum / double(frames.size());
 }
 
@@ -238,10 +239,8 @@ std::size_t mark_far_off(EpisodeErrors& errors) {
   const double middle = median(known);
   errors.median_cm = std::exp(middle);
   if (known.size() >= kMinEpisodes) {
-    std::vector<double> deviations;
-    for (const double one : known) {
-      deviations.push_back(std::abs(one - middle));
-    }
+    auto deviations =
+        mapped<double>(known, [&](const double one) { return std::abs(one - middle); });
     const double spread = kDeviations * kScaleOfMedian * median(std::move(deviations));
     errors.limit_cm = std::exp(middle + std::max(spread, std::log(kMinRatio)));
   }
@@ -274,7 +273,7 @@ std::vector<int> EpisodeErrors::outliers() const {
   std::vector<int> numbers;
   for (std::size_t i = 0; i < episodes.size(); ++i) {
     if (episodes[i].is_outlier) {
-      numbers.push_back(static_cast<int>(i));
+      numbers.push_back(int(i));
     }
   }
   return numbers;
@@ -336,7 +335,7 @@ bool moves(const ArmDescription& arm, const Episode& episode) {
 std::string to_text(const EpisodeErrors& errors) {
   std::vector<std::string> parts;
   for (const int number : errors.outliers()) {
-    const EpisodeError& episode = errors.episodes[static_cast<std::size_t>(number)];
+    const EpisodeError& episode = errors.episodes[number];
     parts.push_back(episode.name + ": " + episode.why);
   }
   return parts.empty()
@@ -345,12 +344,12 @@ std::string to_text(const EpisodeErrors& errors) {
                            fmt::join(parts, ", "), errors.median_cm);
 }
 
-nlohmann::ordered_json to_json(const EpisodeErrors& errors) {
-  nlohmann::ordered_json json;
+Json to_json(const EpisodeErrors& errors) {
+  Json json;
   json["median_cm"] = json_number(errors.median_cm);
   json["limit_cm"] = json_number(errors.limit_cm);
   json["outliers"] = errors.outliers();
-  json["episodes"] = nlohmann::ordered_json::array();
+  json["episodes"] = Json::array();
   for (const EpisodeError& episode : errors.episodes) {
     json["episodes"].push_back({{"name", episode.name},
                                 {"tip_error_cm", json_number(episode.tip_cm)},

@@ -12,6 +12,7 @@
 #include "limber/arm/names.hpp"
 #include "limber/arm/space_pose.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/data/episode_slice.hpp"
 #include "limber/data/log_units.hpp"
@@ -41,7 +42,7 @@ void require_gaps(const Episode& episode, const ArmDescription& arm, double slac
                   const std::string& where) {
   const std::vector<double> rest_m = rest_positions_m(arm);
   for (int plate = 0; plate + 1 < arm.point_count(); ++plate) {
-    const auto p = static_cast<std::size_t>(plate);
+    const auto p = std::size_t(plate);
     const double expected_m = rest_m[p + 1] - rest_m[p];
     const double found_m = median_gap_m(episode, plate);
     const double high_m = slack * kMaxTrackedGap * expected_m;
@@ -161,10 +162,9 @@ std::string base_offset(const Episode& episode) {
 }
 
 double median_gap_m(const Episode& episode, int plate) {
-  std::vector<double> distances;
-  for (const int t : tracked_frames(episode)) {
-    distances.push_back((episode.position_m(t, plate + 1) - episode.position_m(t, plate)).norm());
-  }
+  auto distances = mapped<double>(tracked_frames(episode), [&](const int t) {
+    return (episode.position_m(t, plate + 1) - episode.position_m(t, plate)).norm();
+  });
   return distances.empty() ? std::numeric_limits<double>::quiet_NaN()
                            : median(std::move(distances));
 }
@@ -178,7 +178,7 @@ void require_motion(const Episode& episode, const ArmDescription& arm, const std
   for (Eigen::Index i = 0; i < episode.pressure_kpa.cols(); ++i) {
     const Eigen::VectorXf commands = episode.pressure_kpa(tracked, i);
     const double range = double(commands.maxCoeff()) - double(commands.minCoeff());
-    const double limit = arm.limits_of_channel(static_cast<int>(i)).half_width_kpa();
+    const double limit = arm.limits_of_channel(int(i)).half_width_kpa();
     if (range > kMovingCommand * limit) {
       throw InputError(fmt::format(
           "{}: the arm's end stands still (its position spreads by {:.2g} mm; expected at least "

@@ -11,6 +11,7 @@
 #include "limber/arm/no_load_model.hpp"
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/data/episode_slice.hpp"
 #include "limber/data/log_units.hpp"
 #include "recorded_backbones.hpp"
@@ -23,7 +24,7 @@ std::string episode_path(std::size_t index) {
 }
 
 int Episode::untracked_count() const {
-  return static_cast<int>(std::count(tracked.begin(), tracked.end(), 0));
+  return int(std::count(tracked.begin(), tracked.end(), 0));
 }
 
 Eigen::Vector3d Episode::position_m(Eigen::Index t, Eigen::Index plate) const {
@@ -44,7 +45,7 @@ std::int64_t Recording::untracked_count() const {
 }
 
 double Recording::duration_s() const {
-  return static_cast<double>(frame_count()) / rate_hz;
+  return double(frame_count()) / rate_hz;
 }
 
 Recording make_recording(const ArmDescription& arm, const std::string& source, std::uint64_t seed) {
@@ -76,20 +77,15 @@ void validate_header(const Recording& recording, const std::string& file) {
   for (const std::string* text :
        {&recording.arm_name, &recording.arm_hash, &recording.arm_description, &recording.source,
         &recording.settings, &recording.command.name, &recording.command.unit}) {
-    if (!can_be_kept(*text)) {
-      throw InputError(fmt::format(
-          "{}: a name or text of the recording is not UTF-8, or holds a zero byte", file));
-    }
+    refuse_if(!can_be_kept(*text),
+              "{}: a name or text of the recording is not UTF-8, or holds a zero byte", file);
     if (text->size() > kLongestText) {
       throw InputError(fmt::format("{}: a text of the recording has {} bytes; expected up to {}",
                                    file, text->size(), kLongestText));
     }
   }
   const auto require = [&](bool holds, const char* name, auto found, const char* expected) {
-    if (!holds) {
-      throw InputError(
-          fmt::format("{}: attribute '{}' is {}; expected {}", file, name, found, expected));
-    }
+    refuse_if(!holds, "{}: attribute '{}' is {}; expected {}", file, name, found, expected);
   };
   require(recording.dimension != Dimension::space || recording.chamber_count >= 1, "chambers",
           recording.chamber_count, "a whole number ≥ 1");
@@ -101,9 +97,7 @@ void validate_header(const Recording& recording, const std::string& file) {
 
 void validate(const Recording& recording, const std::string& file) {
   validate_header(recording, file);
-  if (recording.episodes.empty()) {
-    throw InputError(fmt::format("{}: episodes: none found; expected at least one", file));
-  }
+  refuse_if(recording.episodes.empty(), "{}: episodes: none found; expected at least one", file);
   for (std::size_t i = 0; i < recording.episodes.size(); ++i) {
     const Episode& episode = recording.episodes[i];
     const EpisodeCheck check(file, recording.number(i));
@@ -165,12 +159,11 @@ void require_same_sums(const Recording& recording, const ArmDescription& arm,
   const ArmDescription there = read_arm_keys(recording.arm_description, file + ": arm_description",
                                              PolynomialsOf::characterisation);
   for (const std::string& difference : arm_differences(there, arm)) {
-    if (!there.commands.empty() && difference.starts_with("commands")) {
-      throw InputError(fmt::format(
-          "{}: recorded with arm '{}', whose commands make other commands of segments: {}. Give "
-          "the arm file that it was recorded with (--arm), or import its logs again for this one",
-          file, recording.arm_name, difference));
-    }
+    refuse_if(
+        !there.commands.empty() && difference.starts_with("commands"),
+        "{}: recorded with arm '{}', whose commands make other commands of segments: {}. Give "
+        "the arm file that it was recorded with (--arm), or import its logs again for this one",
+        file, recording.arm_name, difference);
   }
 }
 
@@ -180,7 +173,7 @@ constexpr double kAnotherUnit = 10.0;   // off by more: no broken log, but numbe
 [[noreturn]] void refuse_command(double kpa, Eigen::Index channel, Eigen::Index frame,
                                  const ArmDescription& arm, const std::string& file,
                                  const std::string& where) {
-  const PressureLimits& limits = arm.limits_of_channel(static_cast<int>(channel));
+  const PressureLimits& limits = arm.limits_of_channel(int(channel));
   throw InputError(fmt::format(
       "{}: {}: {} is at {:.4g} {} in {}; the limit of {} is {} {}. If the "
       "arm can take that, raise the limit in its arm file; if not, the unit or the column was "
@@ -192,7 +185,7 @@ constexpr double kAnotherUnit = 10.0;   // off by more: no broken log, but numbe
 void require_commands_within(const FrameMatrix& commands, const ArmDescription& arm,
                              const std::string& file, const std::string& where) {
   for (Eigen::Index i = 0; i < commands.cols(); ++i) {
-    const PressureLimits& limits = arm.limits_of_channel(static_cast<int>(i));
+    const PressureLimits& limits = arm.limits_of_channel(int(i));
     const double limit = limits.largest_kpa();
     const Eigen::VectorXd sizes = commands.col(i).cast<double>().unaryExpr(
         [&](double value) { return limits.size_kpa(value); });
@@ -212,7 +205,7 @@ void require_unit(const FrameMatrix& commands, const ArmDescription& arm, const 
   for (Eigen::Index i = 0; i < commands.cols(); ++i) {
     Eigen::Index worst = 0;
     const double largest = double(commands.col(i).cwiseAbs().maxCoeff(&worst));
-    if (largest > kAnotherUnit * arm.limits_of_channel(static_cast<int>(i)).largest_kpa()) {
+    if (largest > kAnotherUnit * arm.limits_of_channel(int(i)).largest_kpa()) {
       refuse_command(double(commands(worst, i)), i, worst, arm, file, where);
     }
   }
@@ -241,12 +234,11 @@ void require_recording_of(const Recording& recording, const ArmDescription& arm,
     require_commands_within(episode.setpoint_kpa, arm, file, where + ", set points");
   }
   const std::int64_t frames = recording.numbers.empty() ? recording.frame_count() : 0;
-  if (frames > 0 && recording.untracked_count() == frames) {
-    throw InputError(fmt::format(
-        "{}: the arm was tracked in none of its {} frames: there is nothing to learn from or to "
-        "compare with. Record it again with the arm in the tracker's view",
-        file, recording.frame_count()));
-  }
+  refuse_if(
+      frames > 0 && recording.untracked_count() == frames,
+      "{}: the arm was tracked in none of its {} frames: there is nothing to learn from or to "
+      "compare with. Record it again with the arm in the tracker's view",
+      file, recording.frame_count());
   for (std::size_t e = 0; e < recording.episodes.size(); ++e) {
     const std::string where = fmt::format("{}: {}", file, episode_path(recording.number(e)));
     require_backbones_of(recording.episodes[e], arm, 1.0, where);
@@ -258,9 +250,8 @@ void require_episodes_of(const std::vector<Episode>& episodes, const ArmDescript
                          const std::string& where) {
   const auto refuse = [&](std::size_t index, Eigen::Index found, const char* what, int expected) {
     throw InputError(
-        fmt::format("{}: {} has {} {}; {} has {}. Give the arm that it was recorded "
-                    "with",
-                    where, episode_path(index), found, what, arm_in_words(arm), expected));
+        fmt::format("{}: {} has {} {}; {} has {}. Give the arm that it was recorded with", where,
+                    episode_path(index), found, what, arm_in_words(arm), expected));
   };
   for (std::size_t e = 0; e < episodes.size(); ++e) {
     const Episode& episode = episodes[e];
@@ -289,9 +280,8 @@ void require_episodes_of(const std::vector<Episode>& episodes, const ArmDescript
 void require_alike(const std::vector<Episode>& episodes, int channel_count, int point_count,
                    const std::string& where) {
   if (channel_count == 0 && !episodes.empty()) {
-    channel_count = static_cast<int>(episodes.front().pressure_kpa.cols());
-    point_count =
-        static_cast<int>(episodes.front().backbone.cols() / pose_size(episodes.front().dimension));
+    channel_count = int(episodes.front().pressure_kpa.cols());
+    point_count = int(episodes.front().backbone.cols() / pose_size(episodes.front().dimension));
   }
   for (std::size_t e = 0; e < episodes.size(); ++e) {
     if (episodes[e].dimension != episodes.front().dimension) {

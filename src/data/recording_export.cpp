@@ -9,15 +9,14 @@
 #include "limber/arm/pose_columns.hpp"
 #include "limber/arm/space_pose.hpp"
 #include "limber/common/atomic_file.hpp"
-#include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/random_stream.hpp"
+#include "limber/common/refuse_if.hpp"
 
 namespace limber {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr double kPlateHeight_m = 0.05;   // above the floor of the motion capture
 constexpr double kMarkerToSide_m = 0.02;  // from the plate's middle
@@ -104,8 +103,7 @@ class PlateColumns {
     for (Eigen::Index p = 0; p < points_; ++p) {
       for (std::size_t i = 0; i < keys_.size(); ++i) {
         const float value = episode.backbone(t, pose_size(episode.dimension) * p + Eigen::Index(i));
-        text += episode.was_tracked(static_cast<int>(t)) ? fmt::format(",{:.9g}", value)
-                                                         : std::string(",");
+        text += episode.was_tracked(int(t)) ? fmt::format(",{:.9g}", value) : std::string(",");
       }
     }
     return text;
@@ -147,21 +145,19 @@ class MotionLog {
         random_(settings.seed, index) {
     for (int k = 0; k < settings.occlusions; ++k) {
       const double from = episode_.time_s[0] + random_.uniform() * length_s_;
-      const int plate =
-          static_cast<int>(random_.index(static_cast<std::uint32_t>(recording.point_count)));
+      const int plate = int(random_.index(std::uint32_t(recording.point_count)));
       hidden_.push_back({plate, from, from + settings.occlusion_s});
     }
   }
 
   std::string text() {
     std::string text = head();
-    if (!(length_s_ * rate_hz_ <= kMostRows)) {
-      throw InputError(fmt::format(
-          "an episode lasts {:.4g} s by its times, {:.4g} rows at {:.4g} Hz; expected at most {}. "
-          "Is there a gap in it?",
-          length_s_, length_s_ * rate_hz_, rate_hz_, kMostRows));
-    }
-    const auto rows = static_cast<Eigen::Index>(length_s_ * rate_hz_ + 1e-6) + 1;
+    refuse_if(
+        !(length_s_ * rate_hz_ <= kMostRows),
+        "an episode lasts {:.4g} s by its times, {:.4g} rows at {:.4g} Hz; expected at most {}. "
+        "Is there a gap in it?",
+        length_s_, length_s_ * rate_hz_, rate_hz_, kMostRows);
+    const auto rows = Eigen::Index(length_s_ * rate_hz_ + 1e-6) + 1;
     for (Eigen::Index k = 0; k < rows; ++k) {
       throw_if_interrupted();
       const double time_s = episode_.time_s[0] + double(k) / rate_hz_;
@@ -208,8 +204,7 @@ class MotionLog {
     return fmt::format(
         "Format Version,1.23,Take Name,{0},Capture Frame Rate,{1:.6f},Export Frame Rate,{1:.6f},"
         "Rotation Type,Quaternion,Length Units,Meters,Coordinate "
-        "Space,Global\n\n,{2}\n,{3}\n,{4}\n,"
-        "{5}\nFrame,Time (Seconds){6}\n",
+        "Space,Global\n\n,{2}\n,{3}\n,{4}\n,{5}\nFrame,Time (Seconds){6}\n",
         "limber export", rate_hz_, types, names, ids, components, axes);
   }
 
@@ -229,9 +224,8 @@ class MotionLog {
     const double step = episode_.time_s[after] - episode_.time_s[before];
     const double part = step > 0.0 ? (time_s - episode_.time_s[before]) / step : 0.0;
     constexpr double kOnFrame = 1e-9;
-    const bool tracked =
-        (part > 1.0 - kOnFrame || episode_.was_tracked(static_cast<int>(before))) &&
-        (part < kOnFrame || episode_.was_tracked(static_cast<int>(after)));
+    const bool tracked = (part > 1.0 - kOnFrame || episode_.was_tracked(int(before))) &&
+                         (part < kOnFrame || episode_.was_tracked(int(after)));
     const Eigen::RowVectorXd poses = (1.0 - part) * episode_.backbone.row(before).cast<double>() +
                                      part * episode_.backbone.row(after).cast<double>();
     std::string text;
@@ -312,9 +306,7 @@ std::string pressure_log(const Recording& recording, const Episode& episode, dou
 
 void require_valid(const Recording& recording, const LogExportSettings& settings) {
   const auto require = [](bool holds, const char* name, double value, const std::string& allowed) {
-    if (!holds) {
-      throw InputError(fmt::format("{} {}; expected {}", name, value, allowed));
-    }
+    refuse_if(!holds, "{} {}; expected {}", name, value, allowed);
   };
   const double max_hz = std::max(LogExportSettings::kMaxRateHz, recording.rate_hz);
   require(settings.rate_hz == 0.0 ||
@@ -347,7 +339,7 @@ std::vector<fs::path> export_csv(const Recording& recording, const fs::path& fol
       throw_if_interrupted();
       text += fmt::format("{}{}", episode.time_s[t], command_cells(episode, t));
       text += columns.cells(episode, t);
-      text += fmt::format(",{}\n", episode.motion_index[static_cast<std::size_t>(t)]);
+      text += fmt::format(",{}\n", episode.motion_index[t]);
     }
     files.push_back(write(folder / fmt::format("episode_{:03}.csv", e), text));
   }

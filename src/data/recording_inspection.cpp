@@ -17,6 +17,8 @@
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/arm/valve_parameters.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/mapped.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/data/log_units.hpp"
 #include "limber/data/reach.hpp"
 #include "limber/data/simple_model.hpp"
@@ -75,7 +77,7 @@ class EpisodeInspector {
 
   void look_at_pressures(int t) {
     for (std::size_t s = 0; s < limits_kpa_.size(); ++s) {
-      const auto column = static_cast<Eigen::Index>(s);
+      const auto column = Eigen::Index(s);
       const double pressure_kpa = episode_.pressure_kpa(t, column);
       const double setpoint_kpa = episode_.setpoint_kpa(t, column);
       const PressureLimits& limits = limits_kpa_[s];
@@ -155,7 +157,7 @@ class EpisodeInspector {
     const Eigen::RowVectorXf change =
         episode_.pressure_kpa.row(t) - episode_.pressure_kpa.row(t - equal_frames_);
     for (std::size_t s = 0; s < limits_kpa_.size(); ++s) {
-      const double own = std::abs(double(change[static_cast<Eigen::Index>(s)]));
+      const double own = std::abs(double(change[Eigen::Index(s)]));
       const double limit_kpa = limits_kpa_[s].largest_kpa();
       if (limit_kpa > 0.0 && own > kFrozenChange * limit_kpa) {
         suspicions_.add(
@@ -198,14 +200,11 @@ std::vector<PressureRange> pressure_ranges(const Recording& recording) {
 
 std::vector<PressureLimits> limits_of(const ArmDescription* arm,
                                       const std::vector<PressureRange>& pressures) {
-  std::vector<PressureLimits> limits_kpa;
-  for (std::size_t s = 0; s < pressures.size(); ++s) {
-    limits_kpa.push_back(
-        arm != nullptr ? arm->limits_of_channel(static_cast<int>(s))
-                       : PressureLimits(std::max(std::abs(pressures[s].lowest_setpoint_kpa),
-                                                 std::abs(pressures[s].highest_setpoint_kpa))));
-  }
-  return limits_kpa;
+  return mapped<PressureLimits>(pressures.size(), [&](std::size_t s) {
+    return arm != nullptr ? arm->limits_of_channel(int(s))
+                          : PressureLimits(std::max(std::abs(pressures[s].lowest_setpoint_kpa),
+                                                    std::abs(pressures[s].highest_setpoint_kpa)));
+  });
 }
 
 /// The arm that the recording describes itself.
@@ -213,14 +212,12 @@ ArmDescription own_arm(const Recording& recording, const std::string& file) {
   ArmDescription own =
       read_arm_keys(recording.arm_description, file + ": attribute 'arm_description'",
                     PolynomialsOf::characterisation);
-  if (own.channel_count() != recording.channel_count() || own.dimension != recording.dimension ||
-      own.point_count() != recording.point_count) {
-    throw InputError(fmt::format(
-        "{}: attribute 'arm_description' is of {} commands and {} points; the recording has {} "
-        "and {}",
-        file, own.channel_count(), own.point_count(), recording.channel_count(),
-        recording.point_count));
-  }
+  refuse_if(own.channel_count() != recording.channel_count() ||
+                own.dimension != recording.dimension || own.point_count() != recording.point_count,
+            "{}: attribute 'arm_description' is of {} commands and {} points; the recording has {} "
+            "and {}",
+            file, own.channel_count(), own.point_count(), recording.channel_count(),
+            recording.point_count);
   return own;
 }
 
@@ -294,7 +291,7 @@ std::optional<Corner> corner_at(const Episode& episode, Eigen::Index frame,
   Corner corner;
   corner.reached = true;
   for (std::size_t s = 0; s < limits_kpa.size(); ++s) {
-    const auto column = static_cast<Eigen::Index>(s);
+    const auto column = Eigen::Index(s);
     const double setpoint_kpa = episode.setpoint_kpa(frame, column);
     const double tolerance_kpa = kReachTolerance * limits_kpa[s].largest_kpa();
     const std::optional<int> state = state_at(setpoint_kpa, limits_kpa[s]);
@@ -327,12 +324,10 @@ RecordingInspection inspect(const Recording& recording, const ArmDescription* ar
   }
   inspection.suspicions = suspicions.take();
   for (Suspicion& suspicion : inspection.suspicions) {
-    suspicion.log = recording.episodes[static_cast<std::size_t>(suspicion.episode)].log;
+    suspicion.log = recording.episodes[suspicion.episode].log;
   }
-  std::vector<double> largest_kpa;
-  for (const PressureLimits& limits : inspection.limits_kpa) {
-    largest_kpa.push_back(limits.largest_kpa());
-  }
+  auto largest_kpa = mapped<double>(
+      inspection.limits_kpa, [&](const PressureLimits& limits) { return limits.largest_kpa(); });
   inspection.valves = identify_valves(recording, std::move(largest_kpa));
   fit_simple_models(recording, arm, file, inspection);
   return inspection;
@@ -347,7 +342,7 @@ TransitionCoverage transition_coverage(const Recording& recording,
     // Frame 0 stands for the configuration that the first motion leaves.
     std::optional<Corner> from = corner_at(episode, 0, limits_kpa);
     for (int t = 1; t < episode.frame_count(); ++t) {
-      const auto frame = static_cast<std::size_t>(t);
+      const auto frame = std::size_t(t);
       const bool ends = t + 1 == episode.frame_count() ||
                         episode.motion_index[frame + 1] != episode.motion_index[frame];
       if (!ends) {
@@ -364,9 +359,9 @@ TransitionCoverage transition_coverage(const Recording& recording,
     }
   }
   TransitionCoverage result;
-  result.possible = std::pow(9.0, static_cast<double>(limits_kpa.size()));
-  result.attempted = static_cast<std::int64_t>(attempted.size());
-  result.covered = static_cast<std::int64_t>(covered.size());
+  result.possible = std::pow(9.0, double(limits_kpa.size()));
+  result.attempted = std::int64_t(attempted.size());
+  result.covered = std::int64_t(covered.size());
   return result;
 }
 

@@ -6,6 +6,7 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/arm/pressure_limits.hpp"
+#include "limber/common/json.hpp"
 #include "limber/data/recording_inspection.hpp"
 
 namespace limber {
@@ -49,16 +50,15 @@ std::string transitions_to_text(const Recording& recording, const RecordingInspe
 }
 
 /// Whole numbers as such; 10^19 and more are none of JSON's.
-nlohmann::ordered_json possible_to_json(double transitions) {
+Json possible_to_json(double transitions) {
   constexpr double kMaxWhole = 9e18;
-  return transitions < kMaxWhole ? nlohmann::ordered_json(static_cast<std::int64_t>(transitions))
-                                 : nlohmann::ordered_json(transitions);
+  return transitions < kMaxWhole ? Json(std::int64_t(transitions)) : Json(transitions);
 }
 
 }  // namespace
 
-nlohmann::ordered_json to_json(const Recording& recording, const RecordingInspection& inspection) {
-  nlohmann::ordered_json json;
+Json to_json(const Recording& recording, const RecordingInspection& inspection) {
+  Json json;
   json["kind"] = "recording";
   json["arm"] = recording.arm_name;
   json["arm_hash"] = recording.arm_hash;
@@ -102,15 +102,13 @@ nlohmann::ordered_json to_json(const Recording& recording, const RecordingInspec
     json[quantity_key(recording.command, "limits")].push_back(to_json(limits));
   }
   json["limits_known"] = inspection.limits_known;
-  json["transitions"] = {{"possible", possible_to_json(inspection.transitions.possible)},
-                         {"attempted", inspection.transitions.attempted},
-                         {"covered", recording.setpoints_only()
-                                         ? nlohmann::ordered_json()
-                                         : nlohmann::ordered_json(inspection.transitions.covered)}};
+  json["transitions"] = {
+      {"possible", possible_to_json(inspection.transitions.possible)},
+      {"attempted", inspection.transitions.attempted},
+      {"covered", recording.setpoints_only() ? Json() : Json(inspection.transitions.covered)}};
   json["valves"] = to_json(inspection.valves);
-  json["episode_errors"] =
-      inspection.episode_errors ? to_json(*inspection.episode_errors) : nlohmann::ordered_json();
-  json["suspicions"] = nlohmann::ordered_json::array();
+  json["episode_errors"] = inspection.episode_errors ? to_json(*inspection.episode_errors) : Json();
+  json["suspicions"] = Json::array();
   for (const Suspicion& suspicion : inspection.suspicions) {
     json["suspicions"].push_back({{"what", suspicion.what},
                                   {"count", suspicion.count},

@@ -7,10 +7,8 @@
 #include <cerrno>
 #include <cstring>
 
-#include <fmt/format.h>
-
 #include "confined_child.hpp"
-#include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 
 namespace limber {
 
@@ -27,7 +25,7 @@ void PipeWriter::write_out(const char* data, std::size_t size) const {
       throw EndOfPipe{};  // nobody reads any more
     }
     data += std::max<ssize_t>(count, 0);
-    size -= static_cast<std::size_t>(std::max<ssize_t>(count, 0));
+    size -= std::size_t(std::max<ssize_t>(count, 0));
   }
 }
 
@@ -51,12 +49,10 @@ void PipeWriter::bytes(const void* data, std::size_t size) {
 std::size_t PipeReader::announce(std::size_t /*items*/, std::size_t size_of_one) {
   std::size_t items = 0;
   bytes(&items, sizeof items);
-  if (items > left_ / std::max<std::size_t>(size_of_one, 1)) {
-    throw InputError(
-        fmt::format("{}: holds more numbers than a file of its size can: it is "
-                    "damaged, or made to do harm; expected a whole recording",
-                    name_));
-  }
+  refuse_if(items > left_ / std::max<std::size_t>(size_of_one, 1),
+            "{}: holds more numbers than a file of its size can: it is "
+            "damaged, or made to do harm; expected a whole recording",
+            name_);
   left_ -= items * size_of_one;
   return items;
 }
@@ -70,7 +66,7 @@ std::size_t PipeReader::read_some(char* data, std::size_t size) const {
     }
     const ssize_t count = found < 0 ? -1 : ::read(pipe_, data, size);
     if (count > 0) {
-      return static_cast<std::size_t>(count);
+      return std::size_t(count);
     }
     if (count == 0 || errno != EINTR) {
       throw EndOfPipe{};

@@ -93,17 +93,16 @@ void pass(Pipe& pipe, std::string& text) {
 
 template <class Pipe>
 void pass(Pipe& pipe, Eigen::VectorXd& numbers) {
-  const auto size = static_cast<std::size_t>(numbers.size());
-  numbers.resize(static_cast<Eigen::Index>(pipe.announce(size, sizeof(double))));
-  pipe.bytes(numbers.data(), static_cast<std::size_t>(numbers.size()) * sizeof(double));
+  const auto size = std::size_t(numbers.size());
+  numbers.resize(Eigen::Index(pipe.announce(size, sizeof(double))));
+  pipe.bytes(numbers.data(), std::size_t(numbers.size()) * sizeof(double));
 }
 
 template <class Pipe>
 void pass(Pipe& pipe, FrameMatrix& matrix) {
-  const std::size_t columns = pipe.announce(static_cast<std::size_t>(matrix.cols()), 1);
-  const std::size_t rows =
-      pipe.announce(static_cast<std::size_t>(matrix.rows()), columns * sizeof(float));
-  matrix.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns));
+  const std::size_t columns = pipe.announce(std::size_t(matrix.cols()), 1);
+  const std::size_t rows = pipe.announce(std::size_t(matrix.rows()), columns * sizeof(float));
+  matrix.resize(Eigen::Index(rows), Eigen::Index(columns));
   pipe.bytes(matrix.data(), rows * columns * sizeof(float));
 }
 

@@ -9,6 +9,8 @@
 #include "limber/arm/names.hpp"
 #include "limber/arm/space_pose.hpp"
 #include "limber/common/atomic_file.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/data/recording_part.hpp"
 #include "recording_pipe.hpp"
 
@@ -145,7 +147,7 @@ class Reader : private CheckedHdf5 {
     if (frames == 0) {
       refuse(time_path, "no frames; expected at least one");
     }
-    episode.time_s.resize(static_cast<Eigen::Index>(frames));
+    episode.time_s.resize(Eigen::Index(frames));
     read_into(time_path, times, episode.time_s.data(), H5::PredType::NATIVE_DOUBLE);
     for (const auto& [name, text] : {std::pair(kPhysics, &episode.physics), {kLog, &episode.log}}) {
       if (const H5::Group own = file_.openGroup(group); own.attrExists(name)) {
@@ -307,7 +309,7 @@ Recording read(const MappedFile& file, const Wanted& wanted) {
       file.name(), limits, [&](int pipe) { send(file, wanted, pipe); },
       [&](int pipe) {
         section.reset();
-        PipeReader in(file.name(), pipe, most, static_cast<int>(4000 * limits.cpu_s));
+        PipeReader in(file.name(), pipe, most, int(4000 * limits.cpu_s));
         recording = receive(in);
       });
   if (wanted.episodes) {
@@ -318,14 +320,11 @@ Recording read(const MappedFile& file, const Wanted& wanted) {
 
 #endif
 
-Recording read_wanted(const std::filesystem::path& path, const Wanted& wanted) {
+Recording read_wanted(const fs::path& path, const Wanted& wanted) {
   std::error_code error;
-  if (!std::filesystem::exists(path, error)) {
-    throw InputError(fmt::format("{}: no such file; expected a recording", path.string()));
-  }
-  if (std::filesystem::is_directory(path, error)) {
-    throw InputError(fmt::format("{}: is a folder; expected a recording file", path.string()));
-  }
+  refuse_if(!fs::exists(path, error), "{}: no such file; expected a recording", path.string());
+  refuse_if(fs::is_directory(path, error), "{}: is a folder; expected a recording file",
+            path.string());
   Recording recording;
   try {
     recording = read(MappedFile(path), wanted);
@@ -342,15 +341,15 @@ Recording read_wanted(const std::filesystem::path& path, const Wanted& wanted) {
 
 }  // namespace
 
-Recording read_recording(const std::filesystem::path& path) {
+Recording read_recording(const fs::path& path) {
   return read_wanted(path, {});
 }
 
-Recording read_recording_outline(const std::filesystem::path& path) {
+Recording read_recording_outline(const fs::path& path) {
   return read_wanted(path, {true});
 }
 
-Recording read_recording_part(const std::filesystem::path& path, std::span<const int> episodes) {
+Recording read_recording_part(const fs::path& path, std::span<const int> episodes) {
   return read_wanted(path, {false, episodes});
 }
 

@@ -46,8 +46,7 @@ void look_at_constant_commands(const Recording& recording, const ArmDescription*
       lowest = std::min(lowest, episode.pressure_kpa.col(i).minCoeff());
       highest = std::max(highest, episode.pressure_kpa.col(i).maxCoeff());
     }
-    const double limit =
-        arm != nullptr ? arm->limits_of_channel(static_cast<int>(i)).half_width_kpa() : 1.0;
+    const double limit = arm != nullptr ? arm->limits_of_channel(int(i)).half_width_kpa() : 1.0;
     if (double(highest) - double(lowest) < kConstant * limit) {
       suspicions.add("a segment whose " + recording.command.name +
                          " never changes: nothing can be learnt about it",
@@ -107,10 +106,10 @@ void look_at_lengths(const std::vector<Episode>& episodes, Suspicions& suspicion
   if (first != episodes.end()) {
     const auto shortest = std::ranges::min_element(episodes, {}, &Episode::frame_count);
     suspicions.add("an episode shorter than a training window",
-                   static_cast<std::size_t>(first - episodes.begin()), 0,
+                   std::size_t(first - episodes.begin()), 0,
                    fmt::format("the shortest of {} has {} frames; {} make one", episodes.size(),
                                shortest->frame_count(), kShortEpisode),
-                   static_cast<int>(std::ranges::count_if(episodes, is_short)));
+                   int(std::ranges::count_if(episodes, is_short)));
   }
 }
 
@@ -129,7 +128,7 @@ void look_at_distances(const Recording& recording, const ArmDescription* arm,
   const std::vector<double> rest = arm != nullptr ? rest_positions_m(*arm) : std::vector<double>();
   for (int plate = 0; plate + 1 < recording.point_count; ++plate) {
     const double distance_m = median_distance_m(recording, plate);
-    const auto p = static_cast<std::size_t>(plate);
+    const auto p = std::size_t(plate);
     if (distance_m < kSamePlace_m) {
       suspicions.add("two plates at the same place", 0, 0, plates_of_gap(plate));
     } else if (arm != nullptr && (distance_m > kMaxGapStretch * (rest[p + 1] - rest[p]) ||

@@ -10,14 +10,13 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/large_file.hpp"
 #include "limber/common/version.hpp"
 #include "limber/data/recording_part.hpp"
 #include "recording_hdf5.hpp"
 
 namespace limber {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -65,7 +64,7 @@ void write_attribute(const H5::H5Object& object, const char* name, const std::st
 /// Data set properties: in chunks that are deflated, with checksums.
 H5::DSetCreatPropList compressed(const Shape& chunk) {
   H5::DSetCreatPropList properties = without_times(H5::DSetCreatPropList());
-  properties.setChunk(static_cast<int>(chunk.size()), chunk.data());
+  properties.setChunk(int(chunk.size()), chunk.data());
   properties.setShuffle();
   properties.setDeflate(kDeflateLevel);
   properties.setFletcher32();
@@ -95,7 +94,7 @@ void write_data_set(const H5::Group& group, const std::string& name, const char*
   const hsize_t per_frame =
       std::reduce(shape.begin() + 1, shape.end(), hsize_t{1}, std::multiplies{});
   chunk[0] = std::min({chunk[0], kChunkFrames, std::max(kMaxChunk / per_frame, hsize_t{1})});
-  const H5::DataSpace space(static_cast<int>(shape.size()), shape.data());
+  const H5::DataSpace space(int(shape.size()), shape.data());
   H5::DataSet data_set = group.createDataSet(name, type, space, compressed(chunk));
   data_set.write(data, type);
   write_attribute(data_set, "unit", unit);
@@ -216,7 +215,7 @@ std::string file_image(const Recording& recording) {
     throw H5::FileIException("file_image", "H5Fget_file_image failed");
   }
   file.close();
-  image.resize(static_cast<std::size_t>(size));  // HDF5 took its memory by steps
+  image.resize(size);  // HDF5 took its memory by steps
   return image;
 }
 
@@ -245,7 +244,7 @@ void require_space(const fs::path& folder, const std::vector<fs::path>& parts) {
 
 }  // namespace
 
-void write_recording(const std::filesystem::path& path, const Recording& recording) {
+void write_recording(const fs::path& path, const Recording& recording) {
   validate(recording, path.string());
   std::string image;
   {
@@ -260,8 +259,7 @@ void write_recording(const std::filesystem::path& path, const Recording& recordi
   write_file_atomically(path, image);
 }
 
-void join_recordings(const std::filesystem::path& path, const std::vector<fs::path>& parts,
-                     std::uint64_t seed) {
+void join_recordings(const fs::path& path, const std::vector<fs::path>& parts, std::uint64_t seed) {
   make_file_atomically(path, [&](const fs::path& temporary) {
     require_space(temporary.parent_path(), parts);
     try {
@@ -279,8 +277,7 @@ void join_recordings(const std::filesystem::path& path, const std::vector<fs::pa
           recording.seed = seed;
         } else if (own != origin) {
           throw InputError(
-              fmt::format("{}: {}; {} is of {}: expected recordings of one arm, made "
-                          "in one way",
+              fmt::format("{}: {}; {} is of {}: expected recordings of one arm, made in one way",
                           part.string(), own, parts.front().string(), origin));
         }
         const Hdf5Section section;

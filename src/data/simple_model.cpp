@@ -9,7 +9,9 @@
 #include "limber/arm/names.hpp"
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/number_text.hpp"
+#include "limber/common/refuse_if.hpp"
 
 namespace limber {
 
@@ -30,7 +32,7 @@ Eigen::MatrixXd lagged_commands(const Episode& episode, double lag_s) {
 constexpr int kRefinements = 2;
 constexpr double kLineAtLimit = 0.2;  // strain; McKibben actuators in a segment reach about that
 
-nlohmann::ordered_json interval(const Interval& value) {
+Json interval(const Interval& value) {
   if (!std::isfinite(value.low) || !std::isfinite(value.high)) {
     return nullptr;
   }
@@ -100,7 +102,7 @@ FrameMatrix predict(const SimpleModel& model, const ArmDescription& arm, const E
     Pose pose;
     Eigen::Index column = kPoseSize;
     for (int i = 0; i < arm.segment_count(); ++i) {
-      const auto at = static_cast<std::size_t>(i);
+      const auto at = std::size_t(i);
       const SimpleSegment& segment = model.segments[at];
       const int gaps = arm.segments[at].gaps;
       const double turn_rad = (segment.gain * turns(t, i) + segment.offset_rad) / gaps;
@@ -116,12 +118,9 @@ FrameMatrix predict(const SimpleModel& model, const ArmDescription& arm, const E
 }
 
 ArmDescription with_simple_model(const ArmDescription& arm, const SimpleFit& fit) {
-  if (fit.model.segments.size() != arm.segments.size()) {
-    throw InputError(
-        fmt::format("a fit of {} segments; arm '{}' has {}. Fit it to recordings of "
-                    "this arm",
-                    fit.model.segments.size(), arm.name, arm.segment_count()));
-  }
+  refuse_if(fit.model.segments.size() != arm.segments.size(),
+            "a fit of {} segments; arm '{}' has {}. Fit it to recordings of this arm",
+            fit.model.segments.size(), arm.name, arm.segment_count());
   ArmDescription fitted = arm;
   for (std::size_t i = 0; i < arm.segments.size(); ++i) {
     const SimpleSegment& model = fit.model.segments[i];
@@ -130,12 +129,12 @@ ArmDescription with_simple_model(const ArmDescription& arm, const SimpleFit& fit
       throw InputError(fmt::format(
           "{}: its turn is {:.3g} of what the arm file says, so it bends to the other side or not "
           "at all. Are columns and signs right? Import the logs again, and see what it says",
-          segment_name(static_cast<Eigen::Index>(i)), model.gain));
+          segment_name(Eigen::Index(i)), model.gain));
     }
     if (!has_side && !fit.segments[i].moved) {
       throw InputError(fmt::format(
           "{}: its {} hardly changes in these recordings, so nothing is known of its curvature",
-          segment_name(static_cast<Eigen::Index>(i)), arm.command.name));
+          segment_name(Eigen::Index(i)), arm.command.name));
     }
     set_shape(arm, model.gain, written_length_ratio(fit, i), fitted.segments[i]);
     const std::string fault = arm.no_load == NoLoadKind::strain_polynomial
@@ -143,8 +142,8 @@ ArmDescription with_simple_model(const ArmDescription& arm, const SimpleFit& fit
                                                  arm.segments[i].pressure_limit_kpa.largest_kpa())
                                   : std::string();
     if (!fault.empty()) {
-      throw InputError(fmt::format("{}: the fitted strain polynomial {}",
-                                   segment_name(static_cast<Eigen::Index>(i)), fault));
+      throw InputError(
+          fmt::format("{}: the fitted strain polynomial {}", segment_name(Eigen::Index(i)), fault));
     }
   }
   if (arm.no_load == NoLoadKind::straight) {
@@ -173,11 +172,11 @@ ArmDescription with_lines_for_missing_polynomials(ArmDescription arm) {
   return arm;
 }
 
-nlohmann::ordered_json to_json(const SimpleFit& fit) {
-  nlohmann::ordered_json json;
+Json to_json(const SimpleFit& fit) {
+  Json json;
   json["lag_s"] = fit.model.lag_s;
   json["blocks"] = fit.blocks;
-  json["segments"] = nlohmann::ordered_json::array();
+  json["segments"] = Json::array();
   for (std::size_t i = 0; i < fit.segments.size(); ++i) {
     const SimpleSegment& model = fit.model.segments[i];
     const SimpleSegmentFit& found = fit.segments[i];
@@ -204,7 +203,7 @@ std::string to_text(const SimpleFit& fit, const ArmDescription& arm) {
     text += fmt::format(
         "{}: turns {} {}, {} rad beside; length {} of the no-load model's; median residual {:.3f} "
         "rad, correlation {:.2f}{}\n",
-        segment_name(static_cast<Eigen::Index>(i)), with_interval(model.gain, found.gain),
+        segment_name(Eigen::Index(i)), with_interval(model.gain, found.gain),
         straight ? "rad/" + arm.command.unit : "of what the arm file says",
         with_interval(model.offset_rad, found.offset_rad),
         with_interval(model.length_ratio, found.length_ratio), found.residual_rad,

@@ -2,12 +2,10 @@
 #include <cmath>
 #include <limits>
 
-#include <fmt/format.h>
-
 #include "command_change.hpp"
 #include "limber/arm/no_load_model.hpp"
-#include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/data/episode_slice.hpp"
 #include "limber/data/simple_model.hpp"
@@ -37,14 +35,13 @@ struct FrameOf {
 };
 
 int block_count(const std::vector<Episode>& episodes) {
-  return episodes.size() > 1 ? std::min(static_cast<int>(episodes.size()), kMaxBlocks)
-                             : kBlocksOfOne;
+  return episodes.size() > 1 ? std::min(int(episodes.size()), kMaxBlocks) : kBlocksOfOne;
 }
 
 /// Frames in which the arm was tracked, thinned evenly.
 std::vector<FrameOf> frames_of(const std::vector<Episode>& episodes) {
   const int blocks = block_count(episodes);
-  const auto count = static_cast<int>(episodes.size());
+  const auto count = int(episodes.size());
   std::vector<FrameOf> tracked;
   for (std::size_t e = 0; e < episodes.size(); ++e) {
     const int frames = episodes[e].frame_count();
@@ -70,18 +67,16 @@ struct Shapes {
 
 Shapes shapes_of(const ArmDescription& arm, const std::vector<Episode>& episodes,
                  const std::vector<FrameOf>& frames) {
-  const auto rows = static_cast<Eigen::Index>(frames.size());
+  const auto rows = Eigen::Index(frames.size());
   Shapes shapes{Eigen::MatrixXd(rows, arm.segment_count()),
                 Eigen::MatrixXd::Zero(rows, arm.segment_count())};
   for (Eigen::Index r = 0; r < rows; ++r) {
-    const FrameOf& at = frames[static_cast<std::size_t>(r)];
-    const Eigen::RowVectorXd poses =
-        episodes[static_cast<std::size_t>(at.episode)].backbone.row(at.frame).cast<double>();
+    const FrameOf& at = frames[r];
+    const Eigen::RowVectorXd poses = episodes[at.episode].backbone.row(at.frame).cast<double>();
     Eigen::Index column = 0;
     for (int i = 0; i < arm.segment_count(); ++i) {
       const double first_rad = poses[column + 2];
-      for (int gap = 0; gap < arm.segments[static_cast<std::size_t>(i)].gaps;
-           ++gap, column += kPoseSize) {
+      for (int gap = 0; gap < arm.segments[i].gaps; ++gap, column += kPoseSize) {
         const double turn_rad = poses[column + kPoseSize + 2] - poses[column + 2];
         const double chord_m =
             (poses.segment<2>(column + kPoseSize) - poses.segment<2>(column)).norm();
@@ -142,15 +137,14 @@ RobustLine fit_line(const Eigen::VectorXd& x, const Eigen::VectorXd& y,
   double scale = 0.0;
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     throw_if_interrupted();
-    fit.blocks.assign(static_cast<std::size_t>(blocks), {});
+    fit.blocks.assign(std::size_t(blocks), {});
     Sums all;
     for (Eigen::Index r = 0; r < x.size(); ++r) {
       const double residual = std::abs(y[r] - fit.line.slope * x[r] - fit.line.offset);
       const double weight =
           iteration == 0 || residual <= kHuber * scale ? 1.0 : kHuber * scale / residual;
       all.add(weight, x[r], y[r]);
-      fit.blocks[static_cast<std::size_t>(frames[static_cast<std::size_t>(r)].block)].add(
-          weight, x[r], y[r]);
+      fit.blocks[frames[std::size_t(r)].block].add(weight, x[r], y[r]);
     }
     fit.line = all.line(slope, free);
     const Eigen::ArrayXd sizes = (y.array() - fit.line.slope * x.array() - fit.line.offset).abs();
@@ -173,17 +167,14 @@ class SimpleFitter {
  public:
   SimpleFitter(const ArmDescription& arm, const std::vector<Episode>& episodes)
       : arm_(arm), episodes_(episodes), frames_(frames_of(episodes)) {
-    if (episodes.empty()) {
-      throw InputError(
-          "the simple model can't be fitted: no episodes given; expected at least one. Where one "
-          "is kept for the end, it takes two");
-    }
-    if (frames_.empty()) {
-      throw InputError(fmt::format(
-          "the simple model can't be fitted: the arm was tracked in none of the frames of {} "
-          "episodes",
-          episodes.size()));
-    }
+    refuse_if(
+        episodes.empty(),
+        "the simple model can't be fitted: no episodes given; expected at least one. Where one "
+        "is kept for the end, it takes two");
+    refuse_if(frames_.empty(),
+              "the simple model can't be fitted: the arm was tracked in none of the frames of {} "
+              "episodes",
+              episodes.size());
     seen_ = shapes_of(arm, episodes, frames_);
     blocks_ = block_count(episodes);
   }
@@ -211,7 +202,7 @@ class SimpleFitter {
     }
     fit.blocks = blocks_;
     for (int i = 0; i < arm_.segment_count(); ++i) {
-      add_segment(i, best[static_cast<std::size_t>(i)], fit);
+      add_segment(i, best[i], fit);
     }
     return fit;
   }
@@ -228,10 +219,10 @@ class SimpleFitter {
       throw_if_interrupted();
       turns.push_back(lagged_turns(arm_, episode, lag_s));
     }
-    Eigen::MatrixXd rows(static_cast<Eigen::Index>(frames_.size()), arm_.segment_count());
+    Eigen::MatrixXd rows(Eigen::Index(frames_.size()), arm_.segment_count());
     for (Eigen::Index r = 0; r < rows.rows(); ++r) {
-      const FrameOf& at = frames_[static_cast<std::size_t>(r)];
-      rows.row(r) = turns[static_cast<std::size_t>(at.episode)].row(at.frame);
+      const FrameOf& at = frames_[r];
+      rows.row(r) = turns[at.episode].row(at.frame);
     }
     return rows;
   }
@@ -245,32 +236,31 @@ class SimpleFitter {
         continue;
       }
       const FrameOf& at = frames_[r];
-      const double command =
-          double(episodes_[static_cast<std::size_t>(at.episode)].pressure_kpa(at.frame, i));
+      const double command = double(episodes_[at.episode].pressure_kpa(at.frame, i));
       const double expected_m = no_load.segment_shape(i, command).length_m;
-      ratios.push_back(seen_.length_m(static_cast<Eigen::Index>(r), i) / expected_m);
+      ratios.push_back(seen_.length_m(Eigen::Index(r), i) / expected_m);
     }
     return ratios;
   }
 
   /// Whether a segment's command has been about zero for a while.
   bool is_at_rest(const FrameOf& at, int i) const {
-    const Episode& episode = episodes_[static_cast<std::size_t>(at.episode)];
-    const Segment& segment = arm_.segments[static_cast<std::size_t>(i)];
+    const Episode& episode = episodes_[at.episode];
+    const Segment& segment = arm_.segments[i];
     const double about_zero = kAtRest * segment.pressure_limit_kpa.half_width_kpa();
     const int first = at.frame - arm_.frames_in(kRest_s);
     return first >= 0 &&
            episode.pressure_kpa.col(i).segment(first, at.frame - first + 1).cwiseAbs().maxCoeff() <=
-               static_cast<float>(about_zero);
+               float(about_zero);
   }
 
   /// Measured lengths at rest over the arm file's.
   std::optional<double> rest_length_ratio(int i) const {
-    const Segment& segment = arm_.segments[static_cast<std::size_t>(i)];
+    const Segment& segment = arm_.segments[i];
     std::vector<double> ratios;
     for (std::size_t r = 0; r < frames_.size(); ++r) {
       if (is_at_rest(frames_[r], i)) {
-        ratios.push_back(seen_.length_m(static_cast<Eigen::Index>(r), i) / segment.length_m);
+        ratios.push_back(seen_.length_m(Eigen::Index(r), i) / segment.length_m);
       }
     }
     return ratios.size() < kMinFramesAtRest ? std::nullopt : std::optional(median(ratios));
@@ -291,7 +281,7 @@ class SimpleFitter {
         const Line line = all.without(robust.blocks[b]).line(held_slope(), moved(i));
         gains.push_back(line.slope);
         offsets.push_back(line.offset);
-        ratios.push_back(median(length_ratios(i, static_cast<int>(b))));
+        ratios.push_back(median(length_ratios(i, int(b))));
       }
     }
     const Eigen::VectorXd x = expected_.col(i).array() - expected_.col(i).mean();

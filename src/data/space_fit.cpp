@@ -15,7 +15,9 @@
 #include "limber/arm/space_pose.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/number_text.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/common/units.hpp"
 #include "limber/data/episode_slice.hpp"
@@ -40,7 +42,7 @@ Eigen::MatrixXd lagged(const FrameMatrix& commands, double period_s, double dead
   Eigen::MatrixXd result(frames, commands.cols());
   const double open = lag_s > 0.0 ? 1.0 - std::exp(-period_s / lag_s) : 1.0;
   const double late = dead_time_s / period_s;
-  const auto whole = static_cast<Eigen::Index>(std::floor(late));
+  const auto whole = Eigen::Index(std::floor(late));
   const double part = late - double(whole);
   const auto at = [&](Eigen::Index t) {
     return commands.row(std::max(t, Eigen::Index{0})).cast<double>();
@@ -59,7 +61,7 @@ Eigen::VectorXd levers_m(const ArmDescription& arm) {
   Eigen::VectorXd levers(kShapeRows * arm.segment_count());
   double beyond_m = 0.0;
   for (int i = arm.segment_count() - 1; i >= 0; --i) {
-    const double length_m = arm.segments[static_cast<std::size_t>(i)].length_m;
+    const double length_m = arm.segments[i].length_m;
     const double lever_m = beyond_m + 0.5 * length_m;
     levers.segment<kShapeRows>(kShapeRows * i) << lever_m, lever_m, length_m;
     beyond_m += length_m;
@@ -83,11 +85,9 @@ class SpaceFitter {
         frames_.emplace_back(e, t);
       }
     }
-    if (!is_enough_for_space_fit(episodes)) {
-      throw InputError(
-          fmt::format("the arm was tracked in {} frames; expected at least {} to fit a model to",
-                      frames_.size(), kMinFitFrames));
-    }
+    refuse_if(!is_enough_for_space_fit(episodes),
+              "the arm was tracked in {} frames; expected at least {} to fit a model to",
+              frames_.size(), kMinFitFrames);
     shapes_.resize(Eigen::Index(frames_.size()), kShapeRows * arm.segment_count());
     for (std::size_t i = 0; i < frames_.size(); ++i) {
       const auto [episode, frame] = frames_[i];
@@ -214,18 +214,14 @@ class SpaceFitter {
   }
 
   Eigen::MatrixXd shape_deviations() const {
-    std::vector<Eigen::MatrixXd> without;
-    for (Eigen::Index piece = 0; piece < kSpacePieces; ++piece) {
-      without.push_back(solve(weights_without(piece)));
-    }
-    return Eigen::MatrixXd::NullaryExpr(shapes_.cols(), terms_.cols(),
-                                        [&](Eigen::Index row, Eigen::Index column) {
-                                          std::vector<double> numbers;
-                                          for (const Eigen::MatrixXd& shape : without) {
-                                            numbers.push_back(shape(row, column));
-                                          }
-                                          return jackknife_error(numbers);
-                                        });
+    auto without = mapped<Eigen::MatrixXd>(
+        kSpacePieces, [&](Eigen::Index piece) { return solve(weights_without(piece)); });
+    return Eigen::MatrixXd::NullaryExpr(
+        shapes_.cols(), terms_.cols(), [&](Eigen::Index row, Eigen::Index column) {
+          const auto numbers = mapped<double>(
+              without, [&](const Eigen::MatrixXd& shape) { return shape(row, column); });
+          return jackknife_error(numbers);
+        });
   }
 
   /// How far it is off about a dead time, one step before it, there and one after, by the columns,
@@ -236,7 +232,7 @@ class SpaceFitter {
     for (Eigen::Index k = 0; k < off_m.cols(); ++k) {
       set_terms(middle_s + double(k - 1) * step_s, lag_s);
       for (Eigen::Index i = 0; i < off_m.rows(); ++i) {
-        const Eigen::VectorXd& those = weights[static_cast<std::size_t>(i)];
+        const Eigen::VectorXd& those = weights[i];
         off_m(i, k) = mean_off_m(solve(those), those);
       }
     }
@@ -244,16 +240,12 @@ class SpaceFitter {
   }
 
   double dead_time_deviation_s(const SpaceFit& fit, double step_s) {
-    std::vector<Eigen::VectorXd> weights;
-    for (Eigen::Index piece = 0; piece < kSpacePieces; ++piece) {
-      weights.push_back(weights_without(piece));
-    }
+    const auto weights = mapped<Eigen::VectorXd>(
+        kSpacePieces, [&](Eigen::Index piece) { return weights_without(piece); });
     const Eigen::MatrixXd off_m =
         off_around_m(std::max(fit.dead_time_s, step_s), fit.lag_s, step_s, weights);
-    std::vector<double> vertices_s;
-    for (const auto& off : off_m.rowwise()) {
-      vertices_s.push_back(step_s * vertex(off.transpose()));
-    }
+    const auto vertices_s = mapped<double>(
+        off_m.rowwise(), [&](const auto& off) { return step_s * vertex(off.transpose()); });
     return jackknife_error(vertices_s);
   }
 
@@ -321,7 +313,7 @@ FrameMatrix predict(const SpaceFit& fit, const ArmDescription& arm, const Episod
 SegmentAtRest segment_at_rest(const SpaceFit& fit, const ArmDescription& arm, int segment) {
   const Eigen::Index row = kShapeRows * segment + kShapeRows - 1;
   const Eigen::Index constant = arm.channel_count();
-  const double length_m = arm.segments[static_cast<std::size_t>(segment)].length_m;
+  const double length_m = arm.segments[segment].length_m;
   return {length_m * (1.0 + fit.shape(row, constant)), length_m * fit.shape_sd(row, constant)};
 }
 
@@ -329,7 +321,7 @@ ArmDescription with_space_fit(ArmDescription arm, const SpaceFit& fit) {
   const ArmDescription of_file = arm;
   arm.no_load = NoLoadKind::fitted;
   for (int i = 0; i < arm.segment_count(); ++i) {
-    Segment& segment = arm.segments[static_cast<std::size_t>(i)];
+    Segment& segment = arm.segments[i];
     const double length_m = segment_at_rest(fit, of_file, i).length_m;
     if (!(length_m > 0.0)) {
       throw InputError(

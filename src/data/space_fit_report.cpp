@@ -7,6 +7,7 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/arm/space_no_load.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/units.hpp"
 #include "limber/data/space_fit.hpp"
 
@@ -41,7 +42,7 @@ std::string suspicion_of(const ArmDescription& arm, int segment, const Chamber& 
       turned_deg(found.angle_deg, expected_deg(chamber)) < kOtherWay_deg) {
     return {};
   }
-  const auto& chambers = arm.segments[static_cast<std::size_t>(segment)].chambers;
+  const auto& chambers = arm.segments[segment].chambers;
   for (std::size_t other = 0; other < chambers.size(); ++other) {
     if (turned_deg(found.angle_deg, expected_deg(chambers[other])) < 0.5 * kOtherWay_deg) {
       return fmt::format("bends as the arm file says of chamber {}: are columns in another order?",
@@ -60,7 +61,7 @@ std::vector<ChamberFinding> chamber_findings(const ArmDescription& arm, const Sp
   std::vector<ChamberFinding> findings;
   int channel = 0;
   for (int i = 0; i < arm.segment_count(); ++i) {
-    for (const Chamber& chamber : arm.segments[static_cast<std::size_t>(i)].chambers) {
+    for (const Chamber& chamber : arm.segments[i].chambers) {
       Eigen::VectorXd full = Eigen::VectorXd::Zero(arm.channel_count());
       full[channel] = chamber.limit_kpa.upper_kpa > 0.0 ? chamber.limit_kpa.upper_kpa
                                                         : chamber.limit_kpa.lower_kpa;
@@ -74,7 +75,7 @@ std::vector<ChamberFinding> chamber_findings(const ArmDescription& arm, const Sp
       found.sd_rad = std::abs(strain) * fit.shape_sd.block<2, 1>(3 * i, channel).norm();
       ChamberFinding as_pressed = found;
       as_pressed.angle_deg += full[channel] < 0.0 ? 180.0 : 0.0;
-      found.suspicion = fit.is_held[static_cast<std::size_t>(channel)]
+      found.suspicion = fit.is_held[channel]
                             ? "hardly changes, and is taken to do what the arm file says"
                             : suspicion_of(arm, i, chamber, as_pressed);
       findings.push_back(std::move(found));
@@ -84,14 +85,14 @@ std::vector<ChamberFinding> chamber_findings(const ArmDescription& arm, const Sp
   return findings;
 }
 
-nlohmann::ordered_json to_json(const SpaceFit& fit, const ArmDescription& arm) {
-  nlohmann::ordered_json json = {{"dead_time_s", fit.dead_time_s},
-                                 {"dead_time_sd_s", fit.dead_time_sd_s},
-                                 {"lag_s", fit.lag_s},
-                                 {"plates_mm", fit.plates_mm},
-                                 {"tip_mm", fit.tip_mm},
-                                 {"segments", nlohmann::ordered_json::array()},
-                                 {"chambers", nlohmann::ordered_json::array()}};
+Json to_json(const SpaceFit& fit, const ArmDescription& arm) {
+  Json json = {{"dead_time_s", fit.dead_time_s},
+               {"dead_time_sd_s", fit.dead_time_sd_s},
+               {"lag_s", fit.lag_s},
+               {"plates_mm", fit.plates_mm},
+               {"tip_mm", fit.tip_mm},
+               {"segments", Json::array()},
+               {"chambers", Json::array()}};
   for (int i = 0; i < arm.segment_count(); ++i) {
     const SegmentAtRest rest = segment_at_rest(fit, arm, i);
     json["segments"].push_back({{"length_m", rest.length_m}, {"length_sd_m", rest.length_sd_m}});
@@ -116,7 +117,7 @@ std::string to_text(const SpaceFit& fit, const ArmDescription& arm) {
     const SegmentAtRest rest = segment_at_rest(fit, arm, i);
     text += fmt::format("  {}: {:.1f} ± {:.1f} mm long at rest; the arm file has {:.1f} mm\n",
                         segment_name(i), kMmPerM * rest.length_m, kMmPerM * rest.length_sd_m,
-                        kMmPerM * arm.segments[static_cast<std::size_t>(i)].length_m);
+                        kMmPerM * arm.segments[i].length_m);
   }
   for (const ChamberFinding& found : chamber_findings(arm, fit)) {
     text +=

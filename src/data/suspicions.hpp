@@ -20,7 +20,7 @@ class Suspicions {
         return;
       }
     }
-    list_.push_back({what, count, static_cast<int>(episode), {}, frame, numbers});
+    list_.push_back({what, count, int(episode), {}, frame, numbers});
   }
 
   std::vector<Suspicion> take() { return std::move(list_); }

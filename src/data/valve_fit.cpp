@@ -8,6 +8,7 @@
 #include <unsupported/Eigen/NonLinearOptimization>
 #include <unsupported/Eigen/NumericalDiff>
 
+#include "limber/common/mapped.hpp"
 #include "limber/common/statistics.hpp"
 
 namespace limber {
@@ -89,11 +90,7 @@ struct OutputErrors {
 };
 
 int error_count(const std::vector<ValveRun>& runs) {
-  int count = 0;
-  for (const ValveRun& run : runs) {
-    count += run.count - 1;
-  }
-  return count;
+  return sum_of<int>(runs, [&](const ValveRun& run) { return run.count - 1; });
 }
 
 class Fitter {

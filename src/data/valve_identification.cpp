@@ -8,7 +8,8 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/arm/pressure_limits.hpp"
-#include "limber/common/error.hpp"
+#include "limber/common/mapped.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/data/valve_simulation.hpp"
 #include "valve_fit.hpp"
@@ -56,7 +57,7 @@ int change_count(const Recording& recording, const std::vector<FrameRange>& rang
 int frames_before_the_last(const Episode& episode, int parts) {
   const int frames = episode.frame_count();
   const int usual = frames - frames / parts;
-  std::vector<int> changes(std::size_t(frames), 0);  // so many up to each frame
+  std::vector<int> changes(frames, 0);  // so many up to each frame
   for (int t = 1; t < frames; ++t) {
     const bool changed = episode.setpoint_kpa.row(t) != episode.setpoint_kpa.row(t - 1);
     changes[std::size_t(t)] = changes[std::size_t(t) - 1] + (changed ? 1 : 0);
@@ -204,10 +205,9 @@ class Identification {
     if (split_.fitted.empty() || split_.held_back.empty()) {
       return "the episodes are too short to fit valves to one part and check them on the rest";
     }
-    std::vector<FrameRange> whole;
-    for (const Episode& episode : recording_.episodes) {
-      whole.push_back({int(whole.size()), 0, episode.frame_count()});
-    }
+    const auto whole = mapped<FrameRange>(recording_.episodes.size(), [&](std::size_t e) {
+      return FrameRange{int(e), 0, recording_.episodes[e].frame_count()};
+    });
     int changes = 0;
     for (int i = 0; i < recording_.channel_count(); ++i) {
       const double limit = limits_[std::size_t(i)];
@@ -360,10 +360,9 @@ IdentifiedValves identify_valves(const Recording& recording, std::vector<double>
   if (limits_kpa.empty()) {
     limits_kpa = max_setpoints(recording);
   }
-  if (int(limits_kpa.size()) != recording.channel_count()) {
-    throw InputError(fmt::format("valves: {} limits; the recording has {} segments",
-                                 limits_kpa.size(), recording.channel_count()));
-  }
+  refuse_if(int(limits_kpa.size()) != recording.channel_count(),
+            "valves: {} limits; the recording has {} segments", limits_kpa.size(),
+            recording.channel_count());
   if (recording.setpoints_only() || setpoints_are_measured(recording.episodes) ||
       std::ranges::none_of(recording.episodes, is_without_setpoints)) {
     return Identification(recording, std::move(limits_kpa)).run();
@@ -378,10 +377,8 @@ IdentifiedValves identify_valves(const std::vector<Episode>& episodes, const Arm
   Recording recording = make_recording(arm, source, 0);
   recording.episodes = episodes;
   validate(recording, source);
-  std::vector<double> limits;
-  for (const PressureLimits& limit : limits_of(arm)) {
-    limits.push_back(limit.largest_kpa());
-  }
+  auto limits = mapped<double>(limits_of(arm),
+                               [&](const PressureLimits& limit) { return limit.largest_kpa(); });
   return identify_valves(recording, std::move(limits));
 }
 

@@ -7,7 +7,7 @@ namespace limber {
 
 FrameMatrix simulate_valves(const ValveParameters& valves, double rate_hz, const Episode& episode,
                             int first, int count) {
-  const auto segments = static_cast<int>(episode.setpoint_kpa.cols());
+  const auto segments = int(episode.setpoint_kpa.cols());
   const std::string fault = why_unusable(valves, segments);
   if (!fault.empty()) {
     throw InputError("valves: " + fault);

@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 
 #include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/standard_streams.hpp"
 
 namespace limber {
@@ -121,16 +122,13 @@ std::vector<std::string> command_words(const std::string& command) {
       *word += c;
     }
   }
-  if (quote != 0) {
-    throw InputError(fmt::format("--driver exec:{}: a quote ({}) has no end", command, quote));
-  }
+  refuse_if(quote != 0, "--driver exec:{}: a quote ({}) has no end", command, quote);
   if (word) {
     words.push_back(std::move(*word));
   }
-  if (words.empty()) {
-    throw InputError(
-        "--driver exec: no command found; expected exec:COMMAND, as in \"exec:python3 driver.py\"");
-  }
+  refuse_if(
+      words.empty(),
+      "--driver exec: no command found; expected exec:COMMAND, as in \"exec:python3 driver.py\"");
   return words;
 }
 
@@ -177,7 +175,7 @@ bool ChildProcess::write_line(std::string_view line, Clock::time_point deadline)
   while (input_ >= 0 && !left.empty()) {
     const ssize_t written = ::write(input_, left.data(), left.size());
     if (written >= 0) {
-      left.remove_prefix(static_cast<std::size_t>(written));
+      left.remove_prefix(std::size_t(written));
     } else if (errno == EAGAIN) {
       if (!wait_for_descriptor(input_, POLLOUT, deadline)) {
         return false;

@@ -15,6 +15,7 @@
 #include <fmt/ranges.h>
 
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/standard_streams.hpp"
 #include "limber/driver/line_reader.hpp"
 
@@ -76,7 +77,7 @@ void run_device(int line_end, int log) {
 
 }  // namespace
 
-DeviceProcess::DeviceProcess(const std::filesystem::path& log) {
+DeviceProcess::DeviceProcess(const fs::path& log) {
   if (log.empty()) {
     return;
   }

@@ -12,6 +12,7 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/common/units.hpp"
 #include "limber/world/straight_motion.hpp"
@@ -41,7 +42,7 @@ std::optional<double> crossing(const std::vector<double>& readings, double level
   if (at == readings.begin() || at == readings.end()) {
     return at == readings.end() ? std::nullopt : std::optional(0.0);
   }
-  return static_cast<double>(at - readings.begin()) - (*at - level) / (*at - *std::prev(at));
+  return double(at - readings.begin()) - (*at - level) / (*at - *std::prev(at));
 }
 
 /// One run of checks on one driver.
@@ -80,9 +81,7 @@ class Check {
 
  private:
   int channels() const { return arm_.channel_count(); }
-  const std::string& name(int channel) const {
-    return result_.channels[static_cast<std::size_t>(channel)];
-  }
+  const std::string& name(int channel) const { return result_.channels[channel]; }
 
   /// Holds a set point and keeps what is read. @return the first frame of it
   std::size_t hold(const Pressures& setpoint_kpa, double seconds, int min_frames = kMinHoldFrames) {
@@ -107,7 +106,7 @@ class Check {
 
   double last_mean(int segment) const {
     const std::vector<double> values = readings(segment, 0);
-    const auto count = static_cast<std::size_t>(arm_.frames_in(kMeanS));
+    const auto count = std::size_t(arm_.frames_in(kMeanS));
     return mean(std::span(values).last(count));
   }
 
@@ -137,22 +136,22 @@ class Check {
 
   Pressures alone(int segment, double kpa) const {
     Pressures result = Pressures::Zero(channels());
-    result[segment] = static_cast<float>(kpa);
+    result[segment] = float(kpa);
     return result;
   }
 
   /// Of the side that positive or negative set points are on; 0 where the segment has none there.
   double limit_kpa(int segment, double sign) const {
-    return driver_->limits_kpa()[static_cast<std::size_t>(segment)].side_kpa(sign);
+    return driver_->limits_kpa()[segment].side_kpa(sign);
   }
 
   void pulse(int segment, double sign) {
     const double wanted = kPulseShare * limit_kpa(segment, sign);
     hold(alone(segment, wanted), kPulseS);
-    const double zero = result_.zero_kpa[static_cast<std::size_t>(segment)];
+    const double zero = result_.zero_kpa[segment];
     const std::string wrong = scale_complaint(name(segment), wanted, last_mean(segment) - zero);
     for (int s = 0; s < channels(); ++s) {
-      const double moved = last_mean(s) - result_.zero_kpa[static_cast<std::size_t>(s)];
+      const double moved = last_mean(s) - result_.zero_kpa[s];
       if (s != segment && std::abs(moved) > kMaxCrosstalk * std::abs(wanted)) {
         complain(
             fmt::format("a set point of {:.1f} kPa for {} moved {} by {:.1f} kPa: channels "
@@ -169,7 +168,7 @@ class Check {
   void step(int segment, double sign) {
     const double wanted = kStepShare * limit_kpa(segment, sign);
     const std::size_t first = hold(alone(segment, wanted), kStepS);
-    const auto s = static_cast<std::size_t>(segment);
+    const auto s = std::size_t(segment);
     std::vector<double> moved_kpa = readings(segment, first);
     for (double& kpa : moved_kpa) {
       kpa -= result_.zero_kpa[s];
@@ -201,7 +200,7 @@ class Check {
     Pressures wanted(channels());
     for (int s = 0; s < channels(); ++s) {
       const double sign = limit_kpa(s, 1.0) != 0.0 ? 1.0 : -1.0;
-      wanted[s] = static_cast<float>(2.0 * kPulseShare * limit_kpa(s, sign));
+      wanted[s] = float(2.0 * kPulseShare * limit_kpa(s, sign));
     }
     hold(wanted, kPulseS);
     return (wanted.array() != 0.0F).select(above_zero_kpa(driver_->state()).array(), -1.0F);
@@ -265,7 +264,7 @@ class Check {
     const std::optional<int> held = held_channel(before_kpa, after_kpa);
     Eigen::Index shown = 0;
     before_kpa.maxCoeff(&shown);
-    shown = held.value_or(static_cast<int>(shown));
+    shown = held.value_or(int(shown));
     deadman.vented = !held;
     deadman.before_kpa = before_kpa[shown];
     deadman.after_kpa = after_kpa[shown];
@@ -302,13 +301,13 @@ class Check {
 
   Episode episode() const {
     Episode result;
-    const auto frames = static_cast<Eigen::Index>(time_s_.size());
+    const auto frames = Eigen::Index(time_s_.size());
     result.time_s = Eigen::Map<const Eigen::VectorXd>(time_s_.data(), frames).array() - time_s_[0];
     result.pressure_kpa.resize(frames, channels());
     result.setpoint_kpa.resize(frames, channels());
     for (Eigen::Index k = 0; k < frames; ++k) {
-      result.pressure_kpa.row(k) = readings_[static_cast<std::size_t>(k)].transpose();
-      result.setpoint_kpa.row(k) = setpoints_[static_cast<std::size_t>(k)].transpose();
+      result.pressure_kpa.row(k) = readings_[k].transpose();
+      result.setpoint_kpa.row(k) = setpoints_[k].transpose();
     }
     result.dimension = arm_.dimension;
     result.backbone = FrameMatrix::Zero(frames, pose_size(arm_.dimension) * arm_.point_count());
@@ -371,15 +370,13 @@ StepResponse step_response(const std::vector<double>& reading_kpa, double period
   StepResponse response;
   response.setpoint_kpa = setpoint_kpa;
   const double sign = setpoint_kpa < 0.0 ? -1.0 : 1.0;
-  std::vector<double> upward;
-  for (const double reading : reading_kpa) {
-    upward.push_back(sign * reading);
-  }
+  const auto upward =
+      mapped<double>(reading_kpa, [&](const double reading) { return sign * reading; });
   if (upward.empty()) {
     return response;
   }
-  const auto count = std::min(
-      upward.size(), static_cast<std::size_t>(std::max(1L, std::lround(kMeanS / period_s))));
+  const auto count =
+      std::min(upward.size(), std::size_t(std::max(1L, std::lround(kMeanS / period_s))));
   const double reached = mean(std::span(upward).last(count));
   response.reached_kpa = sign * reached;
   response.overshoot_kpa = std::max(0.0, *std::max_element(upward.begin(), upward.end()) - reached);

@@ -8,6 +8,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/printable.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/seconds_since.hpp"
 
 namespace limber {
@@ -203,11 +204,9 @@ void DriverLink::require_known_plane(const DriverReply& reply) const {
             : "state: bodies: only a calibration says where they are in the arm's frame; "
               "make one with limber driver calibrate, and give it with --calibration");
   }
-  if (reply.state.backbone && has_plane) {
-    throw InputError(
-        "state: backbone: the driver sent bodies when it was calibrated; calibrate it again: "
-        "limber driver calibrate");
-  }
+  refuse_if(reply.state.backbone && has_plane,
+            "state: backbone: the driver sent bodies when it was calibrated; calibrate it again: "
+            "limber driver calibrate");
 }
 
 void DriverLink::require_order(const DriverReply& reply) const {

@@ -9,14 +9,14 @@
 
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/json_reader.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/printable.hpp"
 
 namespace limber {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr double kMaxKpa = 1e5;     // 1000 bar: no soft arm comes near
 constexpr double kMaxNumber = 1e5;  // of a pose; before calibration in mm, too
@@ -32,16 +32,14 @@ Json list(const Eigen::Ref<const Pressures>& values) {
 
 template <class Poses>
 Json rows(const Poses& poses) {
-  Json json = Json::array();
-  for (const auto& pose : poses.rowwise()) {
-    json.push_back(std::vector<double>(pose.begin(), pose.end()));
-  }
-  return json;
+  return mapped<Json>(poses.rowwise(), [&](const auto& pose) {
+    return std::vector<double>(pose.begin(), pose.end());
+  });
 }
 
 Pressures pressures(const JsonReader& reader, int count) {
   const std::vector<double> values =
-      reader.numbers(static_cast<std::size_t>(count), "pressures in kPa", -kMaxKpa, kMaxKpa);
+      reader.numbers(std::size_t(count), "pressures in kPa", -kMaxKpa, kMaxKpa);
   return Eigen::Map<const Eigen::VectorXd>(values.data(), count).cast<float>();
 }
 
@@ -54,22 +52,19 @@ Poses read_poses(const JsonReader& reader, int points, const char* what) {
   const std::vector<JsonReader> rows =
       reader.elements(kInSpace ? "a list of [x, y, z, qx, qy, qz, qw], or null"
                                : "a list of [x, y, theta], or null");
-  if (rows.size() != static_cast<std::size_t>(points)) {
-    reader.refuse(fmt::format("{} {} found; the arm has {} plates", rows.size(), what, points));
-  }
+  reader.refuse_if(rows.size() != std::size_t(points), "{} {} found; the arm has {} plates",
+                   rows.size(), what, points);
   Poses result(points, kSize);
   for (int i = 0; i < points; ++i) {
-    const JsonReader& row = rows[static_cast<std::size_t>(i)];
+    const JsonReader& row = rows[i];
     const std::vector<double> pose = row.numbers(
         kSize, kInSpace ? "numbers: x, y, z, qx, qy, qz and qw" : "numbers: x, y and theta",
         -kMaxNumber, kMaxNumber);
     result.row(i) = Eigen::Map<const Eigen::RowVectorXd>(pose.data(), kSize);
     if constexpr (kInSpace) {
       const double length = result.row(i).template tail<4>().norm();
-      if (!(std::abs(length - 1.0) <= kMaxQuaternionOff)) {
-        row.refuse(fmt::format(
-            "a quaternion of length {:.4g}; expected [qx, qy, qz, qw] of length 1", length));
-      }
+      row.refuse_if(!(std::abs(length - 1.0) <= kMaxQuaternionOff),
+                    "a quaternion of length {:.4g}; expected [qx, qy, qz, qw] of length 1", length);
       result.row(i).template tail<4>() /= length;
     }
   }
@@ -80,12 +75,8 @@ Poses read_poses(const JsonReader& reader, int points, const char* what) {
 void read_shape(const JsonReader& root, const HostHello& arm, DriverReply& reply) {
   if (root.has("bodies")) {
     const JsonReader reader = root.at("bodies");
-    if (arm.is_spatial()) {
-      reader.refuse("an arm in space is told in its own frame, as backbone");
-    }
-    if (root.has("backbone")) {
-      reader.refuse("stands beside backbone; a state has one of the two");
-    }
+    reader.refuse_if(arm.is_spatial(), "an arm in space is told in its own frame, as backbone");
+    reader.refuse_if(root.has("backbone"), "stands beside backbone; a state has one of the two");
     if (!reader.is_null()) {
       reply.bodies = read_poses<BodyPoses>(reader, arm.points, "bodies");
     }
@@ -107,7 +98,7 @@ double rate(const JsonReader& root) {
 /// `limit_kpa` alone is that of both sides; beside it, `limits_kpa` has [lower, upper] of each
 /// segment. Programs that do not know the latter read the largest of either side.
 std::vector<PressureLimits> limits(const JsonReader& root, int count) {
-  const auto n = static_cast<std::size_t>(count);
+  const auto n = std::size_t(count);
   std::vector<PressureLimits> result;
   if (root.has("limits_kpa")) {
     const std::vector<JsonReader> pairs =
@@ -184,7 +175,7 @@ DriverReply without_shape(const JsonReader& root, const HostHello& arm) {
   require_no_fault(root);
   require_type(root, "state");
   DriverReply reply;
-  reply.seq = static_cast<std::int64_t>(root.at("seq").count(kMaxSeq));
+  reply.seq = std::int64_t(root.at("seq").count(kMaxSeq));
   reply.state.time_s = root.at("t").number(-kMaxTimeS, kMaxTimeS);
   reply.state.pressure_kpa = pressures(root.at("pressure_kpa"), arm.pressures());
   return reply;
@@ -327,7 +318,7 @@ DriverRequest parse_request(std::string_view line, const HostHello& arm) {
     root.at("type").refuse_found("expected hello, set, vent or bye");
   }
   request.kind = type == "set" ? RequestKind::set : RequestKind::vent;
-  request.seq = static_cast<std::int64_t>(root.at("seq").count(kMaxSeq));
+  request.seq = std::int64_t(root.at("seq").count(kMaxSeq));
   (void)root.at("t").number(-kMaxTimeS, kMaxTimeS);
   if (request.kind == RequestKind::set) {
     request.setpoint_kpa = pressures(root.at("pressure_kpa"), arm.pressures());

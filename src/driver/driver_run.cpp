@@ -19,6 +19,8 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/cpu_level.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/seconds_since.hpp"
 #include "limber/common/utf8.hpp"
 #include "limber/common/version.hpp"
@@ -78,7 +80,7 @@ std::string time_stamped_run_name() {
 std::string free_name(const std::string& stem, std::string_view separator,
                       std::string_view suffix) {
   std::string name = fmt::format("{}{}", stem, suffix);
-  for (int run = 1; std::filesystem::exists(name); ++run) {
+  for (int run = 1; fs::exists(name); ++run) {
     name = fmt::format("{}{}{}{}", stem, separator, run, suffix);
   }
   return name;
@@ -102,12 +104,11 @@ std::optional<ForbiddenSetpoint> first_beyond(const Plan& plan,
     const auto& setpoint = plan.frames[k].setpoint_kpa;
     if (setpoint.size() != std::ssize(limits)) {
       throw InputError(fmt::format("{}: {} set points; the driver moves {} segments",
-                                   frame_name(static_cast<Eigen::Index>(k)), setpoint.size(),
-                                   limits.size()));
+                                   frame_name(Eigen::Index(k)), setpoint.size(), limits.size()));
     }
     for (Eigen::Index s = 0; s < setpoint.size(); ++s) {
       const double value = setpoint[s];
-      const PressureLimits& sides = limits[static_cast<std::size_t>(s)];
+      const PressureLimits& sides = limits[s];
       const bool is_within =  // no NaN is
           value <= sides.upper_kpa + kSetpointRounding &&
           value >= sides.lower_kpa - kSetpointRounding;
@@ -125,7 +126,7 @@ std::optional<double> scale_within(const ArmDescription& arm,
   double scale = 1.0;
   for (std::size_t s = 0; s < allowed_kpa.size(); ++s) {
     for (const double sign : {1.0, -1.0}) {
-      const double own = arm.limits_of_channel(static_cast<int>(s)).side_kpa(sign);
+      const double own = arm.limits_of_channel(int(s)).side_kpa(sign);
       if (own != 0.0) {
         scale = std::min(scale, allowed_kpa[s].side_kpa(sign) / own);
       }
@@ -150,17 +151,17 @@ std::optional<ShortReach> first_short_reach(const ArmDescription& arm, double li
                                             const std::vector<PressureLimits>& allowed_kpa) {
   for (std::size_t s = 0; s < allowed_kpa.size(); ++s) {
     for (const double sign : {1.0, -1.0}) {
-      const double wanted = limit_scale * arm.limits_of_channel(static_cast<int>(s)).side_kpa(sign);
+      const double wanted = limit_scale * arm.limits_of_channel(int(s)).side_kpa(sign);
       const double allowed = allowed_kpa[s].side_kpa(sign);
       if (sign * allowed < sign * wanted - kSetpointRounding) {
-        return ShortReach{static_cast<Eigen::Index>(s), wanted, allowed};
+        return ShortReach{Eigen::Index(s), wanted, allowed};
       }
     }
   }
   return std::nullopt;
 }
 
-DriverLog::DriverLog(const std::filesystem::path& path, std::string_view command, bool append) {
+DriverLog::DriverLog(const fs::path& path, std::string_view command, bool append) {
   if (path.empty()) {
     return;
   }
@@ -168,7 +169,7 @@ DriverLog::DriverLog(const std::filesystem::path& path, std::string_view command
   if (!file_) {
     throw SystemFault(fmt::format("{}: {}", path.string(), std::generic_category().message(errno)));
   }
-  const nlohmann::ordered_json first = {
+  const Json first = {
       {"schema", "limber/driver_log/1"},
       {"limber", version()},
       {"started_by", who_started_this()},

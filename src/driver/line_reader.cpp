@@ -42,7 +42,7 @@ LineReader::Read LineReader::read_line(std::string& line, Clock::time_point dead
     }
     const ssize_t count = ::read(descriptor_, chunk.data(), chunk.size());
     if (count > 0) {
-      buffer_.append(chunk.data(), static_cast<std::size_t>(count));
+      buffer_.append(chunk.data(), std::size_t(count));
     } else if (count == 0 || (errno != EINTR && errno != EAGAIN)) {
       return Read::end;
     }

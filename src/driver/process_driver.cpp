@@ -11,6 +11,7 @@
 #include "driver_link.hpp"
 #include "limber/common/arm_signals.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/run/safety_gate.hpp"
 #include "punctual_thread.hpp"
 #include "vent_watch.hpp"
@@ -170,10 +171,9 @@ class ProcessDriver::Session {
   }
 
   void require_size(const Eigen::Ref<const Pressures>& setpoint_kpa) const {
-    if (setpoint_kpa.size() != arm_.channel_count()) {
-      throw InputError(fmt::format("{} set points; arm '{}' has {} segments", setpoint_kpa.size(),
-                                   arm_.name, arm_.channel_count()));
-    }
+    refuse_if(setpoint_kpa.size() != arm_.channel_count(),
+              "{} set points; arm '{}' has {} segments", setpoint_kpa.size(), arm_.name,
+              arm_.channel_count());
   }
 
   void wait_for_slot() {

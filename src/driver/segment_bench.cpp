@@ -6,6 +6,7 @@
 
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/run/episode_recorder.hpp"
 #include "limber/run/gated_driver.hpp"
 #include "limber/world/straight_motion.hpp"
@@ -64,7 +65,7 @@ class SegmentBenchRun {
 
   /// Goes to `kpa`, waits, and takes the means of the hold's end.
   void held(double kpa) {
-    const Pressures goal = Pressures::Constant(1, static_cast<float>(kpa));
+    const Pressures goal = Pressures::Constant(1, float(kpa));
     for (const Pressures& setpoint_kpa :
          straight_setpoints(setpoint_kpa_, goal, arm_.pressure_step_limit_kpa())) {
       frame(setpoint_kpa);
@@ -114,22 +115,18 @@ double side_strain(const Backbone& rest, const Backbone& bent, double width_m, d
 }
 
 void require_one_segment(const ArmDescription& arm) {
-  if (arm.segment_count() != 1) {
-    throw InputError(
-        fmt::format("arm '{}' has {} segments; on a driver, one mounted free segment "
-                    "is characterised: give it an arm file of its own. A whole arm is "
-                    "characterised from recordings: limber characterize --recording",
-                    arm.name, arm.segment_count()));
-  }
+  refuse_if(arm.segment_count() != 1,
+            "arm '{}' has {} segments; on a driver, one mounted free segment "
+            "is characterised: give it an arm file of its own. A whole arm is "
+            "characterised from recordings: limber characterize --recording",
+            arm.name, arm.segment_count());
 }
 
 std::vector<BenchPoint> measure_segment(const ArmDescription& arm, const PressureLimits& limits,
                                         int steps, ArmDriver& driver, Episode& episode) {
   require_one_segment(arm);
-  if (steps < kMinBenchSteps) {
-    throw InputError(
-        fmt::format("bench test: {} steps; expected at least {}", steps, kMinBenchSteps));
-  }
+  refuse_if(steps < kMinBenchSteps, "bench test: {} steps; expected at least {}", steps,
+            kMinBenchSteps);
   SegmentBenchRun run(arm, driver);
   try {
     std::vector<BenchPoint> points = run.run(limits, steps);

@@ -59,8 +59,7 @@ class VentWatch {
 class OwnVentWatch {
  public:
   /// @param frames  in which a set point comes into force
-  explicit OwnVentWatch(int frames)
-      : kept_(static_cast<std::size_t>(std::max(frames, kFewestFrames))) {}
+  explicit OwnVentWatch(int frames) : kept_(std::size_t(std::max(frames, kFewestFrames))) {}
 
   void note_sent(const Pressures& setpoint_kpa);
   void clear() { sent_kpa_.clear(); }

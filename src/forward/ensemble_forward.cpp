@@ -3,10 +3,8 @@
 #include <cassert>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "limber/arm/space_pose.hpp"
-#include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 
 namespace limber {
 
@@ -22,15 +20,13 @@ EnsembleForward::Prediction EnsembleForward::rollout(
   const Dimension dimension = members_.front().dimension();
   const int channels = members_.front().channel_count();
   const int size = pose_size(dimension) * members_.front().point_count();
-  if (pressures_kpa.rows() != channels || pressures_kpa.cols() < 1 || first.size() != size) {
-    throw InputError(fmt::format(
-        "an ensemble's rollout got {} pressures per frame, {} frames and a backbone of {} numbers; "
-        "expected {}, at least 1 and {}",
-        pressures_kpa.rows(), pressures_kpa.cols(), first.size(), channels, size));
-  }
-  if (!pressures_kpa.allFinite() || !first.allFinite()) {
-    throw InputError("an ensemble's rollout got a number that is not finite");
-  }
+  refuse_if(
+      pressures_kpa.rows() != channels || pressures_kpa.cols() < 1 || first.size() != size,
+      "an ensemble's rollout got {} pressures per frame, {} frames and a backbone of {} numbers; "
+      "expected {}, at least 1 and {}",
+      pressures_kpa.rows(), pressures_kpa.cols(), first.size(), channels, size);
+  refuse_if(!pressures_kpa.allFinite() || !first.allFinite(),
+            "an ensemble's rollout got a number that is not finite");
   ForwardModel::Workspace workspace;
   std::vector<Eigen::MatrixXf> predicted;
   for (const ForwardModel& member : members_) {
@@ -44,7 +40,7 @@ EnsembleForward::Prediction EnsembleForward::rollout(
 EnsembleForward::Prediction mean_and_deviation(const std::vector<Eigen::MatrixXf>& members,
                                                Dimension dimension) {
   assert(!members.empty());
-  const auto count = static_cast<float>(members.size());
+  const auto count = float(members.size());
   // Deviations from the first member: members that agree have a spread of exactly 0.
   const Eigen::MatrixXf& origin = members.front();
   Eigen::MatrixXf mean = Eigen::MatrixXf::Zero(origin.rows(), origin.cols());

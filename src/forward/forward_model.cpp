@@ -12,6 +12,7 @@
 #include "limber/arm/names.hpp"
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/forward/checked_query.hpp"
 #include "limber/network/past_commands.hpp"
 
@@ -29,7 +30,7 @@ CompensationModel checked(CompensationModel compensation, const ArmDescription& 
 
 template <class Derived>
 ConstColumns columns_of(const Eigen::MatrixBase<Derived>& m) {
-  return {m.derived().data(), static_cast<int>(m.derived().outerStride())};
+  return {m.derived().data(), int(m.derived().outerStride())};
 }
 
 /// Of every channel.
@@ -73,9 +74,8 @@ void require_pressures(const char* name, const Pressures& pressures, const Forwa
 
 template <class Rows>
 void require_backbone(const char* name, const Rows& backbone, int points) {
-  if (backbone.rows() != points) {
-    throw InputError(fmt::format("{}: {} points; the arm has {}", name, backbone.rows(), points));
-  }
+  refuse_if(backbone.rows() != points, "{}: {} points; the arm has {}", name, backbone.rows(),
+            points);
   for (int p = 0; p < points; ++p) {
     if (!backbone.row(p).allFinite()) {
       throw InputError(fmt::format(
@@ -85,12 +85,9 @@ void require_backbone(const char* name, const Rows& backbone, int points) {
     }
     if constexpr (Rows::ColsAtCompileTime == kSpacePoseSize) {
       const float norm = backbone.row(p).template tail<4>().norm();
-      if (std::abs(norm - 1.0F) > kNoUnit) {
-        throw InputError(
-            fmt::format("{}[{}] has a quaternion of norm {:.4g}; expected 1, as "
-                        "rotations have it",
-                        name, p, norm));
-      }
+      refuse_if(std::abs(norm - 1.0F) > kNoUnit,
+                "{}[{}] has a quaternion of norm {:.4g}; expected 1, as rotations have it", name, p,
+                norm);
     }
   }
 }
@@ -100,10 +97,9 @@ template <class Rows>
 Rows checked_rows(const ForwardModel& model, const Pressures& previous_kpa,
                   const Pressures& current_kpa, const Rows& before, const Rows& previous) {
   constexpr int kSize = Rows::ColsAtCompileTime;
-  if (kSize != pose_size(model.dimension())) {
-    throw InputError(fmt::format("checked_step: poses of {} numbers; the arm's have {}", kSize,
-                                 pose_size(model.dimension())));
-  }
+  refuse_if(kSize != pose_size(model.dimension()),
+            "checked_step: poses of {} numbers; the arm's have {}", kSize,
+            pose_size(model.dimension()));
   require_pressures("previous_kpa", previous_kpa, model);
   require_pressures("current_kpa", current_kpa, model);
   require_backbone("previous", previous, model.point_count());
@@ -186,11 +182,11 @@ void ForwardModel::step_batch(const Eigen::Ref<const Eigen::MatrixXf>& previous_
   assert(previous_kpa.cols() == next.cols() && current_kpa.cols() == next.cols() &&
          previous.cols() == next.cols());
   assert(previous_kpa.allFinite() && current_kpa.allFinite() && previous.allFinite());
-  pipeline_->run(static_cast<int>(next.cols()),
+  pipeline_->run(int(next.cols()),
                  {columns_of(previous_kpa),
                   columns_of(current_kpa),
                   columns_of(previous),
-                  {next.data(), static_cast<int>(next.outerStride())},
+                  {next.data(), int(next.outerStride())},
                   columns_of(before)},
                  scratch_of(workspace));
 }

@@ -24,28 +24,28 @@ int max_columns(int lanes) {
 StrainCurve pack(const StrainPolynomial& polynomial, double limit_kpa) {
   StrainCurve packed{};
   std::transform(polynomial.begin(), polynomial.end(), packed.coefficient,
-                 [](double x) { return static_cast<float>(x); });
-  packed.limit_kpa = static_cast<float>(limit_kpa);
-  packed.at_limit = static_cast<float>(strain_at(polynomial, limit_kpa));
-  packed.slope_per_kpa = static_cast<float>(std::max(0.0, strain_slope_at(polynomial, limit_kpa)));
+                 [](double x) { return float(x); });
+  packed.limit_kpa = float(limit_kpa);
+  packed.at_limit = float(strain_at(polynomial, limit_kpa));
+  packed.slope_per_kpa = float(std::max(0.0, strain_slope_at(polynomial, limit_kpa)));
   return packed;
 }
 
 NoLoadSegment pack(const Segment& segment, NoLoadKind kind) {
   NoLoadSegment packed{};
   packed.strain = pack(segment.strain_polynomial, segment.pressure_limit_kpa.largest_kpa());
-  packed.length_m = static_cast<float>(segment.length_m);
-  packed.width_m = static_cast<float>(segment.width_m);
+  packed.length_m = float(segment.length_m);
+  packed.width_m = float(segment.width_m);
   packed.gaps = segment.gaps;
   packed.has_strain = kind == NoLoadKind::strain_polynomial;
   packed.curvature_per_unit =
-      kind == NoLoadKind::curvature ? static_cast<float>(segment.curvature_per_unit) : 0.0F;
+      kind == NoLoadKind::curvature ? float(segment.curvature_per_unit) : 0.0F;
   return packed;
 }
 
 NoLoadChamber pack(const Chamber& chamber) {
   const StrainPolynomial& polynomial = chamber.strain_polynomial;
-  return {pack(polynomial, chamber.limit_kpa.largest_kpa()), static_cast<float>(chamber.sense),
+  return {pack(polynomial, chamber.limit_kpa.largest_kpa()), float(chamber.sense),
           polynomial != StrainPolynomial{}};
 }
 
@@ -71,14 +71,14 @@ ForwardPipeline::ForwardPipeline(const ArmDescription& arm, const CompensationMo
     for (const Chamber& chamber : segment.chambers) {
       in_space_.chambers.push_back(pack(chamber));
     }
-    in_space_.gap_length_m.push_back(static_cast<float>(segment.length_m / segment.gaps));
-    in_space_.gap_share.push_back(1.0F / static_cast<float>(segment.gaps));
+    in_space_.gap_length_m.push_back(float(segment.length_m / segment.gaps));
+    in_space_.gap_share.push_back(1.0F / float(segment.gaps));
   }
   if (arm.is_spatial()) {
     const SpaceNoLoad no_load(arm);
     for (const auto& row : no_load.shape_of_strains().rowwise()) {
       std::ranges::transform(row, std::back_inserter(in_space_.shape),
-                             [](double share) { return static_cast<float>(share); });
+                             [](double share) { return float(share); });
     }
   }
   for (int gap = 0; gap + 1 < points_; ++gap) {
@@ -98,7 +98,7 @@ ForwardPipeline::ForwardPipeline(const ArmDescription& arm, const CompensationMo
 std::size_t ForwardPipeline::scratch_size() const {
   // Base poses and gap poses as rows, then a network's input and two layers as rows or as columns.
   const int network = network_ ? layout_.input_size() + 2 * network_->padded_width() : channels_;
-  return static_cast<std::size_t>((2 * poses_ + network) * kTileQueries);
+  return std::size_t((2 * poses_ + network) * kTileQueries);
 }
 
 void ForwardPipeline::run(int count, const QueryColumns& queries, float* scratch) const {
@@ -150,7 +150,7 @@ void ForwardPipeline::chain_no_load(int stride, float* gap, float* base) const {
   // In place, from the tip: a gap never lies before its segment's.
   const std::ptrdiff_t size = std::ptrdiff_t{gaps_.gap_size} * stride;
   for (int g = points_ - 2; g >= 0; --g) {
-    std::copy_n(gap + size * segment_of_gap_[static_cast<std::size_t>(g)], size, gap + size * g);
+    std::copy_n(gap + size * segment_of_gap_[g], size, gap + size * g);
   }
   gaps_.decode(points_ - 1, gap, base, stride);
 }
@@ -274,7 +274,7 @@ void ForwardPipeline::subtract_from(const float* after, int count, float* change
 void ForwardPipeline::spread_over_gaps(const float* no_load, float* gaps) const {
   for (std::size_t g = 0; g < segment_of_gap_.size(); ++g) {
     const int size = gaps_.gap_size;
-    std::copy_n(no_load + size * segment_of_gap_[g], size, gaps + size * static_cast<int>(g));
+    std::copy_n(no_load + size * segment_of_gap_[g], size, gaps + size * int(g));
   }
 }
 
@@ -293,7 +293,7 @@ void ForwardPipeline::compose_gaps(int stride, const float* previous, const floa
                                    const float* output, float* next) const {
   const float* gates = output + layout_.backbone_size() * stride;
   for (int g = 0; g + 1 < points_; ++g) {
-    const int segment = segment_of_gap_[static_cast<std::size_t>(g)];
+    const int segment = segment_of_gap_[g];
     const int at = gaps_.gap_size * g * stride;
     compose(gaps_.gap_size * stride, previous + at, no_load + gaps_.gap_size * segment * stride,
             output + at, gates + at, next + at);

@@ -15,7 +15,7 @@ template <class Float>
 struct ColumnsOf {
   Float* data;
   int ld;
-  Float* column(int j) const { return data + static_cast<std::ptrdiff_t>(j) * ld; }
+  Float* column(int j) const { return data + std::ptrdiff_t(j) * ld; }
   ColumnsOf from(int j) const { return {column(j), ld}; }
 };
 using ConstColumns = ColumnsOf<const float>;

@@ -9,6 +9,7 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/network/arm_family.hpp"
 
 namespace limber {
@@ -104,14 +105,9 @@ Pose MotionModel::settled_tip(const Eigen::Ref<const Eigen::VectorXf>& valves,
 
 void require_model_of_arm(const ArmDescription& arm, const MotionModel& model,
                           const std::string& where) {
-  std::vector<int> modelled;
-  for (int i = 0; i < model.segment_count(); ++i) {
-    modelled.push_back(model.no_load().segment(i).gaps);
-  }
-  std::vector<int> own;
-  for (const Segment& segment : arm.segments) {
-    own.push_back(segment.gaps);
-  }
+  const auto modelled =
+      mapped<int>(model.segment_count(), [&](int i) { return model.no_load().segment(i).gaps; });
+  const auto own = mapped<int>(arm.segments, [&](const Segment& segment) { return segment.gaps; });
   if (modelled != own || model.channel_count() != arm.channel_count()) {
     throw InputError(fmt::format(
         "{}: the model is of arm '{}', with {} channels and segments of {} gaps; arm "

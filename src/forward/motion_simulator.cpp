@@ -133,24 +133,24 @@ int MotionSimulator::append_hold(std::vector<PlanFrame>& frames, const ArmStart*
 
 void MotionBatch::run(const std::vector<MotionState>& from,
                       const Eigen::Ref<const Eigen::MatrixXf>& to_kpa) {
-  const auto motions = static_cast<int>(from.size());
+  const auto motions = int(from.size());
   frames_.resize(from.size());
   ends_.resize(from.size());
   rollouts_.clear();
   for (int j = 0; j < motions; ++j) {
-    const MotionState& start = from[static_cast<std::size_t>(j)];
+    const MotionState& start = from[j];
     const int frames = motion_frame_count(start.setpoint_kpa(), to_kpa.col(j),
                                           simulator_.arm().pressure_step_limit_kpa());
-    Eigen::MatrixXf& kept = frames_[static_cast<std::size_t>(j)];
+    Eigen::MatrixXf& kept = frames_[j];
     kept.resize(start.backbone.size(), frames + 1);
     kept.col(0) = Eigen::Map<const Eigen::VectorXf>(start.backbone.data(), kept.rows());
     rollouts_.add(j, start, to_kpa.col(j), frames);
   }
   while (rollouts_.size() > 0) {
-    simulator_.count_queries(static_cast<std::uint64_t>(rollouts_.size()));
+    simulator_.count_queries(std::uint64_t(rollouts_.size()));
     rollouts_.step();
     for (int column = rollouts_.size() - 1; column >= 0; --column) {
-      const auto motion = static_cast<std::size_t>(rollouts_.label(column));
+      const auto motion = std::size_t(rollouts_.label(column));
       frames_[motion].col(rollouts_.frame(column)) =
           Eigen::Map<const Eigen::VectorXf>(rollouts_.now(column).data(), frames_[motion].rows());
       if (rollouts_.has_ended(column)) {
@@ -162,7 +162,7 @@ void MotionBatch::run(const std::vector<MotionState>& from,
 }
 
 Eigen::Map<const Backbone> MotionBatch::frame(int motion, int k) const {
-  const Eigen::MatrixXf& kept = frames_[static_cast<std::size_t>(motion)];
+  const Eigen::MatrixXf& kept = frames_[motion];
   return {kept.col(k).data(), kept.rows() / kPoseSize, kPoseSize};
 }
 

@@ -94,21 +94,19 @@ void add_novelty(const LearntRegion& learnt, const Plan& plan, const Command& co
 
 RecordedRegion::RecordedRegion(const LearntRegion& learnt, double frame_rate_hz)
     : learnt_(learnt),
-      frame_rate_hz_(frame_rate_hz),
       measure_(learnt),
       fall_kpa_(kRateSlack * learnt.steepest_fall_kpa_per_s / float(frame_rate_hz)),
       rise_kpa_(kRateSlack * learnt.steepest_rise_kpa_per_s / float(frame_rate_hz)) {}
 
 double RecordedRegion::rate_limit_kpa_per_s() const {
-  double slowest = std::numeric_limits<double>::max();
-  for (const Pressures* steps_kpa : {&fall_kpa_, &rise_kpa_}) {
-    for (const float step_kpa : *steps_kpa) {
-      if (step_kpa > 0.0F) {
-        slowest = std::min(slowest, double(step_kpa) * frame_rate_hz_);
-      }
+  double slowest = std::numeric_limits<double>::infinity();
+  for (const Pressures* rates :
+       {&learnt_.steepest_fall_kpa_per_s, &learnt_.steepest_rise_kpa_per_s}) {
+    for (const float rate : *rates) {
+      slowest = rate > 0.0F ? std::min(slowest, double(rate)) : slowest;
     }
   }
-  return kWithinSlack * slowest;
+  return kWithinSlack * kRateSlack * slowest;
 }
 
 bool RecordedRegion::holds(const Eigen::Ref<const Pressures>& before_kpa,

@@ -61,7 +61,7 @@ void RolloutBatch::step() {
   }
   now_.swap(before_);
   for (int c = 0; c < size(); ++c) {
-    Motion& motion = motions_[static_cast<std::size_t>(c)];
+    Motion& motion = motions_[c];
     assert(motion.frame < motion.frames);
     ++motion.frame;
     motion_setpoint(from_kpa_.col(c), to_kpa_.col(c), motion.frame, motion.frames, setpoint_kpa_);
@@ -97,13 +97,13 @@ void RolloutBatch::go_on(int column, const Eigen::Ref<const Pressures>& to_kpa, 
   assert(frames >= 1 && has_ended(column));
   from_kpa_.col(column) = to_kpa_.col(column);
   to_kpa_.col(column) = to_kpa;
-  motions_[static_cast<std::size_t>(column)] = {label(column), 0, frames};
+  motions_[column] = {label(column), 0, frames};
 }
 
 void RolloutBatch::remove(int column) {
   const int last = size() - 1;
   if (column != last) {
-    motions_[static_cast<std::size_t>(column)] = motions_.back();
+    motions_[column] = motions_.back();
     for (Eigen::MatrixXf* m : {&from_kpa_, &to_kpa_, &now_kpa_, &valves_, &before_, &now_}) {
       m->col(column) = m->col(last);
     }
@@ -141,8 +141,8 @@ void ParallelForward::step_batch(const ForwardModel& model,
                                  const Eigen::Ref<const Eigen::MatrixXf>& previous,
                                  Eigen::Ref<Eigen::MatrixXf> next) {
   const Eigen::Index parts = (next.cols() + kPart - 1) / kPart;
-  threads_->arena.for_each(static_cast<std::size_t>(parts), [&](std::size_t part) {
-    const Eigen::Index from = static_cast<Eigen::Index>(part) * kPart;
+  threads_->arena.for_each(std::size_t(parts), [&](std::size_t part) {
+    const Eigen::Index from = Eigen::Index(part) * kPart;
     const Eigen::Index count = std::min(kPart, next.cols() - from);
     model.step_batch(previous_kpa.middleCols(from, count), current_kpa.middleCols(from, count),
                      before.middleCols(from, count), previous.middleCols(from, count),

@@ -37,7 +37,7 @@ inline Rotation then(Rotation a, Rotation b) {
 
 void gather(int rows, int count, const float* columns, int ld, float* row, int stride) {
   for (int q = 0; q < count; ++q) {
-    const float* column = columns + static_cast<std::ptrdiff_t>(q) * ld;
+    const float* column = columns + std::ptrdiff_t(q) * ld;
     for (int r = 0; r < rows; ++r) {
       row[r * stride + q] = column[r];
     }
@@ -51,7 +51,7 @@ void gather(int rows, int count, const float* columns, int ld, float* row, int s
 
 void scatter(int rows, int count, const float* row, int stride, float* columns, int ld) {
   for (int q = 0; q < count; ++q) {
-    float* column = columns + static_cast<std::ptrdiff_t>(q) * ld;
+    float* column = columns + std::ptrdiff_t(q) * ld;
     for (int r = 0; r < rows; ++r) {
       column[r] = row[r * stride + q];
     }
@@ -62,7 +62,7 @@ void no_load_gaps(const NoLoadSegment* segments, int n, const float* pressure_kp
                   int stride) {
   for (int i = 0; i < n; ++i) {
     const NoLoadSegment& s = segments[i];
-    const float gap_length = s.length_m / static_cast<float>(s.gaps);
+    const float gap_length = s.length_m / float(s.gaps);
     for (int q = 0; q < stride; q += kLanes) {
       const Vector pressure = load(pressure_kpa + i * stride + q);
       Vector e{};

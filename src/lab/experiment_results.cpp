@@ -8,6 +8,8 @@
 
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/json_number.hpp"
 #include "limber/common/json_reader.hpp"
 #include "limber/planning/forest.hpp"
@@ -19,11 +21,9 @@ namespace limber {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 std::string forest_hash(const Forest& forest) {
   return content_hash({reinterpret_cast<const char*>(forest.setpoints_kpa.data()),
-                       static_cast<std::size_t>(forest.setpoints_kpa.size()) * sizeof(float)});
+                       std::size_t(forest.setpoints_kpa.size()) * sizeof(float)});
 }
 
 // A page with more of them opens slowly, and needs memory for all.
@@ -45,8 +45,7 @@ std::vector<PlanningRow> by_way(const std::vector<PlanningRow>& rows) {
 
 }  // namespace
 
-nlohmann::ordered_json experiment_identity(const ExperimentSettings& settings,
-                                           const std::string& model_hash) {
+Json experiment_identity(const ExperimentSettings& settings, const std::string& model_hash) {
   Json json;
   json["schema"] = "limber/experiment/1";
   json["arm"] = {{"name", settings.arm.name}, {"hash", settings.arm.hash()}};
@@ -77,7 +76,7 @@ nlohmann::ordered_json experiment_identity(const ExperimentSettings& settings,
   return json;
 }
 
-void require_same_experiment(const std::filesystem::path& file, nlohmann::json wanted) {
+void require_same_experiment(const fs::path& file, nlohmann::json wanted) {
   for (const char* key : {"adapts", "tube"}) {  // written where they are asked for alone
     wanted.emplace(key, nullptr);
   }
@@ -85,7 +84,7 @@ void require_same_experiment(const std::filesystem::path& file, nlohmann::json w
 }
 
 ResultNames result_names(const ExperimentSettings& settings, const EnvironmentCase& item) {
-  const auto index = static_cast<std::size_t>(&item - settings.environments.data());
+  const auto index = std::size_t(&item - settings.environments.data());
   const std::string name = settings.environments.size() > kEnvironmentsPerFolder
                                ? fmt::format("{:03}/{}", index / kEnvironmentsPerFolder, item.id)
                                : item.id;

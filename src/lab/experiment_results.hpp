@@ -6,6 +6,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "limber/common/filesystem.hpp"
+#include "limber/common/json.hpp"
 #include "limber/lab/output_folder.hpp"
 #include "limber/lab/planning_experiment.hpp"
 #include "limber/report/planning_table.hpp"
@@ -16,11 +18,10 @@ namespace limber {
 
 /// What has to be the same for trials of two runs to be in one table. The number of trials may
 /// differ: more can be added.
-nlohmann::ordered_json experiment_identity(const ExperimentSettings& settings,
-                                           const std::string& model_hash);
+Json experiment_identity(const ExperimentSettings& settings, const std::string& model_hash);
 
 /// @throws InputError naming the first key of `file` in which it differs from `wanted`.
-void require_same_experiment(const std::filesystem::path& file, nlohmann::json wanted);
+void require_same_experiment(const fs::path& file, nlohmann::json wanted);
 
 /// Names of what is written of one environment, relative to the experiment's folder. Of more than
 /// 400 they lie in numbered folders: shared file systems suffer from thousands of entries in one.
@@ -43,7 +44,7 @@ class ExperimentResults {
   void add(const EnvironmentCase& item, const std::vector<PlanTrial>& trials);
 
   /// Writes the tables and the report. @returns table.json
-  nlohmann::ordered_json write();
+  Json write();
 
  private:
   void write_report(const std::string& title, const std::vector<ReportTable>& tables);

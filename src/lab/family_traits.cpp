@@ -82,8 +82,7 @@ KnownArms known_arms(const ArmDescription& arm, const std::vector<std::string>& 
   KnownArms known;
   known.rows.resize(family.arms.cols(), 1 + family.size());
   for (Eigen::Index i = 0; i < std::min(std::ssize(physics), family.arms.cols()); ++i) {
-    if (const auto parameters =
-            parameters_of(of_file, physics[static_cast<std::size_t>(i)], arm.dimension)) {
+    if (const auto parameters = parameters_of(of_file, physics[i], arm.dimension)) {
       known.rows.row(std::ssize(known.physics)) << 1.0,
           family.arms.col(i).cast<double>().transpose();
       known.physics.push_back(*parameters);
@@ -133,7 +132,7 @@ Eigen::VectorXd left_of_others(const Eigen::MatrixXd& rows, const Eigen::VectorX
 }
 
 double mean_square(const Eigen::VectorXd& values) {
-  return values.squaredNorm() / static_cast<double>(values.size());
+  return values.squaredNorm() / double(values.size());
 }
 
 }  // namespace
@@ -159,8 +158,8 @@ std::vector<PhysicalTrait> fit_traits(const ArmDescription& arm,
       continue;
     }
     const Eigen::VectorXf found = least_squares(known.rows, values).cast<float>();
-    traits.push_back({quantity.name, static_cast<float>(quantity.value(of_file)), found(0),
-                      static_cast<float>(std::sqrt(left)), found.tail(family.size()),
+    traits.push_back({quantity.name, float(quantity.value(of_file)), found(0),
+                      float(std::sqrt(left)), found.tail(family.size()),
                       along.col(Eigen::Index(j))});
   }
   return traits;

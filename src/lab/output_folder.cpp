@@ -9,11 +9,12 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/json_reader.hpp"
+#include "limber/common/refuse_if.hpp"
 
 namespace limber {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -96,11 +97,9 @@ OutputFolder::OutputFolder(fs::path folder, std::string verb, Start start,
                            const std::vector<fs::path>& inputs)
     : folder_(std::move(folder)), verb_(std::move(verb)) {
   for (const fs::path& input : inputs) {
-    if (lies_in(input, folder_)) {
-      throw InputError(fmt::format(
-          "{}: lies in {}, the folder for the results of limber {}; choose another --out",
-          input.string(), folder_.string(), verb_));
-    }
+    refuse_if(lies_in(input, folder_),
+              "{}: lies in {}, the folder for the results of limber {}; choose another --out",
+              input.string(), folder_.string(), verb_);
   }
   require_usable(start, read_manifest());  // before the folder is made
   std::error_code error;
@@ -118,26 +117,20 @@ OutputFolder::OutputFolder(fs::path folder, std::string verb, Start start,
 }
 
 void OutputFolder::require_usable(Start start, bool has_manifest) const {
-  if (fs::exists(folder_) && !fs::is_directory(folder_)) {
-    throw InputError(fmt::format("{}: is a file; expected a folder, or nothing, for the results",
-                                 folder_.string()));
-  }
+  refuse_if(fs::exists(folder_) && !fs::is_directory(folder_),
+            "{}: is a file; expected a folder, or nothing, for the results", folder_.string());
   const bool foreign = !has_manifest && fs::is_directory(folder_) && !fs::is_empty(folder_);
-  if (foreign && start != Start::forced) {
-    throw InputError(
-        fmt::format("{}: holds files, but no list of those that limber {} wrote "
-                    "(older versions kept none); choose another folder with --out, "
-                    "or write into this one with --force, which removes nothing",
-                    folder_.string(), verb_));
-  }
+  refuse_if(foreign && start != Start::forced,
+            "{}: holds files, but no list of those that limber {} wrote "
+            "(older versions kept none); choose another folder with --out, "
+            "or write into this one with --force, which removes nothing",
+            folder_.string(), verb_);
   // Even --force must not fill a home folder or the folder that the user works in.
   for (const fs::path& kept : {fs::current_path(), fs::path("/")}) {
-    if (foreign && begins_with(whole(kept), whole(folder_))) {
-      throw InputError(
-          fmt::format("{}: is the current folder or one above it, and not empty; "
-                      "choose a folder of its own with --out",
-                      folder_.string()));
-    }
+    refuse_if(foreign && begins_with(whole(kept), whole(folder_)),
+              "{}: is the current folder or one above it, and not empty; "
+              "choose a folder of its own with --out",
+              folder_.string());
   }
 }
 
@@ -155,9 +148,7 @@ bool OutputFolder::read_manifest() {
       files.refuse_found("expected names with their hashes");
     }
     for (const auto& [name, hash] : files.value().items()) {
-      if (!is_plain(name)) {
-        files.refuse(fmt::format("'{}' found; expected names of files in the folder", name));
-      }
+      files.refuse_if(!is_plain(name), "'{}' found; expected names of files in the folder", name);
       files_[name] = files.at(name.c_str()).text();
     }
   } catch (const InputError&) {
@@ -168,7 +159,7 @@ bool OutputFolder::read_manifest() {
 }
 
 void OutputFolder::write_manifest() const {
-  const nlohmann::ordered_json root = {
+  const Json root = {
       {"schema", kOutputSchema},
       {"about", fmt::format("Files that limber {} wrote here, with their hashes; the next run "
                             "removes them, and nothing else.",
@@ -238,12 +229,11 @@ std::string OutputFolder::about_left() const {
 
 void OutputFolder::require_free(const std::vector<std::string>& names) const {
   for (const std::string& name : names) {
-    if (holds_foreign(name)) {
-      throw InputError(fmt::format(
-          "{}: limber {} did not write this file, or it has changed since, and a result needs its "
-          "name: move it away, or choose another --out",
-          (folder_ / name).string(), verb_));
-    }
+    refuse_if(
+        holds_foreign(name),
+        "{}: limber {} did not write this file, or it has changed since, and a result needs its "
+        "name: move it away, or choose another --out",
+        (folder_ / name).string(), verb_);
   }
 }
 

@@ -9,6 +9,7 @@
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/lab/planning_experiment.hpp"
 #include "limber/lab/witnessed_environment.hpp"
 #include "limber/run/plan_trial.hpp"
@@ -26,9 +27,7 @@ constexpr std::uint64_t kNumbersOfAnEpisode = std::uint64_t(kMaxInVain) * kMaxPl
 void require_usable(const PlanScheduleSettings& settings) {
   for (const auto& [flag, found] :
        {std::pair{"--count", settings.count}, std::pair{"--episodes", settings.episodes}}) {
-    if (found < 1 || found > kMaxPlans) {
-      throw InputError(fmt::format("{} {}: expected 1 to {}", flag, found, kMaxPlans));
-    }
+    refuse_if(found < 1 || found > kMaxPlans, "{} {}: expected 1 to {}", flag, found, kMaxPlans);
   }
 }
 
@@ -84,12 +83,10 @@ class EpisodePlanner {
       }
       last = trial.planning.status;
     }
-    if (!last) {
-      throw InputError(
-          fmt::format("--schedule plans: within {} of its limits the arm's tip comes nowhere that "
-                      "asks for a plan; expected a larger --limit-scale, or --schedule random",
-                      settings_.limit_scale));
-    }
+    refuse_if(!last,
+              "--schedule plans: within {} of its limits the arm's tip comes nowhere that "
+              "asks for a plan; expected a larger --limit-scale, or --schedule random",
+              settings_.limit_scale);
     throw InputError(fmt::format(
         "--schedule plans: {} environments in a row have no plan (the last: {}). The "
         "model's error leaves no room beside obstacles; --max-queries asks for a longer "
@@ -110,7 +107,7 @@ class EpisodePlanner {
 std::vector<EpisodeSchedule> plan_schedule(const ArmDescription& arm, const MotionModel& model,
                                            const PlanScheduleSettings& settings) {
   require_usable(settings);
-  std::vector<EpisodeSchedule> episodes(static_cast<std::size_t>(settings.episodes));
+  std::vector<EpisodeSchedule> episodes(std::size_t(settings.episodes));
   Progress progress("planning", "plans",
                     std::uint64_t(settings.episodes) * std::uint64_t(settings.count),
                     settings.progress);

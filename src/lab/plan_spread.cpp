@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "limber/common/mapped.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/forward/ensemble_forward.hpp"
 #include "limber/world/collision.hpp"
@@ -18,11 +19,11 @@ Eigen::Map<const Backbone> shape(const Eigen::MatrixXf& rollout, Eigen::Index fr
 }
 
 Rollouts roll_out(const Plan& plan, const EnsembleForward& ensemble) {
-  const auto frames = static_cast<Eigen::Index>(plan.frames.size());
+  const auto frames = Eigen::Index(plan.frames.size());
   const Backbone& start = plan.frames.front().backbone;
   Eigen::MatrixXf pressures(plan.frames.front().pressure_kpa.size(), frames);
   for (Eigen::Index k = 0; k < frames; ++k) {
-    pressures.col(k) = plan.frames[static_cast<std::size_t>(k)].pressure_kpa;
+    pressures.col(k) = plan.frames[k].pressure_kpa;
   }
   ForwardModel::Workspace workspace;
   Rollouts rollouts;
@@ -40,18 +41,17 @@ MemberFigures member_figures(const std::vector<double>& values) {
 }
 
 SpreadAt spread_of_plate(const Rollouts& rollouts, int frame, int plate) {
-  std::vector<Eigen::Vector2d> positions;
-  for (const Eigen::MatrixXf& rollout : rollouts) {
-    positions.emplace_back(shape(rollout, frame).row(plate).head(2).transpose().cast<double>());
-  }
+  auto positions = mapped<Eigen::Vector2d>(rollouts, [&](const Eigen::MatrixXf& rollout) {
+    return Eigen::Vector2d(shape(rollout, frame).row(plate).head(2).transpose().cast<double>());
+  });
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   for (const Eigen::Vector2d& position : positions) {
-    mean += position / static_cast<double>(positions.size());
+    mean += position / double(positions.size());
   }
   SpreadAt result{frame, plate};
   double square = 0.0;
   for (const Eigen::Vector2d& position : positions) {
-    square += (position - mean).squaredNorm() / static_cast<double>(positions.size());
+    square += (position - mean).squaredNorm() / double(positions.size());
     for (const Eigen::Vector2d& other : positions) {
       result.largest_distance_m = std::max(result.largest_distance_m, (position - other).norm());
     }
@@ -81,19 +81,14 @@ double clearance_m(const CollisionChecker& checker, const Eigen::MatrixXf& rollo
 PlanSpread::Closest closest_approach(const Plan& plan, const Rollouts& rollouts,
                                      const CollisionChecker& checker) {
   PlanSpread::Closest closest;
-  std::vector<Clearance> planned;
-  for (const PlanFrame& frame : plan.frames) {
-    planned.push_back(checker.clearance(frame.backbone));
-  }
+  const auto planned = mapped<Clearance>(
+      plan.frames, [&](const PlanFrame& frame) { return checker.clearance(frame.backbone); });
   const auto nearest = std::ranges::min_element(planned, {}, &Clearance::value_m);
   closest.gap = nearest->gap;
   closest.obstacle = nearest->obstacle;
-  closest.at = spread_of(rollouts, static_cast<int>(nearest - planned.begin()), nearest->gap,
-                         nearest->gap + 1);
-  std::vector<double> clearances;
-  for (const Eigen::MatrixXf& rollout : rollouts) {
-    clearances.push_back(clearance_m(checker, rollout));
-  }
+  closest.at = spread_of(rollouts, int(nearest - planned.begin()), nearest->gap, nearest->gap + 1);
+  const auto clearances = mapped<double>(
+      rollouts, [&](const Eigen::MatrixXf& rollout) { return clearance_m(checker, rollout); });
   closest.clearance = member_figures(clearances);
   return closest;
 }
@@ -114,10 +109,9 @@ std::optional<PlanSpread> plan_spread(const Plan& plan, const ArmDescription& ar
   PlanSpread spread;
   spread.members = ensemble.member_count();
   const int last = plan.frame_count() - 1;
-  std::vector<double> distances;
-  for (const Eigen::MatrixXf& rollout : rollouts) {
-    distances.push_back(pose_error(environment.goal, tip_pose(shape(rollout, last))).position_m);
-  }
+  const auto distances = mapped<double>(rollouts, [&](const Eigen::MatrixXf& rollout) {
+    return pose_error(environment.goal, tip_pose(shape(rollout, last))).position_m;
+  });
   spread.goal_distance = member_figures(distances);
   spread.end = spread_of(rollouts, last, 0, arm.point_count() - 1);
   if (!environment.obstacles.empty()) {

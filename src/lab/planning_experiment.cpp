@@ -18,8 +18,12 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/json_reader.hpp"
+#include "limber/common/mapped.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/version.hpp"
 #include "limber/lab/output_folder.hpp"
 #include "limber/lab/trial_run.hpp"
@@ -34,9 +38,6 @@
 namespace limber {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-namespace fs = std::filesystem;
 
 constexpr std::uint64_t kTrialSeed = 128;  // as the demo's plans
 constexpr const char* kExperimentFile = "experiment.json";
@@ -137,9 +138,8 @@ class Experiment {
 
   /// Where the trials of an environment lie.
   const fs::path& folder_of(const EnvironmentCase& item) const {
-    return settings_.parts.empty()
-               ? settings_.folder
-               : settings_.parts[static_cast<std::size_t>(&item - settings_.environments.data())];
+    return settings_.parts.empty() ? settings_.folder
+                                   : settings_.parts[&item - settings_.environments.data()];
   }
 
   /// Finished trials are only read.
@@ -229,7 +229,7 @@ class Experiment {
     }
     if (finished > 0) {
       settings_.say(fmt::format("{} of {} trials were already finished", finished,
-                                finished + static_cast<int>(open.size())));
+                                finished + int(open.size())));
     }
     PlanTrialSettings trial;
     trial.limits = settings_.limits;
@@ -289,10 +289,8 @@ class Experiment {
     ExperimentResults results(settings_, *output_);
     for (const EnvironmentCase& item : settings_.environments) {
       throw_if_interrupted();
-      std::vector<PlanTrial> trials;
-      for (const Task& task : tasks_in(item)) {
-        trials.push_back(read(task));
-      }
+      const auto trials =
+          mapped<PlanTrial>(tasks_in(item), [&](const Task& task) { return read(task); });
       results.add(item, trials);
     }
     return results.write();
@@ -312,53 +310,41 @@ class Experiment {
 }  // namespace
 
 void require_usable(const ExperimentSettings& settings) {
-  if (settings.trials < 1 || settings.trials > 100'000) {
-    throw InputError(fmt::format("--trials {}: expected 1 to 100000", settings.trials));
-  }
+  refuse_if(settings.trials < 1 || settings.trials > 100'000, "--trials {}: expected 1 to 100000",
+            settings.trials);
   require_margin(settings.room.margin_m.value_or(0.0));
   require_goal_margin(
       {settings.room.goal_margin_m.value_or(0.0), settings.room.goal_margin_rad.value_or(0.0)});
-  if (settings.planners.empty()) {
-    throw InputError("no planner given");
-  }
+  refuse_if(settings.planners.empty(), "no planner given");
   for (const std::string& planner : settings.planners) {
     (void)make_planner(planner);  // refuses an unknown one before any work
   }
-  if (settings.controllers.empty() || settings.disturbances.empty()) {
-    throw InputError("no controller or no disturbance given; \"\" is no disturbance");
-  }
+  refuse_if(settings.controllers.empty() || settings.disturbances.empty(),
+            "no controller or no disturbance given; \"\" is no disturbance");
   for (const std::string& controller : settings.controllers) {
     require_controller(controller);
   }
   for (const std::string& disturbance : settings.disturbances) {
     (void)parse_disturbances(disturbance);
   }
-  if (settings.environments.empty()) {
-    throw InputError("no environments to plan in");
-  }
+  refuse_if(settings.environments.empty(), "no environments to plan in");
   std::set<std::string> names;
   for (const EnvironmentCase& item : settings.environments) {
-    if (!names.insert(item.id).second) {
-      throw InputError(fmt::format("two environments are called {}; rename a file", item.id));
-    }
+    refuse_if(!names.insert(item.id).second, "two environments are called {}; rename a file",
+              item.id);
   }
   for (const std::string& name : names) {
-    if (names.contains(name + "_all")) {
-      throw InputError(fmt::format(
-          "environments {0} and {0}_all: a picture of the first would have the second's name; "
-          "rename a file",
-          name));
-    }
+    refuse_if(names.contains(name + "_all"),
+              "environments {0} and {0}_all: a picture of the first would have the second's name; "
+              "rename a file",
+              name);
   }
-  if (!settings.parts.empty() && settings.parts.size() != settings.environments.size()) {
-    throw InputError(fmt::format("--join: {} folders for {} environments; expected one for each",
-                                 settings.parts.size(), settings.environments.size()));
-  }
-  if (fs::exists(settings.folder / kExperimentFile) && !settings.resume && !settings.force) {
-    throw InputError(
-        fmt::format("{}: holds an experiment already: --resume continues it, --force replaces it",
-                    settings.folder.string()));
-  }
+  refuse_if(!settings.parts.empty() && settings.parts.size() != settings.environments.size(),
+            "--join: {} folders for {} environments; expected one for each", settings.parts.size(),
+            settings.environments.size());
+  refuse_if(fs::exists(settings.folder / kExperimentFile) && !settings.resume && !settings.force,
+            "{}: holds an experiment already: --resume continues it, --force replaces it",
+            settings.folder.string());
   for (const EnvironmentCase& item : settings.environments) {
     if (settings.forest) {
       require_forest_of(*settings.forest, settings.arm, settings.valves,

@@ -10,6 +10,8 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/json_reader.hpp"
 #include "limber/common/units.hpp"
 #include "limber/common/utf8.hpp"
@@ -19,9 +21,6 @@
 namespace limber {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-namespace fs = std::filesystem;
 
 constexpr std::uint64_t kAny = std::numeric_limits<std::uint64_t>::max();
 constexpr double kFarthest = 1e6;   // [m, rad]; nothing real comes near
@@ -96,17 +95,15 @@ void require_names(const JsonReader& json, const TrialKey& key) {
 
 Backbone read_backbone(const JsonReader& field, const ArmDescription& arm) {
   const std::vector<JsonReader> rows = field.elements("a list of poses [x_m, y_m, theta_rad]");
-  if (rows.size() != static_cast<std::size_t>(arm.point_count())) {
-    field.refuse(fmt::format("{} poses found; expected {}, one per plate of arm '{}'", rows.size(),
-                             arm.point_count(), arm.name));
-  }
+  field.refuse_if(rows.size() != std::size_t(arm.point_count()),
+                  "{} poses found; expected {}, one per plate of arm '{}'", rows.size(),
+                  arm.point_count(), arm.name);
   Backbone backbone(arm.point_count(), kPoseSize);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::vector<double> pose =
         rows[i].numbers(kPoseSize, "numbers [x_m, y_m, theta_rad]", -kFarthest, kFarthest);
     for (Eigen::Index k = 0; k < kPoseSize; ++k) {
-      backbone(static_cast<Eigen::Index>(i), k) =
-          static_cast<float>(pose[static_cast<std::size_t>(k)]);
+      backbone(Eigen::Index(i), k) = float(pose[k]);
     }
   }
   return backbone;

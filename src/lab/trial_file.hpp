@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "limber/common/filesystem.hpp"
 #include "limber/lab/output_folder.hpp"
 #include "limber/lab/planning_experiment.hpp"
 
@@ -30,7 +31,7 @@ void write_trial(OutputFolder& folder, const TrialKey& key, const PlanTrial& tri
                  const Environment& environment);
 
 /// Whether `write_trial` has finished.
-bool has_trial(const std::filesystem::path& folder, const std::string& id);
+bool has_trial(const fs::path& folder, const std::string& id);
 
 /// Names of its files.
 std::vector<std::string> trial_files(const std::string& id);
@@ -40,7 +41,7 @@ std::vector<std::string> trial_files(const std::string& id);
 /// @throws InputError naming file and field, and what to do, if the trial is damaged or another
 /// experiment's: where its key differs, or its plan is not the one that was written with it,
 /// certified, for this arm.
-PlanTrial read_trial(const std::filesystem::path& folder, const TrialKey& key,
-                     const ArmDescription& arm, const Environment& environment);
+PlanTrial read_trial(const fs::path& folder, const TrialKey& key, const ArmDescription& arm,
+                     const Environment& environment);
 
 }  // namespace limber

@@ -13,6 +13,7 @@
 #include "limber/arm/names.hpp"
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/common/units.hpp"
 #include "limber/data/log_units.hpp"
@@ -131,11 +132,10 @@ void require_base_gap(const std::string& log, const std::vector<bool>& tracked,
       "'{}' ({}) lies {:.4g} m and {:.0f} degrees off the base's heading from where 'alignment' "
       "has the base, in the median row; the arm file has {:.4g} m between them",
       tracks.names[1], plate_name(tracks.plates[1]), distance_m, turn_rad * kDegPerRad, rest_m);
-  if (distance_m > kLongestBaseGap * rest_m || turn_rad > kFarthestBaseTurn_rad) {
-    throw InputError(fmt::format(
-        "{}: {}. Are x_m and y_m in metres, heading_rad in radians, and all of the log's plane?",
-        log, found));
-  }
+  refuse_if(
+      distance_m > kLongestBaseGap * rest_m || turn_rad > kFarthestBaseTurn_rad,
+      "{}: {}. Are x_m and y_m in metres, heading_rad in radians, and all of the log's plane?", log,
+      found);
   if (distance_m > kLongestChord * rest_m || distance_m < kShortestChord * rest_m) {
     report.note("the base is not where the first point has it: is 'alignment' right?", found);
   }
@@ -179,14 +179,13 @@ void require_headings_along(const std::string& log, const std::vector<bool>& tra
     }
   }
   const double usual_rad = std::atan2(sum.y(), sum.x());
-  if (std::abs(usual_rad) > (has_arcs ? kMaxHeadingOff_rad : kMaxHeadingOffWithoutArcs_rad)) {
-    throw InputError(fmt::format(
-        "{}: the headings are {:.0f} degrees off the line from each point to the next, in the "
-        "mean; expected along it, from base to tip. Turn the tracked bodies, say with 'straight_s' "
-        "in the mapping's alignment when the arm lay straight, or leave the headings out with "
-        "'headings: tangent' in its backbone",
-        log, usual_rad * kDegPerRad));
-  }
+  refuse_if(
+      std::abs(usual_rad) > (has_arcs ? kMaxHeadingOff_rad : kMaxHeadingOffWithoutArcs_rad),
+      "{}: the headings are {:.0f} degrees off the line from each point to the next, in the "
+      "mean; expected along it, from base to tip. Turn the tracked bodies, say with 'straight_s' "
+      "in the mapping's alignment when the arm lay straight, or leave the headings out with "
+      "'headings: tangent' in its backbone",
+      log, usual_rad * kDegPerRad);
   if (has_arcs && std::abs(usual_rad) > kNotedHeadingOff_rad) {
     report.note("the headings are turned against the line from each point to the next, in the mean",
                 fmt::format("by {:.1f} degrees; 'straight_s' in the mapping's alignment takes it "

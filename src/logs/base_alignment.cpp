@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "limber/common/error.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/data/log_units.hpp"
 
@@ -78,10 +79,7 @@ class BaseFinder {
   }
 
   double median(const Eigen::MatrixXd& matrix) const {
-    std::vector<double> values;
-    for (const Eigen::Index t : rows_) {
-      values.push_back(matrix(t, 0));
-    }
+    auto values = mapped<double>(rows_, [&](const Eigen::Index t) { return matrix(t, 0); });
     return limber::median(std::move(values));
   }
 
@@ -213,10 +211,9 @@ void show_still_base(PointTracks& tracks, RunReport& report) {
   }
   const double middle_x_m = median(x_m);
   const double middle_y_m = median(y_m);
-  std::vector<double> off_m;
-  for (std::size_t i = 0; i < x_m.size(); ++i) {
-    off_m.push_back(std::hypot(x_m[i] - middle_x_m, y_m[i] - middle_y_m));
-  }
+  auto off_m = mapped<double>(x_m.size(), [&](std::size_t i) {
+    return std::hypot(x_m[i] - middle_x_m, y_m[i] - middle_y_m);
+  });
   if (quantile(std::move(off_m), kMostBaseRows) > kBaseStandsStill_m) {
     return;
   }

@@ -37,7 +37,7 @@ struct TurnRates {
 TurnRates rates_of(const Turns& turns, double difference_s) {
   const double start_s = turns.time_s.front() + 0.5 * difference_s;
   const double length_s = turns.time_s.back() - 0.5 * difference_s - start_s;
-  const auto count = static_cast<Eigen::Index>(std::max(0.0, length_s) * kClockRate_hz) + 1;
+  const auto count = Eigen::Index(std::max(0.0, length_s) * kClockRate_hz) + 1;
   TurnRates rates{start_s, Eigen::MatrixXd::Zero(count, turns.values.cols())};
   for (Eigen::Index k = 0; k < count; ++k) {
     const double time_s = start_s + double(k) / kClockRate_hz;
@@ -62,7 +62,7 @@ CommandTrack in_short_steps(const CommandTrack& commands) {
     double time_s = from_s;
     for (int step = 1; step == 1 || time_s < to_s; ++step) {
       result.time_s.push_back(time_s);
-      rows.push_back(static_cast<Eigen::Index>(t));
+      rows.push_back(Eigen::Index(t));
       time_s = from_s + step / kClockRate_hz;
     }
   }
@@ -127,8 +127,8 @@ Eigen::VectorXd normalised_correlation(const TurnRates& a, const TurnRates& b, b
   const std::vector<double> b_energy = energy_before(b.values);
   const Eigen::Index shorter = std::min(a.values.rows(), b.values.rows());
   const auto min_rows = std::min<Eigen::Index>(
-      shorter, static_cast<Eigen::Index>(
-                   std::max(kMinOverlap_s * kClockRate_hz, kMinOverlap * double(shorter))));
+      shorter,
+      Eigen::Index(std::max(kMinOverlap_s * kClockRate_hz, kMinOverlap * double(shorter))));
   for (Eigen::Index k = 0; k < sum.size(); ++k) {
     const Eigen::Index shift = k - (b.values.rows() - 1);
     const Eigen::Index begin = std::max<Eigen::Index>(0, shift);
@@ -148,7 +148,7 @@ struct Peak {
 
 /// The largest normalised correlation at most kPeakHalfWidth_s away from a shift.
 Peak peak_near(Eigen::Index around, const TurnRates& a, const TurnRates& b, bool signed_turns) {
-  const auto half = static_cast<Eigen::Index>(kPeakHalfWidth_s * kClockRate_hz);
+  const auto half = Eigen::Index(kPeakHalfWidth_s * kClockRate_hz);
   std::vector<double> values;
   for (Eigen::Index shift = around - half; shift <= around + half; ++shift) {
     const Eigen::Index begin = std::max<Eigen::Index>(0, shift);

@@ -29,10 +29,10 @@ double agreement(const LevelCorrelations& levels, const ArmDescription& arm, Eig
 
 void find_undecidable(const LevelCorrelations& levels, double given, Eigen::Index i,
                       FittedColumn& segment) {
-  const auto at = static_cast<std::size_t>(i);
+  const auto at = std::size_t(i);
   if (!levels.turned[at]) {
     segment.undecidable = Undecidable::turned_little;
-  } else if (!levels.changed[static_cast<std::size_t>(segment.column)]) {
+  } else if (!levels.changed[segment.column]) {
     segment.undecidable = Undecidable::told_little;
   } else if (segment.correlation < kWeak && levels.independent_rows(i, segment.column) > kOften) {
     segment.follows_weakly = true;
@@ -70,7 +70,7 @@ std::string fitting_mapping(const ColumnFit& fit, const CommandColumns& commands
   std::vector<std::string> first;
   std::vector<std::string> second;
   for (const FittedColumn& segment : fit.segments) {
-    const auto at = static_cast<std::size_t>(segment.column);
+    const auto at = std::size_t(segment.column);
     if (!commands.columns.empty()) {
       const std::string& name = commands.columns[at];
       first.push_back(!segment.turned ? name : name.starts_with('-') ? name.substr(1) : "-" + name);
@@ -137,7 +137,7 @@ double bends_left(const ArmDescription& arm, Eigen::Index segment) {
     case NoLoadKind::strain_polynomial:
       return -1.0;
     case NoLoadKind::curvature:
-      return arm.segments[static_cast<std::size_t>(segment)].curvature_per_unit > 0.0 ? 1.0 : -1.0;
+      return arm.segments[segment].curvature_per_unit > 0.0 ? 1.0 : -1.0;
     default:
       return 0.0;
   }
@@ -156,7 +156,7 @@ ColumnFit fit_columns(const LevelCorrelations& levels, const ArmDescription& arm
   for (Eigen::Index i = 0; i < n; ++i) {
     FittedColumn segment;
     segment.as_given = agreement(levels, arm, i, i);
-    segment.column = fit.belongs ? i : order[static_cast<std::size_t>(i)];
+    segment.column = fit.belongs ? i : order[i];
     const double r = agreement(levels, arm, i, segment.column);
     segment.turned = !fit.belongs && r < 0.0;
     segment.correlation = segment.turned ? -r : r;
@@ -173,7 +173,7 @@ void refuse_columns(const std::string& log, const ColumnFit& fit, const ImportMa
   bool turned = false;
   for (std::size_t i = 0; i < fit.segments.size(); ++i) {
     const FittedColumn& segment = fit.segments[i];
-    permuted = permuted || segment.column != static_cast<Eigen::Index>(i);
+    permuted = permuted || segment.column != Eigen::Index(i);
     turned = turned || segment.turned;
     all_turned = all_turned && (segment.turned || segment.undecidable != Undecidable::no);
   }

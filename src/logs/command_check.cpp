@@ -12,6 +12,7 @@
 #include "limber/arm/names.hpp"
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/data/log_units.hpp"
 #include "limber/logs/import_mapping.hpp"
@@ -60,11 +61,7 @@ Eigen::MatrixXd summed(const Eigen::MatrixXd& values, const Eigen::MatrixXd& sha
 }
 
 std::vector<std::string> sums_of(const ArmDescription& arm) {
-  std::vector<std::string> sums;
-  for (int i = 0; i < arm.channel_count(); ++i) {
-    sums.push_back(command_sum(arm, i));
-  }
-  return sums;
+  return mapped<std::string>(arm.channel_count(), [&](int i) { return command_sum(arm, i); });
 }
 
 constexpr double kOvershoot = 1.05;
@@ -114,7 +111,7 @@ std::string unit_advice(double ratio, const ImportMapping& mapping) {
 /// @throws InputError where so many rows are so far beyond the limit that it is another unit.
 void require_within(const std::string& log, const std::string& column, const ArmDescription& arm,
                     Eigen::Index i, const ColumnFacts& facts, const ImportMapping& mapping) {
-  const PressureLimits& limits = arm.limits_of_channel(static_cast<int>(i));
+  const PressureLimits& limits = arm.limits_of_channel(int(i));
   const double limit = limits.largest_kpa();
   const auto beyond = facts.sizes.end() -
                       std::upper_bound(facts.sizes.begin(), facts.sizes.end(), kFarBeyond * limit);
@@ -248,7 +245,7 @@ void check_commands(const std::string& log, const ImportMapping& mapping, const 
   int constant = 0;
   double max_ratio = 0.0;
   for (Eigen::Index i = 0; i < commands.values.cols(); ++i) {
-    const PressureLimits& limits = arm.limits_of_channel(static_cast<int>(i));
+    const PressureLimits& limits = arm.limits_of_channel(int(i));
     const double limit = limits.largest_kpa();
     const std::string name = name_of(mapping.commands, i);
     const ColumnFacts facts = facts_of(commands.values, i, limits);

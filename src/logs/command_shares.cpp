@@ -15,7 +15,10 @@
 #include "limber/arm/arm_commands.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/json.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/number_text.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/common/yaml_reader.hpp"
@@ -37,19 +40,17 @@ constexpr double kAlike = 0.99;        // of correlations
 constexpr double kMinExplained = 0.2;  // of a turn's variance; six motors' logs reach 0.9
 
 /// The names of the mapping's command columns.
-std::vector<std::string> own_commands(const std::filesystem::path& mapping) {
+std::vector<std::string> own_commands(const fs::path& mapping) {
   const YamlReader root = YamlReader::from_file(mapping);
   const YamlReader node = root.at(root.has("pressures") ? "pressures" : "commands");
-  if (!node.has("columns") && !node.has("setpoints")) {
-    node.refuse("expected 'columns', or 'setpoints', one for each of the arm's own commands");
-  }
+  node.refuse_if(!node.has("columns") && !node.has("setpoints"),
+                 "expected 'columns', or 'setpoints', one for each of the arm's own commands");
   std::vector<std::string> names;
   const YamlReader columns = node.at(node.has("columns") ? "columns" : "setpoints");
   for (const YamlReader& element : columns.elements()) {
     names.push_back(element.text());
-    if (names.back().starts_with('-')) {
-      element.refuse("expected a column without a sign: signs are what is looked for");
-    }
+    element.refuse_if(names.back().starts_with('-'),
+                      "expected a column without a sign: signs are what is looked for");
   }
   return names;
 }
@@ -64,10 +65,10 @@ ArmDescription with_commands(ArmDescription arm, const std::vector<std::string>&
 }
 
 /// Turns of segments and all command columns of the logs.
-LevelTable levels_in(const std::vector<std::filesystem::path>& logs, const ImportMapping& mapping,
+LevelTable levels_in(const std::vector<fs::path>& logs, const ImportMapping& mapping,
                      const ArmDescription& arm) {
   LevelTable levels;
-  for (const std::filesystem::path& log : logs) {
+  for (const fs::path& log : logs) {
     for (LogRun& run : read_csv_runs(log, mapping, arm, true)) {
       throw_if_interrupted();
       const std::string name = log.string();
@@ -176,10 +177,8 @@ LaggedRegression regress_levels(const LevelTable& levels) {
 
 /// Half of the 95 % interval of a slope, by the jackknife.
 double half_interval(const LaggedRegression& fit, Eigen::Index k, Eigen::Index i) {
-  std::vector<double> slopes;
-  for (const Regression& one : fit.left_out) {
-    slopes.push_back(one.slopes(k, i));
-  }
+  const auto slopes =
+      mapped<double>(fit.left_out, [&](const Regression& one) { return one.slopes(k, i); });
   return kTwoSided95 * jackknife_error(slopes);
 }
 
@@ -222,8 +221,8 @@ std::string commands_block(const ArmDescription& arm) {
 
 }  // namespace
 
-CommandShares find_command_shares(const std::vector<std::filesystem::path>& logs,
-                                  const std::filesystem::path& mapping, const ArmDescription& arm) {
+CommandShares find_command_shares(const std::vector<fs::path>& logs, const fs::path& mapping,
+                                  const ArmDescription& arm) {
   const std::vector<std::string> names = own_commands(mapping);
   const ArmDescription asked = with_commands(arm, names);
   const LevelTable levels = levels_in(logs, read_import_mapping(mapping, asked), asked);
@@ -236,13 +235,13 @@ CommandShares find_command_shares(const std::vector<std::filesystem::path>& logs
   const LaggedRegression fit = regress_levels(levels);
   CommandShares found;
   found.lag_s = fit.lag_s;
-  Eigen::MatrixXd shares(arm.segment_count(), static_cast<Eigen::Index>(names.size()));
+  Eigen::MatrixXd shares(arm.segment_count(), Eigen::Index(names.size()));
   for (int i = 0; i < arm.segment_count(); ++i) {
     shares.row(i) = shares_of_segment(fit, arm, i);
     found.explained.push_back(fit.all.explained[i]);
   }
   for (std::size_t k = 0; k < names.size(); ++k) {
-    const auto column = shares.col(static_cast<Eigen::Index>(k));
+    const auto column = shares.col(Eigen::Index(k));
     if (column.isZero(0.0)) {
       found.idle.push_back(names[k]);
     } else {
@@ -259,9 +258,9 @@ CommandShares find_command_shares(const std::vector<std::filesystem::path>& logs
   return found;
 }
 
-nlohmann::ordered_json to_json(const CommandShares& shares, const ArmDescription& arm) {
-  nlohmann::ordered_json json = {{"lag_s", shares.lag_s}, {"explained", shares.explained}};
-  json["commands"] = nlohmann::ordered_json::array();
+Json to_json(const CommandShares& shares, const ArmDescription& arm) {
+  Json json = {{"lag_s", shares.lag_s}, {"explained", shares.explained}};
+  json["commands"] = Json::array();
   for (const ArmCommand& command : shares.commands) {
     json["commands"].push_back({{"name", command.name}, {"shares", command.shares}});
   }

@@ -30,7 +30,7 @@ bool moves_away(const CommandTrack& commands, const CommandRows& rows, const Arm
     const auto column = commands.values.col(i).segment(rows.begin, rows.count).array();
     const double lowest = column.isFinite().select(column, HUGE_VAL).minCoeff();
     const double highest = column.isFinite().select(column, -HUGE_VAL).maxCoeff();
-    const double range = 2.0 * arm.limits_of_channel(static_cast<int>(i)).half_width_kpa();
+    const double range = 2.0 * arm.limits_of_channel(int(i)).half_width_kpa();
     if (highest - lowest > kMovedAway * range) {
       return true;
     }

@@ -6,6 +6,7 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "space_mapping.hpp"
 
@@ -43,14 +44,12 @@ std::vector<std::string> read_names(const YamlReader& node, std::size_t count,
   std::vector<std::string> names;
   for (const YamlReader& element : node.elements()) {
     const std::string name = element.text();
-    if (std::find(names.begin(), names.end(), name) != names.end()) {
-      element.refuse(fmt::format("'{}' is named twice", name));
-    }
+    element.refuse_if(std::find(names.begin(), names.end(), name) != names.end(),
+                      "'{}' is named twice", name);
     names.push_back(name);
   }
-  if (names.size() != count) {
-    node.refuse(fmt::format("{} columns found; expected {}, {}", names.size(), count, each));
-  }
+  node.refuse_if(names.size() != count, "{} columns found; expected {}, {}", names.size(), count,
+                 each);
   return names;
 }
 
@@ -110,8 +109,7 @@ void refuse_sides(const YamlReader& node, bool summed, const ArmDescription& arm
     }
     if (arm.is_spatial() && node.has(side)) {
       node.at(side).refuse(
-          "chambers of an arm in space have no sides: expected 'columns', one "
-          "for each chamber");
+          "chambers of an arm in space have no sides: expected 'columns', one for each chamber");
     }
   }
 }
@@ -124,10 +122,8 @@ std::vector<double> read_offsets(const YamlReader& node, std::size_t count,
     return {node.number(kMeaning)};
   }
   std::vector<double> offsets = node.numbers(kMeaning);
-  if (offsets.size() != count) {
-    node.refuse(fmt::format("{} numbers found; expected one for all, or {}, {}", offsets.size(),
-                            count, each));
-  }
+  node.refuse_if(offsets.size() != count, "{} numbers found; expected one for all, or {}, {}",
+                 offsets.size(), count, each);
   return offsets;
 }
 
@@ -137,8 +133,7 @@ CommandColumns read_commands(const YamlReader& node, const std::string& key,
       {"unit", "offset", "of", "columns", "right", "left", "setpoints", "measured", "time"});
   CommandColumns commands;
   commands.summed = read_summed(node, arm);
-  const std::size_t n =
-      commands.summed ? arm.commands.size() : static_cast<std::size_t>(arm.channel_count());
+  const std::size_t n = commands.summed ? arm.commands.size() : std::size_t(arm.channel_count());
   const std::string each = one_for_each(commands.summed, arm);
   commands.time = node.has("time") ? read_time(node.at("time")) : time;
   commands.unit = node.has("unit") ? node.at("unit").text() : arm.command.unit;
@@ -186,20 +181,16 @@ PointSource read_point(const YamlReader& node) {
   point.left = text("left");
   const int sources = int(!point.x.empty() && !point.y.empty()) + int(!point.body.empty()) +
                       int(!point.marker.empty()) + int(!point.right.empty() && !point.left.empty());
-  if (sources != 1) {
-    node.refuse(
-        "expected one of: x and y (columns of a CSV), body, marker, or right and left "
-        "(objects of a Motive file)");
-  }
+  node.refuse_if(sources != 1,
+                 "expected one of: x and y (columns of a CSV), body, marker, or right and left "
+                 "(objects of a Motive file)");
   return point;
 }
 
 std::vector<PointSource> read_points(const YamlReader& node, const ArmDescription& arm) {
   const std::vector<YamlReader> elements = node.elements();
   std::vector<PointSource> points = read_sources(elements, read_point);
-  if (points.size() < 2) {
-    node.refuse(fmt::format("{} points found; expected at least 2", points.size()));
-  }
+  node.refuse_if(points.size() < 2, "{} points found; expected at least 2", points.size());
   number_plates(node, elements, arm, false, points);
   return points;
 }
@@ -279,7 +270,7 @@ void read_backbone(const YamlReader& node, const ArmDescription& arm, ImportMapp
 
 }  // namespace
 
-ImportMapping read_import_mapping(const std::filesystem::path& path, const ArmDescription& arm) {
+ImportMapping read_import_mapping(const fs::path& path, const ArmDescription& arm) {
   const YamlReader root = YamlReader::from_file(path);
   root.require_schema(kSchema);
   root.refuse_unknown_keys({"schema", "separator", "decimal_comma", "skip_lines", "columns", "time",

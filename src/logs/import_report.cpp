@@ -10,6 +10,8 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "limber/arm/names.hpp"
+#include "limber/common/json.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/units.hpp"
 #include "shared_base.hpp"
 
@@ -17,7 +19,7 @@ namespace limber {
 
 namespace {
 
-nlohmann::ordered_json three(const Eigen::Vector3d& v) {
+Json three(const Eigen::Vector3d& v) {
   return {v.x(), v.y(), v.z()};
 }
 
@@ -50,8 +52,7 @@ std::string gap_text(const SpaceGapReport& gap, bool lifted) {
 
 std::string flips_text(const SpaceFlips& flips) {
   std::string text = fmt::format(
-      "\n  '{}' ({}) jumps while its place does not, by up to {:.0f} "
-      "degrees, first at {:.3f} s:",
+      "\n  '{}' ({}) jumps while its place does not, by up to {:.0f} degrees, first at {:.3f} s:",
       flips.point, plate_name(flips.plate), kDegPerRad * flips.largest_rad, flips.first_s);
   const char* separator = " ";
   const auto add = [&](std::int64_t count, const std::string& what) {
@@ -67,29 +68,27 @@ std::string flips_text(const SpaceFlips& flips) {
   return text;
 }
 
-nlohmann::ordered_json to_json(const SpaceRunReport& report) {
-  nlohmann::ordered_json json;
+Json to_json(const SpaceRunReport& report) {
+  Json json;
   json["base"] = {{"position_m", three(report.base_m)}, {"x_axis", three(report.x_axis)},
                   {"y_axis", three(report.y_axis)},     {"y_chosen", report.y_chosen},
                   {"tracked", report.base_tracked},     {"scatter_m", report.base_scatter_m}};
   json["rotations"] = report.lifted ? "lifted" : "measured";
-  json["gaps"] = nlohmann::ordered_json::array();
+  json["gaps"] = Json::array();
   for (const SpaceGapReport& gap : report.gaps) {
-    json["gaps"].push_back(
-        {{"from_plate", gap.from},
-         {"to_plate", gap.to},
-         {"arm_m", gap.arm_m},
-         {"length_m", gap.length_m},
-         {"shortest_m", gap.shortest_m},
-         {"longest_m", gap.longest_m},
-         {"off_arc_rad",
-          report.lifted ? nlohmann::ordered_json() : nlohmann::ordered_json(gap.off_arc_rad)}});
+    json["gaps"].push_back({{"from_plate", gap.from},
+                            {"to_plate", gap.to},
+                            {"arm_m", gap.arm_m},
+                            {"length_m", gap.length_m},
+                            {"shortest_m", gap.shortest_m},
+                            {"longest_m", gap.longest_m},
+                            {"off_arc_rad", report.lifted ? Json() : Json(gap.off_arc_rad)}});
   }
-  json["plates"] = nlohmann::ordered_json::array();
+  json["plates"] = Json::array();
   for (const SpacePlateReport& plate : report.plates) {
     json["plates"].push_back({{"plate", plate.plate}, {"strays_m", plate.strays_m}});
   }
-  json["flips"] = nlohmann::ordered_json::array();
+  json["flips"] = Json::array();
   for (const SpaceFlips& flips : report.flips) {
     json["flips"].push_back({{"point", flips.point},
                              {"plate", flips.plate},
@@ -135,13 +134,13 @@ std::string to_text(const SpaceRunReport& report) {
 constexpr std::size_t kFewLogs = 3;     // more of them get a line each
 constexpr double kNoteworthy = 0.9999;  // points tracked less often are listed
 
-nlohmann::ordered_json to_json(const RunReport& run) {
-  nlohmann::ordered_json json;
+Json to_json(const RunReport& run) {
+  Json json;
   json["log"] = run.name;
   json["rows"] = run.rows;
   json["rate_hz"] = run.rate_hz;
   json["duration_s"] = run.duration_s;
-  json["points"] = nlohmann::ordered_json::array();
+  json["points"] = Json::array();
   for (const PointReport& point : run.points) {
     json["points"].push_back(
         {{"name", point.name}, {"plate", point.plate}, {"tracked", point.tracked_share}});
@@ -165,7 +164,7 @@ nlohmann::ordered_json to_json(const RunReport& run) {
       json["clock"]["lag_s"] = run.clock->lag_s;
     }
   }
-  json["notes"] = nlohmann::ordered_json::array();
+  json["notes"] = Json::array();
   for (const ImportNote& note : run.notes) {
     json["notes"].push_back({{"what", note.what}, {"count", note.count}, {"first", note.first}});
   }
@@ -218,16 +217,12 @@ std::string to_text(const RunReport& run) {
                             run.episodes, run.frames, run.frames_not_tracked);
 }
 
-nlohmann::ordered_json to_json(const std::vector<SegmentCheck>& columns) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const SegmentCheck& segment : columns) {
-    json.push_back({{"correlation", segment.correlation},
-                    {"follows_weakly", segment.follows_weakly},
-                    {"undecidable", segment.undecidable.empty()
-                                        ? nlohmann::ordered_json()
-                                        : nlohmann::ordered_json(segment.undecidable)}});
-  }
-  return json;
+Json to_json(const std::vector<SegmentCheck>& columns) {
+  return mapped<Json>(columns, [&](const SegmentCheck& segment) {
+    return Json{{"correlation", segment.correlation},
+                {"follows_weakly", segment.follows_weakly},
+                {"undecidable", segment.undecidable.empty() ? Json() : Json(segment.undecidable)}};
+  });
 }
 
 std::string to_text(const std::vector<SegmentCheck>& columns) {
@@ -235,7 +230,7 @@ std::string to_text(const std::vector<SegmentCheck>& columns) {
   std::string notes;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const SegmentCheck& segment = columns[i];
-    const std::string name = segment_name(static_cast<Eigen::Index>(i));
+    const std::string name = segment_name(Eigen::Index(i));
     text += fmt::format("{} {:.2f}", i == 0 ? "" : ",", segment.correlation);
     if (segment.follows_weakly) {
       notes += fmt::format(
@@ -254,10 +249,9 @@ std::string to_text(const std::vector<SegmentCheck>& columns) {
 
 /// What of an arm in space tells a wrong file or tracker, in a few words.
 std::string few_words(const SpaceRunReport& report) {
-  std::int64_t flips = 0;
-  for (const SpaceFlips& body : report.flips) {
-    flips += body.hidden_rows + body.turned_rows + body.jumps;
-  }
+  const auto flips = sum_of<std::int64_t>(report.flips, [&](const SpaceFlips& body) {
+    return body.hidden_rows + body.turned_rows + body.jumps;
+  });
   double farthest = 0.0;  // from the arm file's length, a share of it
   double off_arc_rad = 0.0;
   for (const SpaceGapReport& gap : report.gaps) {
@@ -322,7 +316,7 @@ std::string episodes_to_text(const EpisodeErrors& errors) {
   std::string text = fmt::format(
       "simple model: its error at the tip is {:.2f} cm in the median episode\n", errors.median_cm);
   for (const int number : errors.outliers()) {
-    const EpisodeError& episode = errors.episodes[static_cast<std::size_t>(number)];
+    const EpisodeError& episode = errors.episodes[number];
     text +=
         fmt::format("  {} is broken: {}. limber train leaves it out\n", episode.name, episode.why);
   }
@@ -342,26 +336,21 @@ void RunReport::note(const std::string& what, const std::string& first, std::int
 }
 
 std::int64_t ImportReport::sum(std::int64_t RunReport::*number) const {
-  std::int64_t total = 0;
-  for (const RunReport& run : runs) {
-    total += run.*number;
-  }
-  return total;
+  return sum_of<std::int64_t>(runs, [&](const RunReport& run) { return run.*number; });
 }
 
-nlohmann::ordered_json to_json(const ImportReport& report) {
-  nlohmann::ordered_json json;
+Json to_json(const ImportReport& report) {
+  Json json;
   json["episodes"] = report.sum(&RunReport::episodes);
   json["frames"] = report.sum(&RunReport::frames);
   json["frames_not_tracked"] = report.sum(&RunReport::frames_not_tracked);
-  json["logs"] = nlohmann::ordered_json::array();
+  json["logs"] = Json::array();
   for (const RunReport& run : report.runs) {
     json["logs"].push_back(to_json(run));
   }
-  json["base"] = report.base ? to_json(*report.base) : nlohmann::ordered_json();
+  json["base"] = report.base ? to_json(*report.base) : Json();
   json["columns"] = to_json(report.columns);
-  json["episode_errors"] =
-      report.episode_errors ? to_json(*report.episode_errors) : nlohmann::ordered_json();
+  json["episode_errors"] = report.episode_errors ? to_json(*report.episode_errors) : Json();
   return json;
 }
 

@@ -80,7 +80,7 @@ double Turns::at(double asked_s, Eigen::Index column) const {
   if (after == time_s.begin() || after == time_s.end()) {
     return std::nan("");
   }
-  const auto b = static_cast<Eigen::Index>(after - time_s.begin());
+  const auto b = Eigen::Index(after - time_s.begin());
   if (held) {
     return values(b - 1, column);
   }
@@ -135,8 +135,7 @@ LevelTable levels_of(const BackboneTrack& motion, const CommandTrack& commands,
   const Turns told{commands.time_s, commands.values, !commands.measured};
   const double start_s = std::max(motion.time_s.front(), commands.time_s.front());
   const double end_s = std::min(motion.time_s.back(), commands.time_s.back());
-  const auto max_rows =
-      static_cast<Eigen::Index>(std::max(0.0, end_s - start_s) * kLevelRate_hz) + 1;
+  const auto max_rows = Eigen::Index(std::max(0.0, end_s - start_s) * kLevelRate_hz) + 1;
   const Eigen::Index n = arm.segment_count();
   const Eigen::Index columns = commands.values.cols();
   LevelTable levels{Eigen::MatrixXd(max_rows, n), Eigen::MatrixXd(max_rows, columns), {}};
@@ -176,7 +175,7 @@ Eigen::VectorXd cross_correlation(const Eigen::VectorXd& a, const Eigen::VectorX
     size *= 2;
   }
   const auto transform = [&](const Eigen::VectorXd& values) {
-    std::vector<double> padded(std::size_t(size), 0.0);
+    std::vector<double> padded(size, 0.0);
     std::copy(values.begin(), values.end(), padded.begin());
     std::vector<std::complex<double>> spectrum;
     Eigen::FFT<double>().fwd(spectrum, padded);
@@ -200,7 +199,7 @@ Eigen::VectorXd cross_correlation(const Eigen::VectorXd& a, const Eigen::VectorX
 LevelCorrelations correlate_levels(const LevelTable& levels, const ArmDescription& arm) {
   const Eigen::Index n = arm.segment_count();
   const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(n, n);
-  const std::vector<bool> nowhere(static_cast<std::size_t>(n), false);
+  const std::vector<bool> nowhere(n, false);
   LevelCorrelations result{none, none, none, nowhere, nowhere};
   if (levels.row_count() == 0) {
     return result;
@@ -210,7 +209,7 @@ LevelCorrelations correlate_levels(const LevelTable& levels, const ArmDescriptio
   std::vector<Eigen::VectorXd> turn_memory;
   std::vector<Eigen::VectorXd> command_memory;
   for (Eigen::Index i = 0; i < n; ++i) {
-    const auto at = static_cast<std::size_t>(i);
+    const auto at = std::size_t(i);
     result.turned[at] = turn.col(i).norm() > kMinTurn_rad * std::sqrt(double(turn.rows()));
     result.changed[at] = command.col(i).maxCoeff() - command.col(i).minCoeff() >
                          kMinChange * arm.segments[at].pressure_limit_kpa.half_width_kpa();

@@ -134,9 +134,8 @@ void refuse_slow_logs(const std::vector<std::string>& logs, const std::vector<do
                   "{:.4g} rows per second, the fastest has {:.4g}. How many frames per second "
                   "a model steps by is yours to choose (docs/importing.md): with frame_rate_hz "
                   "of the arm file at most {:.4g} all of them fit; or leave the slowest out",
-                  slow, logs.size(), arm.name, arm.frame_rate_hz,
-                  logs[static_cast<std::size_t>(slowest - rates_hz.begin())], *slowest,
-                  *std::max_element(rates_hz.begin(), rates_hz.end()), enough_hz));
+                  slow, logs.size(), arm.name, arm.frame_rate_hz, logs[slowest - rates_hz.begin()],
+                  *slowest, *std::max_element(rates_hz.begin(), rates_hz.end()), enough_hz));
 }
 
 void check_span(const std::string& log, const TimeColumn& time, const std::vector<double>& time_s,

@@ -14,7 +14,10 @@
 #include "command_check.hpp"
 #include "level_correlation.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/mapped.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/data/median_rate.hpp"
 #include "limber/data/simple_model.hpp"
 #include "log_clock.hpp"
@@ -31,21 +34,16 @@ namespace limber {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 void require_logs(const std::vector<fs::path>& logs) {
-  if (logs.empty()) {
-    throw InputError("no logs; expected at least one. Did the pattern that lists them match any?");
-  }
+  refuse_if(logs.empty(),
+            "no logs; expected at least one. Did the pattern that lists them match any?");
 }
 
 void require_options(const std::vector<fs::path>& logs, const ImportOptions& options) {
-  if (!options.command_logs.empty() && options.command_logs.size() != logs.size()) {
-    throw InputError(
-        fmt::format("{} motion logs and {} logs of commands (--pressures); "
-                    "expected one for each, in the same order",
-                    logs.size(), options.command_logs.size()));
-  }
+  refuse_if(!options.command_logs.empty() && options.command_logs.size() != logs.size(),
+            "{} motion logs and {} logs of commands (--pressures); "
+            "expected one for each, in the same order",
+            logs.size(), options.command_logs.size());
   if (options.time_offset_s && !std::isfinite(*options.time_offset_s)) {
     throw InputError(
         fmt::format("time offset {}; expected seconds, a finite number", *options.time_offset_s));
@@ -67,10 +65,8 @@ CommandTrack shifted(CommandTrack commands, double offset_s) {
 /// Says in the recording what it was made from, and how.
 void describe(const std::string& kind, const std::vector<fs::path>& logs,
               const ImportMapping& mapping, ImportResult& result) {
-  std::vector<std::string> names;
-  for (const fs::path& log : logs) {
-    names.push_back(log.filename().string());
-  }
+  const auto names =
+      mapped<std::string>(logs, [&](const fs::path& log) { return log.filename().string(); });
   result.recording.source = fmt::format("{} {}", kind, fmt::join(names, ", "));
   std::string clocks;
   for (const RunReport& run : result.report.runs) {
@@ -282,12 +278,10 @@ std::vector<RunOf<Tracks>> read_csv(const fs::path& log, std::size_t number,
     runs = read_csv_runs(log, options.mapping, arm, inside);
   }
   if (!inside) {
-    if (runs.size() > 1) {
-      throw InputError(
-          fmt::format("{}: {} recordings in one log, and commands in another file; "
-                      "expected one recording per file",
-                      log.string(), runs.size()));
-    }
+    refuse_if(runs.size() > 1,
+              "{}: {} recordings in one log, and commands in another file; "
+              "expected one recording per file",
+              log.string(), runs.size());
     runs.front().commands =
         read_command_log(options.command_logs[number], options.mapping, arm, runs.front().report);
   }
@@ -301,7 +295,7 @@ std::vector<RunOf<Tracks>> read_motive(const fs::path& log, std::size_t number,
   RunOf<Tracks>& run = runs.front();
   const MotiveTake take = read_motive_csv(log, run.report);
   run.report.name = log.filename().string();
-  run.report.rows = static_cast<std::int64_t>(take.time_s.size());
+  run.report.rows = std::int64_t(take.time_s.size());
   run.time = {"Time (Seconds)", 1.0, "s"};
   if constexpr (std::is_same_v<Tracks, SpaceTracks>) {
     run.points = space_motive_tracks(log.string(), take, options.mapping, arm, run.report);

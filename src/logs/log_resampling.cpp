@@ -56,7 +56,7 @@ class RowFinder {
     while (next_ + 1 < time_s_.size() && time_s_[next_ + 1] <= time_s + kRounding_s) {
       ++next_;
     }
-    const auto row = static_cast<Eigen::Index>(next_);
+    const auto row = Eigen::Index(next_);
     if (std::abs(time_s_[next_] - time_s) <= kRounding_s || next_ + 1 == time_s_.size()) {
       return {row, row, 0.0};
     }
@@ -108,9 +108,9 @@ struct Piece {
 };
 
 FrameMatrix stacked(const std::vector<Eigen::RowVectorXd>& rows) {
-  FrameMatrix matrix(static_cast<Eigen::Index>(rows.size()), rows.front().size());
+  FrameMatrix matrix(Eigen::Index(rows.size()), rows.front().size());
   for (std::size_t t = 0; t < rows.size(); ++t) {
-    matrix.row(static_cast<Eigen::Index>(t)) = rows[t].cast<float>();
+    matrix.row(Eigen::Index(t)) = rows[t].cast<float>();
   }
   return matrix;
 }
@@ -132,17 +132,16 @@ double noise_of(const FrameMatrix& values, Eigen::Index column) {
 Eigen::Index mean_of_frames(double noise, double change, Eigen::Index most) {
   constexpr double kNoNoise = 5.0;  // standard deviations
   const double frames = std::pow(kNoNoise * M_SQRT2 * noise / change, 2.0 / 3.0);
-  return std::clamp(static_cast<Eigen::Index>(std::ceil(std::min(frames, double(most)))),
-                    Eigen::Index{1}, most);
+  return std::clamp(Eigen::Index(std::ceil(std::min(frames, double(most)))), Eigen::Index{1}, most);
 }
 
 /// Whether each frame moves by more than `min_change` of the limits.
 std::vector<bool> moving_frames(const FrameMatrix& values, const ArmDescription& arm,
                                 double min_change) {
   constexpr double kLongestMean_s = 0.5;
-  std::vector<bool> moves(static_cast<std::size_t>(values.rows()), false);
+  std::vector<bool> moves(std::size_t(values.rows()), false);
   for (Eigen::Index i = 0; i < values.cols(); ++i) {
-    const double change = min_change * arm.limits_of_channel(static_cast<int>(i)).half_width_kpa();
+    const double change = min_change * arm.limits_of_channel(int(i)).half_width_kpa();
     const Eigen::Index mean_of =
         mean_of_frames(noise_of(values, i), change, std::max(arm.frames_in(kLongestMean_s), 1));
     for (Eigen::Index t = 1; t < values.rows(); ++t) {
@@ -151,7 +150,7 @@ std::vector<bool> moving_frames(const FrameMatrix& values, const ArmDescription&
       const double step = values.col(i).segment(t, after).cast<double>().mean() -
                           values.col(i).segment(t - before, before).cast<double>().mean();
       if (std::abs(step) > change * double(mean_of)) {
-        moves[static_cast<std::size_t>(t)] = true;
+        moves[t] = true;
       }
     }
   }
@@ -182,7 +181,7 @@ int still_frames_of(const FrameMatrix& setpoints, double frame_period_s) {
     return 1;
   }
   const double usual = median(std::move(apart));
-  return usual * frame_period_s > kSlowestPath_s ? 1 : static_cast<int>(2.0 * usual) - 1;
+  return usual * frame_period_s > kSlowestPath_s ? 1 : int(2.0 * usual) - 1;
 }
 
 /// Numbers of motions: a motion begins where something moves that stood still.
@@ -229,8 +228,8 @@ class Resampler {
     if (!(begin <= end && -begin <= kMaxFrameNumber && end <= kMaxFrameNumber)) {
       return {};
     }
-    const auto last = static_cast<std::int64_t>(end);
-    for (auto k = static_cast<std::int64_t>(begin); k <= last; ++k) {
+    const auto last = std::int64_t(end);
+    for (auto k = std::int64_t(begin); k <= last; ++k) {
       add_frame(double(k) * period_s);
     }
     finish_piece();
@@ -298,7 +297,7 @@ class Resampler {
       report_.note(
           "frames left out in pieces shorter than a second",
           fmt::format("{} frames from {:.3f} s", piece.time_s.size(), piece.time_s.front()),
-          static_cast<std::int64_t>(piece.time_s.size()));
+          std::int64_t(piece.time_s.size()));
       return;
     }
     if (lost_ > 0 && !episodes_.empty()) {
@@ -311,8 +310,8 @@ class Resampler {
 
   Episode episode_of(const Piece& piece) const {
     Episode episode;
-    episode.time_s = Eigen::Map<const Eigen::VectorXd>(
-        piece.time_s.data(), static_cast<Eigen::Index>(piece.time_s.size()));
+    episode.time_s =
+        Eigen::Map<const Eigen::VectorXd>(piece.time_s.data(), Eigen::Index(piece.time_s.size()));
     episode.pressure_kpa = stacked(piece.measured);
     episode.setpoints_only = !commands_.measured;
     episode.dimension = arm_.dimension;

@@ -9,6 +9,8 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/mapped.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/data/log_units.hpp"
 
@@ -58,8 +60,7 @@ void append(std::vector<std::string>& names, const std::vector<std::string>& mor
 void require_one_side(const LogTable& table, std::size_t row, const ArmDescription& arm,
                       Eigen::Index segment, double right, double left) {
   constexpr double kBothSides = 0.1;  // of the limit; gauges at rest read a little
-  const double limit =
-      arm.segments[static_cast<std::size_t>(segment)].pressure_limit_kpa.largest_kpa();
+  const double limit = arm.segments[segment].pressure_limit_kpa.largest_kpa();
   if (right > kBothSides * limit && left > kBothSides * limit) {  // not where one was not logged
     throw InputError(fmt::format(
         "{}: line {}: {} has {:.4g} {unit} on its right and {:.4g} {unit} on its left; limber's "
@@ -90,17 +91,15 @@ void sort_rows(const std::string& log, const std::vector<double>& time_s, RunRep
   }
   const std::string where = fmt::format("row {} at {:.6g} s follows {:.6g} s", order[first],
                                         time_s[order[first]], time_s[order[first - 1]]);
-  if (double(back) > kMaxOutOfOrder * double(order.size()) || farthest_s > kFarthestBack_s) {
-    throw InputError(fmt::format(
-        "{}: time goes back {} times, by up to {:.3g} s; first, {}. Is the column named in "
-        "'time' the time? Rows that were shuffled have to be sorted; a file that holds several "
-        "recordings needs a column that tells them apart, named in the mapping as 'recording'",
-        log, back, farthest_s, where));
-  }
+  refuse_if(double(back) > kMaxOutOfOrder * double(order.size()) || farthest_s > kFarthestBack_s,
+            "{}: time goes back {} times, by up to {:.3g} s; first, {}. Is the column named in "
+            "'time' the time? Rows that were shuffled have to be sorted; a file that holds several "
+            "recordings needs a column that tells them apart, named in the mapping as 'recording'",
+            log, back, farthest_s, where);
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return time_s[a] < time_s[b]; });
   report.note("rows out of order, sorted by time", fmt::format("{}: {}", log, where),
-              static_cast<std::int64_t>(back));
+              std::int64_t(back));
 }
 
 void drop_repeated_rows(const std::string& log, const std::vector<double>& time_s,
@@ -161,11 +160,7 @@ std::vector<RowGroup> group_rows(const LogTable& table) {
 
 std::vector<double> picked(const std::vector<double>& column, const std::vector<std::size_t>& rows,
                            double factor) {
-  std::vector<double> values;
-  for (const std::size_t row : rows) {
-    values.push_back(factor * column[row]);
-  }
-  return values;
+  return mapped<double>(rows, [&](const std::size_t row) { return factor * column[row]; });
 }
 
 std::vector<bool> rows_of_zeros(const LogTable& table, const RowGroup& group, std::size_t first,
@@ -214,9 +209,9 @@ void want_commands(const CommandColumns& commands, WantedColumns& wanted) {
 CommandTrack commands_of(const LogTable& table, std::size_t first, const RowGroup& group,
                          const ImportMapping& mapping, const ArmDescription& arm) {
   const CommandColumns& commands = mapping.commands;
-  const auto rows = static_cast<Eigen::Index>(group.rows.size());
-  const auto n = static_cast<Eigen::Index>(commands.columns.empty() ? arm.segments.size()
-                                                                    : commands.columns.size());
+  const auto rows = Eigen::Index(group.rows.size());
+  const auto n =
+      Eigen::Index(commands.columns.empty() ? arm.segments.size() : commands.columns.size());
   CommandTrack track;
   track.measured = commands.measured;
   track.values.resize(rows, n);
@@ -299,11 +294,9 @@ std::vector<std::size_t> rows_in_order(const std::string& log, const std::vector
   }
   sort_rows(log, time_s, report, order);
   drop_repeated_rows(log, time_s, report, order);
-  if (order.size() < 2) {
-    throw InputError(fmt::format(
-        "{}: {} rows with a time of their own; expected a recording of at least a second", log,
-        order.size()));
-  }
+  refuse_if(order.size() < 2,
+            "{}: {} rows with a time of their own; expected a recording of at least a second", log,
+            order.size());
   return order;
 }
 

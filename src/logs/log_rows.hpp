@@ -26,8 +26,8 @@ struct PointTracks {
   Eigen::MatrixXd y_m;             ///< T×k
   Eigen::MatrixXd theta_rad;       ///< T×k, wrapped or not; 0×0 if only positions were logged
 
-  int point_count() const { return static_cast<int>(plates.size()); }
-  Eigen::Index row_count() const { return static_cast<Eigen::Index>(time_s.size()); }
+  int point_count() const { return int(plates.size()); }
+  Eigen::Index row_count() const { return Eigen::Index(time_s.size()); }
   bool has_headings() const { return theta_rad.size() > 0; }
   bool is_tracked(Eigen::Index t, Eigen::Index i) const {
     return std::isfinite(x_m(t, i)) && std::isfinite(y_m(t, i)) &&
@@ -49,7 +49,7 @@ struct CommandTrack {
   Eigen::MatrixXd setpoint;    ///< T×n, or 0×0 if none were logged beside what was measured
   std::vector<double> motion;  ///< T numbers of motions, or empty
 
-  Eigen::Index row_count() const { return static_cast<Eigen::Index>(time_s.size()); }
+  Eigen::Index row_count() const { return Eigen::Index(time_s.size()); }
 };
 
 /// The whole backbone on the motion log's clock, every plate of the arm, in frame B. T rows.
@@ -61,7 +61,7 @@ struct BackboneTrack {
   std::vector<bool> bridged;   ///< T; a point of this row was put between its neighbours in time
   double usual_step_s = 0.0;   ///< between rows, by kUsualSteps; 0: the median step
 
-  Eigen::Index row_count() const { return static_cast<Eigen::Index>(time_s.size()); }
+  Eigen::Index row_count() const { return Eigen::Index(time_s.size()); }
 };
 
 /// Keeps these rows, in this order; what is empty stays empty.

@@ -8,6 +8,8 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "log_rows.hpp"
 #include "log_table.hpp"
 #include "longest_gap.hpp"
@@ -20,8 +22,8 @@ PointTracks points_of(const LogTable& table, const RowGroup& group, const Import
                       RunReport& report) {
   PointTracks tracks;
   tracks.time_s = picked(table.columns[0], group.rows, mapping.time.seconds_per_unit);
-  const auto k = static_cast<Eigen::Index>(mapping.points.size());
-  const auto rows = static_cast<Eigen::Index>(group.rows.size());
+  const auto k = Eigen::Index(mapping.points.size());
+  const auto rows = Eigen::Index(group.rows.size());
   tracks.x_m.resize(rows, k);
   tracks.y_m.resize(rows, k);
   const bool headings = !mapping.points.front().theta.empty();
@@ -53,13 +55,11 @@ PointTracks points_of(const LogTable& table, const RowGroup& group, const Import
   return tracks;
 }
 
-void require_csv_points(const std::filesystem::path& path, const ImportMapping& mapping) {
-  if (mapping.points.empty()) {
-    throw InputError(
-        fmt::format("{}: the mapping names no points; expected 'backbone: {{points: "
-                    "[{{x: COLUMN, y: COLUMN}}, …]}}', base first",
-                    path.string()));
-  }
+void require_csv_points(const fs::path& path, const ImportMapping& mapping) {
+  refuse_if(mapping.points.empty(),
+            "{}: the mapping names no points; expected 'backbone: {{points: "
+            "[{{x: COLUMN, y: COLUMN}}, …]}}', base first",
+            path.string());
   const bool headings = !mapping.points.front().theta.empty();
   for (const PointSource& point : mapping.points) {
     if (point.x.empty()) {
@@ -77,15 +77,14 @@ void require_csv_points(const std::filesystem::path& path, const ImportMapping& 
   }
 }
 
-bool has_column(const std::filesystem::path& path, const ImportMapping& mapping,
-                const std::string& name) {
+bool has_column(const fs::path& path, const ImportMapping& mapping, const std::string& name) {
   const std::vector<std::string> names = log_columns(path, mapping);
   return std::ranges::find(names, name) != names.end();
 }
 
 }  // namespace
 
-std::vector<LogRun> read_csv_runs(const std::filesystem::path& path, const ImportMapping& mapping,
+std::vector<LogRun> read_csv_runs(const fs::path& path, const ImportMapping& mapping,
                                   const ArmDescription& arm, bool with_commands) {
   require_csv_points(path, mapping);
   const auto want_points = [&](WantedColumns& wanted) {
@@ -103,7 +102,7 @@ std::vector<LogRun> read_csv_runs(const std::filesystem::path& path, const Impor
       });
 }
 
-CommandTrack read_command_log(const std::filesystem::path& path, const ImportMapping& mapping,
+CommandTrack read_command_log(const fs::path& path, const ImportMapping& mapping,
                               const ArmDescription& arm, RunReport& report) {
   WantedColumns wanted;
   wanted.names.push_back(mapping.commands.time.column);
@@ -152,12 +151,11 @@ void note_hidden_rows(const std::string& log, const LongestGap& longest_gap,
   if (lost > 0) {
     report.note("rows left out in which a point was missing for longer", {}, lost);
   }
-  if (lost == std::ssize(tracked)) {
-    throw InputError(fmt::format(
-        "{}: in none of the {} rows are all points tracked, or hidden for less than {} s. Leave "
-        "points that are often hidden out of the mapping",
-        log, tracked.size(), longest_gap));
-  }
+  refuse_if(
+      lost == std::ssize(tracked),
+      "{}: in none of the {} rows are all points tracked, or hidden for less than {} s. Leave "
+      "points that are often hidden out of the mapping",
+      log, tracked.size(), longest_gap);
 }
 
 }  // namespace limber

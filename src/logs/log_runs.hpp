@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "limber/common/filesystem.hpp"
 #include "limber/data/median_rate.hpp"
 #include "limber/logs/import_mapping.hpp"
 #include "limber/logs/import_report.hpp"
@@ -33,10 +34,9 @@ using LogRun = RunOf<PointTracks>;
 /// @param points_of  (table, group, report) to Tracks with their times
 /// @param with_commands  false if the commands come from another file
 template <class Tracks, class WantPoints, class PointsOf>
-std::vector<RunOf<Tracks>> read_runs(const std::filesystem::path& path,
-                                     const ImportMapping& mapping, const ArmDescription& arm,
-                                     bool with_commands, const WantPoints& want_points,
-                                     const PointsOf& points_of) {
+std::vector<RunOf<Tracks>> read_runs(const fs::path& path, const ImportMapping& mapping,
+                                     const ArmDescription& arm, bool with_commands,
+                                     const WantPoints& want_points, const PointsOf& points_of) {
   WantedColumns wanted;
   wanted.names.push_back(mapping.time.column);
   wanted.label = mapping.recording;
@@ -55,7 +55,7 @@ std::vector<RunOf<Tracks>> read_runs(const std::filesystem::path& path,
   for (const RowGroup& group : group_rows(table)) {
     RunOf<Tracks> run;
     run.report.name = path.filename().string() + (group.label.empty() ? "" : ", " + group.label);
-    run.report.rows = static_cast<std::int64_t>(group.rows.size());
+    run.report.rows = std::int64_t(group.rows.size());
     run.time = mapping.time;
     run.points = points_of(table, group, run.report);
     run.one_clock = with_commands;
@@ -76,11 +76,11 @@ std::vector<RunOf<Tracks>> read_runs(const std::filesystem::path& path,
 /// The recordings of one generic CSV, as its mapping says.
 /// @param with_commands  false if the commands come from another file.
 /// @throws InputError naming file, line and column.
-std::vector<LogRun> read_csv_runs(const std::filesystem::path& path, const ImportMapping& mapping,
+std::vector<LogRun> read_csv_runs(const fs::path& path, const ImportMapping& mapping,
                                   const ArmDescription& arm, bool with_commands);
 
 /// A log of commands alone.
-CommandTrack read_command_log(const std::filesystem::path& path, const ImportMapping& mapping,
+CommandTrack read_command_log(const fs::path& path, const ImportMapping& mapping,
                               const ArmDescription& arm, RunReport& report);
 
 /// Brings rows into the order of time: rows without a time and repeated times are left out, single

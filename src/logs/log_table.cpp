@@ -12,7 +12,9 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/csv_reader.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/printable.hpp"
+#include "limber/common/refuse_if.hpp"
 
 namespace limber {
 
@@ -38,7 +40,7 @@ bool is_missing(std::string_view text) {
 /// One log, its header read.
 class LogFile {
  public:
-  LogFile(const std::filesystem::path& path, const ImportMapping& mapping)
+  LogFile(const fs::path& path, const ImportMapping& mapping)
       : mapping_(mapping), csv_(CsvReader::from_file(path, mapping.separator)) {
     std::vector<CsvCell> row;
     for (int i = 0; i < mapping.skip_lines; ++i) {
@@ -77,7 +79,7 @@ class LogFile {
           "{}: column '{}' is there twice, as {} and {}; give them names of their own", csv_.name(),
           name, column_name(first - names_.begin()), column_name(second - names_.begin())));
     }
-    return static_cast<std::size_t>(first - names_.begin());
+    return std::size_t(first - names_.begin());
   }
 
   bool has(const std::string& name) const {
@@ -230,7 +232,7 @@ std::string read_row(const LogFile& file, const std::vector<CsvCell>& row,
 
 }  // namespace
 
-LogTable read_log_table(const std::filesystem::path& path, const ImportMapping& mapping,
+LogTable read_log_table(const fs::path& path, const ImportMapping& mapping,
                         const WantedColumns& wanted, RunReport& report) {
   LogFile file(path, mapping);
   const std::vector<Column> columns = columns_of(file, wanted, mapping);
@@ -266,17 +268,14 @@ LogTable read_log_table(const std::filesystem::path& path, const ImportMapping& 
   }
   if (bad > 0) {
     report.note("rows left out that can't be read",
-                fmt::format("{}: {}", path.filename().string(), first_bad),
-                static_cast<std::int64_t>(bad));
+                fmt::format("{}: {}", path.filename().string(), first_bad), std::int64_t(bad));
   }
   if (file.width() > file.names().size()) {
     report.note(
         "rows hold more numbers than the header has names: those beyond are left out",
         fmt::format("{} and {}; has the first column no name?", file.width(), file.names().size()));
   }
-  if (table.row_count() == 0) {
-    throw InputError(fmt::format("{}: no rows below the header", table.file));
-  }
+  refuse_if(table.row_count() == 0, "{}: no rows below the header", table.file);
   return table;
 }
 
@@ -286,8 +285,7 @@ bool are_too_many(std::size_t bad_rows, std::size_t rows) {
   return double(bad_rows) > kMaxBadRows * double(rows) && bad_rows > kBadRowsAlwaysLeftOut;
 }
 
-std::vector<std::string> log_columns(const std::filesystem::path& path,
-                                     const ImportMapping& mapping) {
+std::vector<std::string> log_columns(const fs::path& path, const ImportMapping& mapping) {
   return LogFile(path, mapping).names();
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "limber/common/filesystem.hpp"
 #include "limber/logs/import_mapping.hpp"
 #include "limber/logs/import_report.hpp"
 
@@ -30,14 +31,13 @@ struct WantedColumns {
 /// Reads the wanted columns: `names`, then `optional`. A row with a missing cell or a text where a
 /// number belongs is left out and noted; more than one row in a hundred is refused.
 /// @throws InputError naming file, line and column.
-LogTable read_log_table(const std::filesystem::path& path, const ImportMapping& mapping,
+LogTable read_log_table(const fs::path& path, const ImportMapping& mapping,
                         const WantedColumns& wanted, RunReport& report);
 
 /// More than one row in a hundred, and more than three.
 bool are_too_many(std::size_t bad_rows, std::size_t rows);
 
 /// Names of the columns of a log. @throws InputError as above.
-std::vector<std::string> log_columns(const std::filesystem::path& path,
-                                     const ImportMapping& mapping);
+std::vector<std::string> log_columns(const fs::path& path, const ImportMapping& mapping);
 
 }  // namespace limber

@@ -14,6 +14,7 @@
 #include "limber/arm/pose_size.hpp"
 #include "limber/common/csv_reader.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 #include "log_table.hpp"
 #include "motive_plates.hpp"
 
@@ -66,7 +67,7 @@ struct ColumnMeaning {
 
 class MotiveFile {
  public:
-  MotiveFile(const std::filesystem::path& path, RunReport& report)
+  MotiveFile(const fs::path& path, RunReport& report)
       : csv_(CsvReader::from_file(path)), report_(report) {}
 
   MotiveTake read() {
@@ -318,7 +319,7 @@ class MotiveFile {
   // ---- objects
 
   void fill(MotiveObject& object, std::size_t index) const {
-    const auto rows = static_cast<Eigen::Index>(take_.time_s.size());
+    const auto rows = Eigen::Index(take_.time_s.size());
     Eigen::MatrixXd numbers = Eigen::MatrixXd::Constant(rows, kSpacePoseSize, kNoNumber);
     std::array<bool, kSpacePoseSize> present{};
     for (std::size_t i = 0; i < columns_.size(); ++i) {
@@ -361,7 +362,7 @@ class MotiveFile {
 
 }  // namespace
 
-MotiveTake read_motive_csv(const std::filesystem::path& path, RunReport& report) {
+MotiveTake read_motive_csv(const fs::path& path, RunReport& report) {
   return MotiveFile(path, report).read();
 }
 

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "limber/common/filesystem.hpp"
 #include "limber/logs/import_report.hpp"
 
 namespace limber {
@@ -32,6 +33,6 @@ struct MotiveTake {
 /// relative Euler angles of any order in degrees.
 /// @throws InputError naming file and line: no header, format 1.1 and older, local coordinates,
 /// duplicate names, rotations that are no unit quaternions.
-MotiveTake read_motive_csv(const std::filesystem::path& path, RunReport& report);
+MotiveTake read_motive_csv(const fs::path& path, RunReport& report);
 
 }  // namespace limber

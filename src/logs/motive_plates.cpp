@@ -251,7 +251,7 @@ std::vector<PointSource> PlateFinder::default_points(const ArmDescription& arm) 
     std::sort(names.begin(), names.end(), natural_less);
     std::vector<PointSource> points(names.size());
     for (std::size_t i = 0; i < names.size(); ++i) {
-      points[i].plate = static_cast<int>(i);
+      points[i].plate = int(i);
       (bodies ? points[i].body : points[i].marker) = names[i];
     }
     report_.note("no mapping of plates: taken in the order of their names",
@@ -291,8 +291,8 @@ PointTracks motive_points(const std::string& log, const MotiveTake& take,
   const PlateFinder finder(log, take, report);
   const std::vector<PointSource> points = finder.points(mapping, arm);
   const Plane plane = plane_of(mapping.up);
-  const auto rows = static_cast<Eigen::Index>(take.time_s.size());
-  const auto k = static_cast<Eigen::Index>(points.size());
+  const auto rows = Eigen::Index(take.time_s.size());
+  const auto k = Eigen::Index(points.size());
   PointTracks tracks;
   tracks.time_s = take.time_s;
   tracks.x_m.resize(rows, k);
@@ -334,7 +334,7 @@ SpaceTracks space_motive_tracks(const std::string& log, const MotiveTake& take,
                                 RunReport& report) {
   const PlateFinder finder(log, take, report);
   const std::vector<PointSource> points = finder.points(mapping, arm);
-  const auto rows = static_cast<Eigen::Index>(take.time_s.size());
+  const auto rows = Eigen::Index(take.time_s.size());
   SpaceTracks tracks;
   tracks.time_s = take.time_s;
   tracks.poses.resize(rows, kSpacePoseSize * std::ssize(points));

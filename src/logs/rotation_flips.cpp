@@ -163,7 +163,7 @@ class BodyRotations {
     for (const std::size_t m : of_row) {
       ++count[m];
     }
-    const auto usual = static_cast<std::size_t>(std::ranges::max_element(count) - count.begin());
+    const auto usual = std::size_t(std::ranges::max_element(count) - count.begin());
     const Eigen::Quaterniond to_usual = backs[usual].conjugate();
     for (std::size_t j = 0; j < rows_.size(); ++j) {
       if (of_row[j] != usual) {
@@ -174,7 +174,7 @@ class BodyRotations {
             {tracks_.position_m(rows_[j], point_), rotation(j) * backs[of_row[j]] * to_usual});
       }
     }
-    flips_.kinds = static_cast<std::int64_t>(backs.size()) - 1;
+    flips_.kinds = std::int64_t(backs.size()) - 1;
   }
 
   double length_m_;

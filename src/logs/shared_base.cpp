@@ -10,6 +10,8 @@
 #include "backbone_building.hpp"
 #include "base_alignment.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/json.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/common/units.hpp"
 #include "limber/data/log_units.hpp"
@@ -123,11 +125,10 @@ std::optional<LogsBase> share_base(const ImportMapping& mapping, const ArmDescri
     sightings.push_back(sight_base(name, std::move(points), mapping, arm));
   });
   const std::vector<Pose> bases = bases_of(sightings);
-  std::vector<Place> places;
-  for (const Pose& base : bases) {
-    places.push_back(
-        {{base.x_m, base.y_m, 0.0}, {std::cos(base.theta_rad), std::sin(base.theta_rad), 0.0}});
-  }
+  const auto places = mapped<Place>(bases, [&](const Pose& base) {
+    return Place{{base.x_m, base.y_m, 0.0},
+                 {std::cos(base.theta_rad), std::sin(base.theta_rad), 0.0}};
+  });
   const std::optional<SharedPlace> shared = shared_place(places);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const Place& place = shared && shared->has_it[i] ? shared->place : places[i];
@@ -177,7 +178,7 @@ std::optional<LogsBase> share_base(const ImportMapping& mapping, const ArmDescri
   return report;
 }
 
-nlohmann::ordered_json to_json(const LogsBase& shared) {
+Json to_json(const LogsBase& shared) {
   return {{"alignment", shared.alignment},
           {"logs", shared.logs},
           {"most_off_m", shared.most_off_m},

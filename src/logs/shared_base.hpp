@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "limber/common/json.hpp"
 #include "limber/logs/import_mapping.hpp"
 #include "limber/logs/import_report.hpp"
 #include "log_runs.hpp"
@@ -34,7 +35,7 @@ std::optional<LogsBase> share_base(const ImportMapping& mapping, const ArmDescri
 std::optional<LogsBase> share_base(const ImportMapping& mapping, const ArmDescription& arm,
                                    std::vector<ReadRun<SpaceTracks>>& runs);
 
-nlohmann::ordered_json to_json(const LogsBase& shared);
+Json to_json(const LogsBase& shared);
 /// A line. @param runs  all logs
 std::string to_text(const LogsBase& shared, std::ptrdiff_t runs);
 

@@ -9,6 +9,8 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/mapped.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/data/log_units.hpp"
 #include "space_mapping.hpp"
@@ -53,10 +55,8 @@ Eigen::Vector3d median_position_m(const SpaceTracks& tracks, Eigen::Index point,
                                   const std::vector<Eigen::Index>& rows) {
   Eigen::Vector3d result;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    std::vector<double> values;
-    for (const Eigen::Index t : rows) {
-      values.push_back(tracks.position_m(t, point)[axis]);
-    }
+    auto values = mapped<double>(
+        rows, [&](const Eigen::Index t) { return tracks.position_m(t, point)[axis]; });
     result[axis] = median(std::move(values));
   }
   return result;
@@ -66,10 +66,8 @@ Eigen::Vector3d median_position_m(const SpaceTracks& tracks, Eigen::Index point,
 /// fewer ones, do not count. @pre at least one row
 Eigen::Quaterniond mean_rotation(const SpaceTracks& tracks, Eigen::Index point,
                                  const std::vector<Eigen::Index>& rows) {
-  std::vector<Eigen::Quaterniond> rotations;
-  for (const Eigen::Index t : rows) {
-    rotations.push_back(tracks.rotation(t, point));
-  }
+  auto rotations = mapped<Eigen::Quaterniond>(
+      rows, [&](const Eigen::Index t) { return tracks.rotation(t, point); });
   std::vector<Eigen::Quaterniond> sample;
   const std::size_t step = 1 + rotations.size() / kRotationSample;
   for (std::size_t i = 0; i < rotations.size(); i += step) {
@@ -78,10 +76,8 @@ Eigen::Quaterniond mean_rotation(const SpaceTracks& tracks, Eigen::Index point,
   Eigen::Quaterniond middle = sample.front();
   double least = std::numeric_limits<double>::max();
   for (const Eigen::Quaterniond& candidate : sample) {
-    double sum = 0.0;
-    for (const Eigen::Quaterniond& other : sample) {
-      sum += candidate.angularDistance(other);
-    }
+    const auto sum = sum_of<double>(
+        sample, [&](const Eigen::Quaterniond& other) { return candidate.angularDistance(other); });
     if (sum < least) {
       least = sum;
       middle = candidate;
@@ -135,12 +131,10 @@ SpaceFrame find_frame(const std::string& log, const SpaceAlignment& alignment,
                               ? *alignment.position_m
                               : median_position_m(tracks, 0, required_rows(log, tracks, 0));
   if (alignment.kind == SpaceAlignment::Kind::base) {
-    if (!tracks.tracks_base() || !tracks.has_rotation.front()) {
-      throw InputError(fmt::format(
-          "{}: plate 0, the base, has no rotation; expected where the arm points, as in "
-          "'alignment: {{x_axis: [x, y, z]}}' or '{{rest_s: [from, to]}}'",
-          log));
-    }
+    refuse_if(!tracks.tracks_base() || !tracks.has_rotation.front(),
+              "{}: plate 0, the base, has no rotation; expected where the arm points, as in "
+              "'alignment: {{x_axis: [x, y, z]}}' or '{{rest_s: [from, to]}}'",
+              log);
     frame.X_LB.rotation = mean_rotation(tracks, 0, required_rows(log, tracks, 0));
     return frame;
   }
@@ -169,10 +163,8 @@ SpaceFrame find_frame(const std::string& log, const SpaceAlignment& alignment,
 double base_scatter_m(const std::string& log, const SpaceTracks& tracks) {
   const std::vector<Eigen::Index> rows = required_rows(log, tracks, 0);
   const Eigen::Vector3d middle = median_position_m(tracks, 0, rows);
-  std::vector<double> off_m;
-  for (const Eigen::Index t : rows) {
-    off_m.push_back((tracks.position_m(t, 0) - middle).norm());
-  }
+  auto off_m = mapped<double>(
+      rows, [&](const Eigen::Index t) { return (tracks.position_m(t, 0) - middle).norm(); });
   return quantile(std::move(off_m), kMostRows);
 }
 

@@ -14,6 +14,8 @@
 #include "limber/arm/names.hpp"
 #include "limber/arm/space_pose.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/mapped.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/common/units.hpp"
 #include "limber/data/log_units.hpp"
@@ -83,14 +85,13 @@ class GapMeasurement {
     }
     for (std::size_t i = 0; i < gaps_.size(); ++i) {
       const double off_rad = median(gaps_[i].off_x_rad);
-      if (off_rad > kFarthestOffX_rad) {
-        throw InputError(fmt::format(
-            "{}: seen from {}, {} lies {:.0f} degrees off the x axis in the median row; expected "
-            "at most {:.0f}: x points along the straight arm, to its tip. Say where it does with "
-            "'alignment: {{x_axis: [x, y, z]}}' or '{{rest_s: [from, to]}}'; bodies' rotations "
-            "then count from the log's axes, or from the rest",
-            log, name(i), name(i + 1), off_rad * kDegPerRad, kFarthestOffX_rad * kDegPerRad));
-      }
+      refuse_if(
+          off_rad > kFarthestOffX_rad,
+          "{}: seen from {}, {} lies {:.0f} degrees off the x axis in the median row; expected "
+          "at most {:.0f}: x points along the straight arm, to its tip. Say where it does with "
+          "'alignment: {{x_axis: [x, y, z]}}' or '{{rest_s: [from, to]}}'; bodies' rotations "
+          "then count from the log's axes, or from the rest",
+          log, name(i), name(i + 1), off_rad * kDegPerRad, kFarthestOffX_rad * kDegPerRad);
     }
   }
 
@@ -225,10 +226,9 @@ void measure_strays(const BackboneTrack& track, const std::vector<int>& plates,
       }
     }
     const Eigen::Vector3d middle(median(places[0]), median(places[1]), median(places[2]));
-    std::vector<double> off_m;
-    for (std::size_t i = 0; i < places[0].size(); ++i) {
-      off_m.push_back((Eigen::Vector3d(places[0][i], places[1][i], places[2][i]) - middle).norm());
-    }
+    auto off_m = mapped<double>(places[0].size(), [&](std::size_t i) {
+      return (Eigen::Vector3d(places[0][i], places[1][i], places[2][i]) - middle).norm();
+    });
     report.plates.push_back({plate, quantile(std::move(off_m), kStrayShare)});
   }
 }

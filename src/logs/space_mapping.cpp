@@ -28,9 +28,8 @@ bool names_all(const YamlReader& node, std::initializer_list<const char*> keys) 
 
 std::vector<std::string> read_rotation(const YamlReader& node, const EulerAngles& euler) {
   const bool quaternion = names_all(node, {"qx", "qy", "qz", "qw"});
-  if (quaternion && node.has("euler")) {
-    node.refuse("a quaternion and Euler angles found; expected one of both");
-  }
+  node.refuse_if(quaternion && node.has("euler"),
+                 "a quaternion and Euler angles found; expected one of both");
   std::vector<std::string> columns;
   if (quaternion) {
     columns = {node.at("qx").text(), node.at("qy").text(), node.at("qz").text(),
@@ -74,11 +73,9 @@ PointSource read_space_point(const YamlReader& node, const EulerAngles& euler) {
       {"plate", "x", "y", "z", "qx", "qy", "qz", "qw", "euler", "body", "marker"});
   PointSource point;
   const bool columns = names_all(node, {"x", "y", "z"});
-  if (int(columns) + int(node.has("body")) + int(node.has("marker")) != 1) {
-    node.refuse(
-        "expected one of: x, y and z (columns of a CSV), body, or marker (objects of a Motive "
-        "file)");
-  }
+  node.refuse_if(
+      int(columns) + int(node.has("body")) + int(node.has("marker")) != 1,
+      "expected one of: x, y and z (columns of a CSV), body, or marker (objects of a Motive file)");
   if (columns) {
     point.x = node.at("x").text();
     point.y = node.at("y").text();
@@ -119,13 +116,9 @@ std::vector<PointSource> read_space_points(const YamlReader& node, const ArmDesc
   std::vector<PointSource> points = read_sources(elements, [&](const YamlReader& element) {
     return read_space_point(element, mapping.euler);
   });
-  if (points.empty()) {
-    node.refuse("no points found; expected at least the arm's end");
-  }
+  node.refuse_if(points.empty(), "no points found; expected at least the arm's end");
   number_plates(node, elements, arm, true, points);
-  if (points.back().plate == 0) {
-    node.refuse("plate 0 alone found; expected at least the arm's end");
-  }
+  node.refuse_if(points.back().plate == 0, "plate 0 alone found; expected at least the arm's end");
   if (mapping.headings_measured) {
     require_alike(elements, points);
   }
@@ -148,26 +141,21 @@ void read_space_backbone(const YamlReader& node, const ArmDescription& arm,
 
 Eigen::Vector3d read_three(const YamlReader& node, const char* meaning) {
   const std::vector<double> numbers = node.numbers(meaning);
-  if (numbers.size() != 3) {
-    node.refuse(
-        fmt::format("{} numbers found; expected 3, x, y and z in the log's frame", numbers.size()));
-  }
+  node.refuse_if(numbers.size() != 3, "{} numbers found; expected 3, x, y and z in the log's frame",
+                 numbers.size());
   return {numbers[0], numbers[1], numbers[2]};
 }
 
 Eigen::Vector3d read_axis(const YamlReader& node) {
   const Eigen::Vector3d axis = read_three(node, "a part of a direction");
-  if (!(axis.norm() > 0.0)) {
-    node.refuse("[0, 0, 0] found; expected a direction in the log's frame");
-  }
+  node.refuse_if(!(axis.norm() > 0.0), "[0, 0, 0] found; expected a direction in the log's frame");
   return axis.normalized();
 }
 
 Eigen::Vector2d read_rest(const YamlReader& node) {
   const std::vector<double> times = node.numbers("a time in s");
-  if (times.size() != 2 || times[1] <= times[0]) {
-    node.refuse("expected [from, to] in s, rising: when the arm hung straight");
-  }
+  node.refuse_if(times.size() != 2 || times[1] <= times[0],
+                 "expected [from, to] in s, rising: when the arm hung straight");
   return {times[0], times[1]};
 }
 
@@ -192,9 +180,8 @@ SpaceAlignment read_space_alignment(const YamlReader& node) {
   node.read_if_there("x_axis", alignment.x_axis, read_axis);
   node.read_if_there("y_axis", alignment.y_axis, read_axis);
   node.read_if_there("rest_s", alignment.rest_s, read_rest);
-  if (!alignment.x_axis && !alignment.rest_s) {
-    node.refuse(fmt::format("neither x_axis nor rest_s found; {}", kAllowed));
-  }
+  node.refuse_if(!alignment.x_axis && !alignment.rest_s, "neither x_axis nor rest_s found; {}",
+                 kAllowed);
   if (alignment.x_axis && alignment.y_axis &&
       alignment.x_axis->cross(*alignment.y_axis).norm() < kParallelAxes) {
     node.at("y_axis").refuse("lies along x_axis; expected a direction to the left of it");
@@ -271,14 +258,14 @@ void number_plates(const YamlReader& node, const std::vector<YamlReader>& elemen
                    const ArmDescription& arm, bool untracked_base,
                    std::vector<PointSource>& points) {
   const int last = arm.point_count() - 1;
-  const int count = static_cast<int>(points.size());
+  const int count = int(points.size());
   const bool all_but_base = untracked_base && count == last;
   const bool all = count == arm.point_count() || all_but_base;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (elements[i].has("plate")) {
       points[i].plate = elements[i].at("plate").integer("a plate of the arm, 0 the base", 0, last);
     } else if (all) {
-      points[i].plate = static_cast<int>(i) + int(all_but_base);
+      points[i].plate = int(i) + int(all_but_base);
     } else {
       node.refuse(
           fmt::format("{} points found; arm '{}' has {} plates: say which plate each point "

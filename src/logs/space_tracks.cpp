@@ -9,6 +9,7 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/data/median_rate.hpp"
 
 namespace limber {
@@ -57,7 +58,7 @@ void note_bad_quaternions(const LogTable& table, std::size_t rows, const PointSo
   report.note(
       "quaternions that don't have the length 1: not tracked",
       fmt::format("line {}, {}: {:.4g}", bad.first_line, plate_name(point.plate), bad.first_length),
-      static_cast<std::int64_t>(bad.count));
+      std::int64_t(bad.count));
 }
 
 }  // namespace
@@ -74,12 +75,11 @@ void keep_rows(SpaceTracks& tracks, const std::vector<std::size_t>& order) {
 
 void want_space_points(const std::string& log, const ImportMapping& mapping,
                        WantedColumns& wanted) {
-  if (mapping.points.empty()) {
-    throw InputError(fmt::format(
-        "{}: the mapping names no points; expected 'backbone: {{points: [{{x: COLUMN, y: COLUMN, "
-        "z: COLUMN}}, …]}}', base first, with qx, qy, qz, qw or euler where they were logged",
-        log));
-  }
+  refuse_if(
+      mapping.points.empty(),
+      "{}: the mapping names no points; expected 'backbone: {{points: [{{x: COLUMN, y: COLUMN, "
+      "z: COLUMN}}, …]}}', base first, with qx, qy, qz, qw or euler where they were logged",
+      log);
   for (const PointSource& point : mapping.points) {
     if (point.x.empty()) {
       throw InputError(fmt::format(
@@ -94,19 +94,19 @@ void want_space_points(const std::string& log, const ImportMapping& mapping,
 SpaceTracks space_tracks_of(const LogTable& table, const RowGroup& group,
                             const ImportMapping& mapping, RunReport& report) {
   SpaceTracks tracks;
-  const auto rows = static_cast<Eigen::Index>(group.rows.size());
-  tracks.poses.resize(rows, kSpacePoseSize * static_cast<Eigen::Index>(mapping.points.size()));
+  const auto rows = Eigen::Index(group.rows.size());
+  tracks.poses.resize(rows, kSpacePoseSize * Eigen::Index(mapping.points.size()));
   tracks.time_s = picked(table.columns[0], group.rows, mapping.time.seconds_per_unit);
   std::size_t column = 1;
   for (Eigen::Index i = 0; i < std::ssize(mapping.points); ++i) {
     const PointSource& point = mapping.points[std::size_t(i)];
-    const auto turns = static_cast<Eigen::Index>(point.rotation.size());
+    const auto turns = Eigen::Index(point.rotation.size());
     tracks.names.push_back(point.x);
     tracks.plates.push_back(point.plate);
     tracks.has_rotation.push_back(turns > 0);
     Eigen::VectorXd numbers(3 + turns);
-    const std::vector<bool> zeros = rows_of_zeros(
-        table, group, column, static_cast<std::size_t>(numbers.size()), point, mapping, report);
+    const std::vector<bool> zeros =
+        rows_of_zeros(table, group, column, std::size_t(numbers.size()), point, mapping, report);
     BadQuaternions bad;
     for (Eigen::Index t = 0; t < rows; ++t) {
       const std::size_t row = group.rows[std::size_t(t)];
@@ -131,7 +131,7 @@ SpaceTracks space_tracks_of(const LogTable& table, const RowGroup& group,
       }
     }
     note_bad_quaternions(table, group.rows.size(), point, bad, report);
-    column += static_cast<std::size_t>(numbers.size());
+    column += std::size_t(numbers.size());
   }
   return tracks;
 }
@@ -142,11 +142,11 @@ std::int64_t drop_repeated_poses(SpaceTracks& tracks) {
   for (Eigen::Index t = 1; t < tracks.row_count(); ++t) {
     const std::size_t before = kept.back();
     const bool soon = tracks.time_s[std::size_t(t)] - tracks.time_s[before] < shortest_s;
-    if (!soon || tracks.poses.row(t) != tracks.poses.row(static_cast<Eigen::Index>(before))) {
-      kept.push_back(static_cast<std::size_t>(t));
+    if (!soon || tracks.poses.row(t) != tracks.poses.row(Eigen::Index(before))) {
+      kept.push_back(std::size_t(t));
     }
   }
-  const auto dropped = static_cast<std::int64_t>(tracks.time_s.size() - kept.size());
+  const auto dropped = std::int64_t(tracks.time_s.size() - kept.size());
   if (dropped > 0) {
     keep_rows(tracks, kept);
   }
@@ -170,8 +170,7 @@ Eigen::Quaterniond rotation_of_euler(const std::string& order, const Eigen::Vect
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
   for (std::size_t turn = 0; turn < order.size(); ++turn) {
     const Eigen::Vector3d axis = Eigen::Vector3d::Unit(order[turn] - 'x');
-    rotation =
-        rotation * rotation_of_vector<double>(angles_rad[static_cast<Eigen::Index>(turn)] * axis);
+    rotation = rotation * rotation_of_vector<double>(angles_rad[Eigen::Index(turn)] * axis);
   }
   return rotation;
 }

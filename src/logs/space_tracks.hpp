@@ -21,8 +21,8 @@ struct SpaceTracks {
   Eigen::MatrixXd poses;           ///< T×7k; a point without rotations has those of no turn
   std::vector<bool> has_rotation;  ///< k
 
-  Eigen::Index point_count() const { return static_cast<Eigen::Index>(plates.size()); }
-  Eigen::Index row_count() const { return static_cast<Eigen::Index>(time_s.size()); }
+  Eigen::Index point_count() const { return Eigen::Index(plates.size()); }
+  Eigen::Index row_count() const { return Eigen::Index(time_s.size()); }
   /// Of all plates but the base, and so of the tip.
   bool has_rotations() const { return has_rotation.back(); }
   bool tracks_base() const { return plates.front() == 0; }

@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/number_text.hpp"
 #include "limber/common/printable.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/units.hpp"
 #include "limber/network/arm_gain.hpp"
 #include "refusal.hpp"
@@ -43,11 +45,9 @@ void change_arm(CompensationModel& model, const Eigen::VectorXf& e, bool to_arm)
 /// @param columns  how many the tensor should have, in words where there is a choice
 void validate(const Eigen::MatrixXf& tensor, const char* name, Eigen::Index units, bool fits,
               const std::string& columns, const std::string& where) {
-  if (!fits || tensor.rows() != units) {
-    refuse(where, fmt::format("tensor {} is {} by {}; expected {}, the units of the hidden layers, "
-                              "by {}",
-                              name, tensor.rows(), tensor.cols(), units, columns));
-  }
+  refuse_if(!fits || tensor.rows() != units,
+            "{}: tensor {} is {} by {}; expected {}, the units of the hidden layers, by {}", where,
+            name, tensor.rows(), tensor.cols(), units, columns);
   require_finite(where, name, tensor);
 }
 
@@ -65,15 +65,13 @@ void validate(const PhysicalTrait& trait, int size, const std::string& where) {
   const std::string what = "family.traits, " + trait.name;
   require_finite(where, what, trait.slope);
   require_finite(where, what, trait.along);
-  if (trait.slope.size() != size || trait.along.size() != size ||
-      !std::isfinite(trait.of_file + trait.middle) ||
-      !(trait.left > 0.0F && std::isfinite(trait.left))) {
-    refuse(where,
-           fmt::format("tensor {}: {}, {}, {}, a slope of {} numbers and a direction of {}; "
-                       "expected three finite numbers, the last above 0, and {} numbers each",
-                       what, trait.of_file, trait.middle, trait.left, trait.slope.size(),
-                       trait.along.size(), size));
-  }
+  refuse_if(trait.slope.size() != size || trait.along.size() != size ||
+                !std::isfinite(trait.of_file + trait.middle) ||
+                !(trait.left > 0.0F && std::isfinite(trait.left)),
+            "{}: tensor {}: {}, {}, {}, a slope of {} numbers and a direction of {}; "
+            "expected three finite numbers, the last above 0, and {} numbers each",
+            where, what, trait.of_file, trait.middle, trait.left, trait.slope.size(),
+            trait.along.size(), size);
 }
 
 }  // namespace
@@ -93,11 +91,10 @@ void validate(const ArmFamily& family, const std::vector<Layer>& layers, const s
            fmt::format("1 to {}", ArmFamily::kMaxSize), where);
   validate(family.log_gains, "family.gains", units, family.log_gains.cols() == 1 + size,
            fmt::format("{}", 1 + size), where);
-  if (family.arms.rows() != family.size() || family.arms.cols() < 1) {
-    refuse(where, fmt::format("tensor family.arms is {} by {}; expected {}, the columns of "
-                              "family.columns, by at least 1",
-                              family.arms.rows(), family.arms.cols(), family.size()));
-  }
+  refuse_if(family.arms.rows() != family.size() || family.arms.cols() < 1,
+            "{}: tensor family.arms is {} by {}; expected {}, the columns of "
+            "family.columns, by at least 1",
+            where, family.arms.rows(), family.arms.cols(), family.size());
   require_finite(where, "family.arms", family.arms);
   for (const PhysicalTrait& trait : family.traits) {
     validate(trait, family.size(), where);
@@ -105,13 +102,12 @@ void validate(const ArmFamily& family, const std::vector<Layer>& layers, const s
 }
 
 void validate(const FamilyMember& member, const ArmFamily& family, const std::string& where) {
-  if (member.e.size() != family.size() || member.covariance.rows() != family.size() ||
-      member.covariance.cols() != family.size()) {
-    refuse(where, fmt::format("tensors family.e and family.covariance have {} and {} by {} "
-                              "numbers; expected {} and its square",
-                              member.e.size(), member.covariance.rows(), member.covariance.cols(),
-                              family.size()));
-  }
+  refuse_if(member.e.size() != family.size() || member.covariance.rows() != family.size() ||
+                member.covariance.cols() != family.size(),
+            "{}: tensors family.e and family.covariance have {} and {} by {} "
+            "numbers; expected {} and its square",
+            where, member.e.size(), member.covariance.rows(), member.covariance.cols(),
+            family.size());
   require_finite(where, "family.e", member.e);
   require_finite(where, "family.covariance", member.covariance);
 }
@@ -135,10 +131,9 @@ CompensationModel model_after_run(const CompensationModel& before, const FamilyM
 
 CompensationModel model_of_followed_arm(CompensationModel model, const Eigen::VectorXf& e) {
   const Eigen::Index size = model.member_of_family ? model.member_of_family->e.size() : 0;
-  if (size == 0 || e.size() != size) {
-    throw InputError(fmt::format(
-        "{} numbers that say which arm of its family this is; the model has {}", e.size(), size));
-  }
+  refuse_if(size == 0 || e.size() != size,
+            "{} numbers that say which arm of its family this is; the model has {}", e.size(),
+            size);
   FamilyMember member = *model.member_of_family;
   member.e = e;
   return model_of_arm(std::move(model), member);
@@ -179,12 +174,10 @@ void note_expected_error_of_tube(CompensationModel& family, double error_m) {
 }
 
 void require_family(const CompensationModel& model, const std::string& where) {
-  if (!model.family) {
-    throw InputError(fmt::format(
-        "{}: a network of one arm; expected a family's, which limber train --family or limber "
-        "family makes",
-        where));
-  }
+  refuse_if(!model.family,
+            "{}: a network of one arm; expected a family's, which limber train --family or limber "
+            "family makes",
+            where);
 }
 
 void require_one_arm(const CompensationModel& model, const std::string& where) {
@@ -197,14 +190,13 @@ void require_one_arm(const CompensationModel& model, const std::string& where) {
   }
 }
 
-CompensationModel read_model_of_one_arm(const std::filesystem::path& path) {
+CompensationModel read_model_of_one_arm(const fs::path& path) {
   CompensationModel model = read_model(path);
   require_one_arm(model, path.string());
   return model;
 }
 
-CompensationModel read_model_of_one_arm(const std::filesystem::path& path,
-                                        const ArmDescription& arm) {
+CompensationModel read_model_of_one_arm(const fs::path& path, const ArmDescription& arm) {
   CompensationModel model = read_model_of_one_arm(path);
   require_model_of(model, arm, path.string());
   return model;

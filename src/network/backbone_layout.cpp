@@ -12,7 +12,7 @@ NetworkLayout::NetworkLayout(BackboneLayout layout, OutputForm form, const ArmDe
       form_(form),
       reads_velocity_(reads_velocity),
       dimension_(arm.dimension),
-      command_size_(arm.channel_count() * (1 + static_cast<int>(past_commands))),
+      command_size_(arm.channel_count() * (1 + int(past_commands))),
       point_count_(arm.point_count()) {
   int gap = 0;
   for (const Segment& segment : arm.segments) {

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/network/gap_bounds.hpp"
 #include "limber/network/past_commands.hpp"
@@ -63,32 +64,25 @@ void validate_normalisation(const std::string& where, const std::string& name,
 // `prefix` is that of the layers' tensors.
 void validate_layers(const std::string& where, const std::string& prefix,
                      const std::vector<Layer>& layers, Sizes sizes) {
-  if (layers.empty()) {
-    refuse(where, fmt::format("no tensor {}0.weight; expected at least one layer", prefix));
-  }
+  refuse_if(layers.empty(), "{}: no tensor {}0.weight; expected at least one layer", where, prefix);
   Eigen::Index inputs = sizes.input;
   const char* source = "the layout's input";
   for (std::size_t l = 0; l < layers.size(); ++l) {
     const Layer& layer = layers[l];
-    if (layer.weight.cols() != inputs) {
-      refuse(where, fmt::format("tensor {}{}.weight has {} columns; expected {}, the size of {}",
-                                prefix, l, layer.weight.cols(), inputs, source));
-    }
-    if (layer.bias.size() != layer.weight.rows()) {
-      refuse(where, fmt::format("tensor {}{}.bias has {} numbers; "
-                                "expected {}, the rows of {}{}.weight",
-                                prefix, l, layer.bias.size(), layer.weight.rows(), prefix, l));
-    }
+    refuse_if(layer.weight.cols() != inputs,
+              "{}: tensor {}{}.weight has {} columns; expected {}, the size of {}", where, prefix,
+              l, layer.weight.cols(), inputs, source);
+    refuse_if(layer.bias.size() != layer.weight.rows(),
+              "{}: tensor {}{}.bias has {} numbers; expected {}, the rows of {}{}.weight", where,
+              prefix, l, layer.bias.size(), layer.weight.rows(), prefix, l);
     require_finite(where, fmt::format("{}{}.weight", prefix, l), layer.weight);
     require_finite(where, fmt::format("{}{}.bias", prefix, l), layer.bias);
     inputs = layer.weight.rows();
     source = "the layer before it";
   }
-  if (inputs != sizes.output) {
-    refuse(where, fmt::format("tensor {}{}.weight has {} rows; expected "
-                              "{}, the size of the layout's output",
-                              prefix, layers.size() - 1, inputs, sizes.output));
-  }
+  refuse_if(inputs != sizes.output,
+            "{}: tensor {}{}.weight has {} rows; expected {}, the size of the layout's output",
+            where, prefix, layers.size() - 1, inputs, sizes.output);
 }
 
 void validate_members(const std::string& where, const CompensationModel& model, Sizes sizes) {
@@ -97,11 +91,10 @@ void validate_members(const std::string& where, const CompensationModel& model, 
     const std::string prefix = fmt::format("members.{}.layers.", k + 1);
     validate_layers(where, prefix, layers, sizes);
     const auto units = [](const Layer& layer) { return layer.weight.rows(); };
-    if (!std::ranges::equal(layers, model.layers, {}, units, units)) {
-      refuse(where, fmt::format("tensors {}* have another shape than layers.*; "
-                                "the members of an ensemble are alike",
-                                prefix));
-    }
+    refuse_if(!std::ranges::equal(layers, model.layers, {}, units, units),
+              "{}: tensors {}* have another shape than layers.*; "
+              "the members of an ensemble are alike",
+              where, prefix);
   }
 }
 
@@ -109,9 +102,8 @@ void validate_members(const std::string& where, const CompensationModel& model, 
 
 void require_vector(const std::string& where, const std::string& name,
                     const Eigen::VectorXf& values, Eigen::Index size) {
-  if (values.size() != size) {
-    refuse(where, fmt::format("tensor {} has {} numbers; expected {}", name, values.size(), size));
-  }
+  refuse_if(values.size() != size, "{}: tensor {} has {} numbers; expected {}", where, name,
+            values.size(), size);
   for (Eigen::Index i = 0; i < size; ++i) {
     if (!std::isfinite(values[i])) {
       refuse(where,
@@ -141,7 +133,7 @@ CompensationModel CompensationModel::member(int index) const {
   one.more_members.clear();
   one.training.clear();
   if (index > 0) {
-    one.layers = more_members[static_cast<std::size_t>(index) - 1];
+    one.layers = more_members[std::size_t(index) - 1];
     one.prediction_error.reset();
     one.tube.reset();
   }
@@ -186,12 +178,10 @@ std::string CompensationModel::shape() const {
 }
 
 void validate(const CompensationModel& model, const std::string& where) {
-  if (model.segment_count < 1 || model.point_count < model.segment_count + 1) {
-    refuse(where,
-           fmt::format("segment_count {} and point_count {}; expected at least 1 segment and "
-                       "one more point than segments",
-                       model.segment_count, model.point_count));
-  }
+  refuse_if(model.segment_count < 1 || model.point_count < model.segment_count + 1,
+            "{}: segment_count {} and point_count {}; expected at least 1 segment and "
+            "one more point than segments",
+            where, model.segment_count, model.point_count);
   if (model.dimension == Dimension::space &&
       (model.chamber_count < 1 || model.layout != BackboneLayout::gap_poses)) {
     refuse(where, fmt::format("chamber_count {} and layout {}; expected at least 1 chamber and "
@@ -218,13 +208,12 @@ void validate(const CompensationModel& model, const std::string& where) {
   }
   if (model.prediction_error) {
     validate(*model.prediction_error, where + ": metadata");
-    if (model.dimension == Dimension::plane && !model.prediction_error->end_orientation_rad) {
-      refuse(where, "metadata prediction_error: end_orientation_rad is missing");
-    }
+    refuse_if(model.dimension == Dimension::plane && !model.prediction_error->end_orientation_rad,
+              "{}: metadata prediction_error: end_orientation_rad is missing", where);
   }
   if (model.tube) {
     validate(*model.tube, where + ": metadata");
-    if (static_cast<int>(model.tube->plate_scale_m.size()) != model.point_count) {
+    if (int(model.tube->plate_scale_m.size()) != model.point_count) {
       refuse(where, fmt::format("metadata tube.plate_scale_m has {} "
                                 "numbers; expected {}, one per plate",
                                 model.tube->plate_scale_m.size(), model.point_count));
@@ -232,20 +221,16 @@ void validate(const CompensationModel& model, const std::string& where) {
   }
   if (model.family) {
     validate(*model.family, model.layers, where);
-    if (model.member_count() > 1) {
-      refuse(where, "holds several networks and a family; a family has one");
-    }
+    refuse_if(model.member_count() > 1, "{}: holds several networks and a family; a family has one",
+              where);
   }
   if (model.member_of_family) {
-    if (!model.family) {
-      refuse(where, "no tensor family.columns; expected one beside family.e");
-    }
+    refuse_if(!model.family, "{}: no tensor family.columns; expected one beside family.e", where);
     validate(*model.member_of_family, *model.family, where);
   }
   if (model.learnt) {
-    if (model.dimension == Dimension::space) {
-      refuse(where, "tensors learnt.* are of planar arms; expected none for an arm in space");
-    }
+    refuse_if(model.dimension == Dimension::space,
+              "{}: tensors learnt.* are of planar arms; expected none for an arm in space", where);
     validate(*model.learnt, model.segment_count, model.point_count, where);
   }
   if (model.bounds) {
@@ -272,12 +257,11 @@ void require_model_of(const CompensationModel& model, const ArmDescription& arm,
         "the model was trained with (--arm), or train a model for this one",
         where, model.arm_name, model.arm_hash, arm.name, arm.hash(), why));
   }
-  if (model.segment_count != arm.segment_count() || model.point_count != arm.point_count() ||
-      model.dimension != arm.dimension || model.channel_count() != arm.channel_count()) {
-    throw InputError(fmt::format("{}: made for {} segments and {} points; arm '{}' has {} and {}",
-                                 where, model.segment_count, model.point_count, arm.name,
-                                 arm.segment_count(), arm.point_count()));
-  }
+  refuse_if(model.segment_count != arm.segment_count() || model.point_count != arm.point_count() ||
+                model.dimension != arm.dimension || model.channel_count() != arm.channel_count(),
+            "{}: made for {} segments and {} points; arm '{}' has {} and {}", where,
+            model.segment_count, model.point_count, arm.name, arm.segment_count(),
+            arm.point_count());
 }
 
 }  // namespace limber

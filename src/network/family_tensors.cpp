@@ -7,6 +7,7 @@
 
 #include <fmt/ranges.h>
 
+#include "limber/common/refuse_if.hpp"
 #include "limber/network/arm_family.hpp"
 
 namespace limber {
@@ -43,14 +44,12 @@ std::vector<PhysicalTrait> read_traits(const Safetensors& content, TensorReader&
     traits.emplace_back().name = name;
   }
   const Eigen::Index size = (rows.cols() - kTraitColumns) / 2;
-  if (std::ssize(traits) != rows.rows() || size < 1) {
-    refuse(where,
-           fmt::format("tensor {} is {} by {}, and metadata {} has {} names; expected a row "
-                       "for each, of {} numbers, a slope and a direction",
-                       tensor, rows.rows(), rows.cols(), kTraitsKey, traits.size(), kTraitColumns));
-  }
+  refuse_if(std::ssize(traits) != rows.rows() || size < 1,
+            "{}: tensor {} is {} by {}, and metadata {} has {} names; expected a row "
+            "for each, of {} numbers, a slope and a direction",
+            where, tensor, rows.rows(), rows.cols(), kTraitsKey, traits.size(), kTraitColumns);
   for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-    PhysicalTrait& trait = traits[static_cast<std::size_t>(i)];
+    PhysicalTrait& trait = traits[i];
     trait.of_file = rows(i, 0);
     trait.middle = rows(i, 1);
     trait.left = rows(i, 2);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/common/error.hpp"
+#include "limber/common/json.hpp"
 #include "refusal.hpp"
 
 namespace limber {
@@ -79,14 +80,14 @@ void require_bounded(const CompensationModel& model, const std::string& file) {
   }
 }
 
-nlohmann::ordered_json to_json(const GapBounds& bounds) {
+Json to_json(const GapBounds& bounds) {
   const auto list = [](const Eigen::VectorXf& values) {
     return std::vector<float>(values.begin(), values.end());
   };
-  nlohmann::ordered_json json = {{"min_length_m", list(bounds.min_length_m)},
-                                 {"max_length_m", list(bounds.max_length_m)},
-                                 {"min_turn_rad", list(bounds.min_turn_rad)},
-                                 {"max_turn_rad", list(bounds.max_turn_rad)}};
+  Json json = {{"min_length_m", list(bounds.min_length_m)},
+               {"max_length_m", list(bounds.max_length_m)},
+               {"min_turn_rad", list(bounds.min_turn_rad)},
+               {"max_turn_rad", list(bounds.max_turn_rad)}};
   if (bounds.max_bend_rad.size() > 0) {
     json["max_bend_rad"] = list(bounds.max_bend_rad);
   }

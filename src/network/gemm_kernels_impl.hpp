@@ -94,7 +94,7 @@ float multiply_add_rounds(long rounds) {
   Vector x[kChains];
 #pragma GCC unroll 12
   for (int c = 0; c < kChains; ++c) {
-    x[c] = term * static_cast<float>(c);
+    x[c] = term * float(c);
   }
   for (long r = 0; r < rounds; ++r) {
 #pragma GCC unroll 12

@@ -10,6 +10,9 @@
 
 #include "kernels/vector_sincos.hpp"
 #include "limber/arm/names.hpp"
+#include "limber/common/json.hpp"
+#include "limber/common/mapped.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/network/backbone_layout.hpp"
 #include "refusal.hpp"
 
@@ -119,14 +122,11 @@ void validate(const LearntRegion& region, int segment_count, int point_count,
   require_vector(where, "learnt.rates.rise", region.steepest_rise_kpa_per_s, n);
   require_vector(where, "learnt.joint.offset", region.joint_offset, joint);
   require_vector(where, "learnt.joint.scale", region.joint_scale, joint);
-  if (region.axes.cols() != joint || region.axes.rows() > joint) {
-    refuse(where, fmt::format("tensor learnt.axes.directions is {} × "
-                              "{}; expected up to {} rows of {} numbers",
-                              region.axes.rows(), region.axes.cols(), joint, joint));
-  }
-  if (!region.axes.allFinite()) {
-    refuse(where, "tensor learnt.axes.directions holds a number that is not finite");
-  }
+  refuse_if(region.axes.cols() != joint || region.axes.rows() > joint,
+            "{}: tensor learnt.axes.directions is {} × {}; expected up to {} rows of {} numbers",
+            where, region.axes.rows(), region.axes.cols(), joint, joint);
+  refuse_if(!region.axes.allFinite(),
+            "{}: tensor learnt.axes.directions holds a number that is not finite", where);
   if (region.joint_change.size() > 0) {
     require_vector(where, "learnt.joint.change", region.joint_change, joint);
   }
@@ -139,15 +139,13 @@ void validate(const LearntRegion& region, int segment_count, int point_count,
     }
     for (const auto& [name, rate] : {std::pair{"fall", region.steepest_fall_kpa_per_s[i]},
                                      std::pair{"rise", region.steepest_rise_kpa_per_s[i]}}) {
-      if (rate < 0.0F) {
-        refuse(where, fmt::format("tensor learnt.rates.{}[{}] is {}; expected ≥ 0", name, i, rate));
-      }
+      refuse_if(rate < 0.0F, "{}: tensor learnt.rates.{}[{}] is {}; expected ≥ 0", where, name, i,
+                rate);
     }
   }
   for (Eigen::Index i = 0; i < joint; ++i) {
-    if (region.joint_scale[i] == 0.0F) {
-      refuse(where, fmt::format("tensor learnt.joint.scale[{}] is 0; expected another", i));
-    }
+    refuse_if(region.joint_scale[i] == 0.0F,
+              "{}: tensor learnt.joint.scale[{}] is 0; expected another", where, i);
     if (region.joint_change.size() > 0 && !(region.joint_change[i] > 0.0F)) {
       refuse(where, fmt::format("tensor learnt.joint.change[{}] is {}; expected more than 0", i,
                                 region.joint_change[i]));
@@ -161,28 +159,24 @@ void validate(const LearntRegion& region, int segment_count, int point_count,
   }
 }
 
-nlohmann::ordered_json to_json(const LearntRegion& region, const Command& command) {
-  nlohmann::ordered_json segments = nlohmann::ordered_json::array();
-  for (int i = 0; i < region.segment_count(); ++i) {
-    segments.push_back(
-        {{quantity_key(command, "low"), region.low_kpa[i]},
-         {quantity_key(command, "high"), region.high_kpa[i]},
-         {quantity_key(command, "steepest_fall") + "_per_s", region.steepest_fall_kpa_per_s[i]},
-         {quantity_key(command, "steepest_rise") + "_per_s", region.steepest_rise_kpa_per_s[i]}});
-  }
+Json to_json(const LearntRegion& region, const Command& command) {
+  const auto segments = mapped<Json>(region.segment_count(), [&](int i) {
+    return Json{
+        {quantity_key(command, "low"), region.low_kpa[i]},
+        {quantity_key(command, "high"), region.high_kpa[i]},
+        {quantity_key(command, "steepest_fall") + "_per_s", region.steepest_fall_kpa_per_s[i]},
+        {quantity_key(command, "steepest_rise") + "_per_s", region.steepest_rise_kpa_per_s[i]}};
+  });
   return {{"segments", segments}, {"axes", region.axes.rows()}};
 }
 
 std::vector<std::string> learnt_region_lines(const LearntRegion& region, const Command& command) {
   const std::string& unit = command.unit;
-  std::vector<std::string> lines;
-  for (int i = 0; i < region.segment_count(); ++i) {
-    lines.push_back(fmt::format("{}: {} {:.3g} … {:.3g} {}, rates {:.3g} … {:.3g} {}/s",
-                                segment_name(i), command.name + "s", region.low_kpa[i],
-                                region.high_kpa[i], unit, -region.steepest_fall_kpa_per_s[i],
-                                region.steepest_rise_kpa_per_s[i], unit));
-  }
-  return lines;
+  return mapped<std::string>(region.segment_count(), [&](int i) {
+    return fmt::format("{}: {} {:.3g} … {:.3g} {}, rates {:.3g} … {:.3g} {}/s", segment_name(i),
+                       command.name + "s", region.low_kpa[i], region.high_kpa[i], unit,
+                       -region.steepest_fall_kpa_per_s[i], region.steepest_rise_kpa_per_s[i], unit);
+  });
 }
 
 // |W z + b| in half ranges: row i of W is a pressure's 1 / half, or an axis about its middle.
@@ -190,12 +184,12 @@ NoveltyMeasure::NoveltyMeasure(const LearntRegion& region, CpuLevel level)
     : kernels_(&gemm_kernels(level)),
       segment_count_(region.segment_count()),
       point_count_(region.point_count()),
-      joint_size_(static_cast<int>(region.joint_offset.size())),
-      padded_rows_(padded(segment_count_ + static_cast<int>(region.axes.rows()), kernels_->lanes)),
+      joint_size_(int(region.joint_offset.size())),
+      padded_rows_(padded(segment_count_ + int(region.axes.rows()), kernels_->lanes)),
       padded_gaps_(padded(point_count_ - 1, kLanes)),
       joint_change_(region.joint_change) {
   const int n = segment_count_;
-  const int axis_count = static_cast<int>(region.axes.rows());
+  const int axis_count = int(region.axes.rows());
   Eigen::MatrixXd weight = Eigen::MatrixXd::Zero(padded_rows_, joint_size_);
   Eigen::VectorXd bias = Eigen::VectorXd::Zero(padded_rows_);
   const auto [middle, half] = pressure_border(region);
@@ -210,15 +204,15 @@ NoveltyMeasure::NoveltyMeasure(const LearntRegion& region, CpuLevel level)
   bias.segment(n, axis_count) =
       -weight.middleRows(n, axis_count) * region.joint_offset.cast<double>() -
       axis_middle.cwiseQuotient(axis_half);
-  weight_.resize(static_cast<std::size_t>(weight.size()));
-  bias_.resize(static_cast<std::size_t>(bias.size()));
+  weight_.resize(weight.size());
+  bias_.resize(bias.size());
   Eigen::Map<Eigen::MatrixXf>(weight_.data(), padded_rows_, joint_size_) = weight.cast<float>();
   Eigen::Map<Eigen::VectorXf>(bias_.data(), padded_rows_) = bias.cast<float>();
 }
 
 NoveltyMeasure::Workspace NoveltyMeasure::make_workspace() const {
   const int size = padded_rows_ + 2 * padded(joint_size_, kLanes) + kPoseSize * padded_gaps_;
-  return {AlignedFloats(static_cast<std::size_t>(size), 0.0F)};
+  return {AlignedFloats(std::size_t(size), 0.0F)};
 }
 
 float NoveltyMeasure::novelty(const float* pressures_kpa, const float* backbone,

@@ -10,8 +10,10 @@
 #include "limber/arm/names.hpp"
 #include "limber/arm/valve_parameters.hpp"
 #include "limber/common/atomic_file.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/json_reader.hpp"
 #include "limber/common/number_text.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/safetensors.hpp"
 #include "limber/common/utf8.hpp"
 #include "limber/common/yaml_reader.hpp"
@@ -110,14 +112,13 @@ void require_described_arm(const CompensationModel& model, const std::string& wh
   }
   const std::string metadata = where + ": metadata arm_description";
   const ArmDescription arm = read_arm_keys(model.arm_description, metadata);
-  if (arm.dimension != model.dimension || arm.segment_count() != model.segment_count ||
-      arm.channel_count() != model.channel_count() || arm.point_count() != model.point_count) {
-    throw InputError(fmt::format(
-        "{}: an arm of {} segments, {} commands and {} plates; the model is of one of {}, {} and "
-        "{}: one of them is damaged",
-        metadata, arm.segment_count(), arm.channel_count(), arm.point_count(), model.segment_count,
-        model.channel_count(), model.point_count));
-  }
+  refuse_if(
+      arm.dimension != model.dimension || arm.segment_count() != model.segment_count ||
+          arm.channel_count() != model.channel_count() || arm.point_count() != model.point_count,
+      "{}: an arm of {} segments, {} commands and {} plates; the model is of one of {}, {} and "
+      "{}: one of them is damaged",
+      metadata, arm.segment_count(), arm.channel_count(), arm.point_count(), model.segment_count,
+      model.channel_count(), model.point_count);
 }
 
 void read_measured_into(CompensationModel& model, const Safetensors& content,
@@ -198,7 +199,7 @@ Part read_vectors(TensorReader& tensors, const std::string& prefix, const Vector
 
 }  // namespace
 
-void write_model(const std::filesystem::path& path, const CompensationModel& model) {
+void write_model(const fs::path& path, const CompensationModel& model) {
   validate(model, path.string());
   Safetensors content;
   add_layers(content, "layers.", model.layers);
@@ -257,7 +258,7 @@ void write_model(const std::filesystem::path& path, const CompensationModel& mod
   write_file_atomically(path, safetensors_bytes(content));
 }
 
-CompensationModel read_model(const std::filesystem::path& path) {
+CompensationModel read_model(const fs::path& path) {
   const std::string where = path.string();
   Safetensors content = parse_safetensors(read_file(path), where);
   const std::string schema = text_at(content, "schema", where);

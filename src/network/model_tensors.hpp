@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <Eigen/Core>
 
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/safetensors.hpp"
 #include "limber/network/compensation_model.hpp"
 #include "refusal.hpp"
@@ -17,16 +18,14 @@ using RowMajorMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eige
 
 inline Tensor matrix_tensor(const Eigen::MatrixXf& matrix) {
   const RowMajorMatrix rows = matrix;
-  return {{static_cast<std::size_t>(matrix.rows()), static_cast<std::size_t>(matrix.cols())},
+  return {{std::size_t(matrix.rows()), std::size_t(matrix.cols())},
           {rows.data(), rows.data() + rows.size()}};
 }
 
 inline std::string text_at(const Safetensors& content, const std::string& key,
                            const std::string& where) {
   const auto found = content.metadata.find(key);
-  if (found == content.metadata.end()) {
-    refuse(where, fmt::format("no metadata key {}", key));
-  }
+  refuse_if(found == content.metadata.end(), "{}: no metadata key {}", where, key);
   return found->second;
 }
 
@@ -39,15 +38,13 @@ class TensorReader {
 
   Eigen::MatrixXf matrix(const std::string& name) {
     const Tensor tensor = take(name, 2, "[out, in]");
-    return Eigen::Map<const RowMajorMatrix>(tensor.values.data(),
-                                            static_cast<Eigen::Index>(tensor.shape[0]),
-                                            static_cast<Eigen::Index>(tensor.shape[1]));
+    return Eigen::Map<const RowMajorMatrix>(tensor.values.data(), Eigen::Index(tensor.shape[0]),
+                                            Eigen::Index(tensor.shape[1]));
   }
 
   Eigen::VectorXf vector(const std::string& name) {
     const Tensor tensor = take(name, 1, "[size]");
-    return Eigen::Map<const Eigen::VectorXf>(tensor.values.data(),
-                                             static_cast<Eigen::Index>(tensor.shape[0]));
+    return Eigen::Map<const Eigen::VectorXf>(tensor.values.data(), Eigen::Index(tensor.shape[0]));
   }
 
   // At least one layer.
@@ -76,9 +73,7 @@ class TensorReader {
  private:
   Tensor take(const std::string& name, std::size_t dimensions, const char* expected) {
     const auto found = content_.tensors.find(name);
-    if (found == content_.tensors.end()) {
-      refuse(where_, fmt::format("no tensor {}", name));
-    }
+    refuse_if(found == content_.tensors.end(), "{}: no tensor {}", where_, name);
     if (found->second.shape.size() != dimensions) {
       refuse(where_, fmt::format("tensor {} has {} dimensions; expected {}", name,
                                  found->second.shape.size(), expected));

@@ -15,6 +15,8 @@
 #include "limber/common/aligned_floats.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/common/safetensors.hpp"
 #include "limber/common/version.hpp"
@@ -110,7 +112,7 @@ class OnnxGraph {
     tensor.set_name(name);
     tensor.set_data_type(onnx::TensorProto::FLOAT);
     for (const std::size_t extent : numbers.shape) {
-      tensor.add_dims(static_cast<std::int64_t>(extent));
+      tensor.add_dims(std::int64_t(extent));
     }
     tensor.mutable_float_data()->Add(numbers.values.begin(), numbers.values.end());
   }
@@ -136,10 +138,9 @@ class BoundedNext {
     const std::vector<std::string> names =
         in_space ? std::vector<std::string>{"x", "y", "z", "turn", "bend_y", "bend_z"}
                  : std::vector<std::string>{"x", "y", "turn"};
-    std::vector<std::string> parts;
-    for (int part = 0; part < gap_; ++part) {
-      parts.push_back(graph_.linear("step." + names[std::size_t(part)], next, steps(part)));
-    }
+    auto parts = mapped<std::string>(gap_, [&](int part) {
+      return graph_.linear("step." + names[std::size_t(part)], next, steps(part));
+    });
     const GapBounds& bounds = *model_.bounds;
     const int turn = position_size(model_.dimension);
     const auto begin = parts.begin();
@@ -276,7 +277,7 @@ std::string onnx_version() {
   return fmt::format("IR {}, protobuf {}", int(onnx::IR_VERSION), GOOGLE_PROTOBUF_VERSION);
 }
 
-void write_onnx(const std::filesystem::path& path, const CompensationModel& model) {
+void write_onnx(const fs::path& path, const CompensationModel& model) {
   validate(model, path.string());
   require_one_arm(model, "ONNX");
   onnx::ModelProto file;
@@ -334,7 +335,7 @@ std::string onnx_version() {
   return {};
 }
 
-void write_onnx(const std::filesystem::path& path, const CompensationModel&) {
+void write_onnx(const fs::path& path, const CompensationModel&) {
   throw InputError(
       fmt::format("{}: this limber was built without ONNX; install libonnx-dev and "
                   "libprotobuf-dev, and build it again",
@@ -354,14 +355,12 @@ std::string reference_queries_csv(const CompensationModel& model, int count, std
     text += fmt::format(",answer_{}", i);
   }
   text += "\n";
-  AlignedFloats query(static_cast<std::size_t>(network.input_size()));
-  AlignedFloats scratch(static_cast<std::size_t>(2 * network.padded_width()));
+  AlignedFloats query(std::size_t(network.input_size()));
+  AlignedFloats scratch(std::size_t(2 * network.padded_width()));
   for (int k = 0; k < count; ++k) {
     for (int i = 0; i < network.input_size(); ++i) {
-      query[static_cast<std::size_t>(i)] =
-          model.input.offset[i] +
-          static_cast<float>(random.uniform(-1.0, 1.0)) / model.input.scale[i];
-      text += fmt::format("{}{:.9g}", i > 0 ? "," : "", query[static_cast<std::size_t>(i)]);
+      query[i] = model.input.offset[i] + float(random.uniform(-1.0, 1.0)) / model.input.scale[i];
+      text += fmt::format("{}{:.9g}", i > 0 ? "," : "", query[i]);
     }
     const float* answer = network.evaluate(query.data(), scratch.data());
     for (int i = 0; i < network.output_size(); ++i) {

@@ -32,15 +32,14 @@ PackedNetwork::PackedNetwork(const CompensationModel& model, CpuLevel level)
     : kernels_(gemm_kernels(level)) {
   for (const Layer& folded : folded_layers(model)) {
     PackedLayer layer;
-    layer.inputs = static_cast<int>(folded.weight.cols());
-    layer.outputs = static_cast<int>(folded.weight.rows());
+    layer.inputs = int(folded.weight.cols());
+    layer.outputs = int(folded.weight.rows());
     layer.padded_outputs = (layer.outputs + kernels_.lanes - 1) / kernels_.lanes * kernels_.lanes;
     layer.relu = layers_.size() + 1 < model.layers.size();
-    const auto padded = static_cast<std::size_t>(layer.padded_outputs);
-    layer.weight.assign(padded * static_cast<std::size_t>(layer.inputs), 0.0F);
+    const auto padded = std::size_t(layer.padded_outputs);
+    layer.weight.assign(padded * std::size_t(layer.inputs), 0.0F);
     layer.bias.assign(padded, 0.0F);
-    layer.transposed_weight.resize(static_cast<std::size_t>(layer.inputs) *
-                                   static_cast<std::size_t>(layer.outputs));
+    layer.transposed_weight.resize(std::size_t(layer.inputs) * std::size_t(layer.outputs));
     Eigen::Map<Eigen::MatrixXf>(layer.weight.data(), layer.padded_outputs, layer.inputs)
         .topRows(layer.outputs) = folded.weight;
     Eigen::Map<Eigen::MatrixXf>(layer.transposed_weight.data(), layer.inputs, layer.outputs) =
@@ -54,7 +53,7 @@ PackedNetwork::PackedNetwork(const CompensationModel& model, CpuLevel level)
 long PackedNetwork::multiply_adds(int count) const {
   long sum = 0;
   for (int l = 0; l < count; ++l) {
-    const PackedLayer& layer = layers_[static_cast<std::size_t>(l)];
+    const PackedLayer& layer = layers_[l];
     sum += static_cast<long>(layer.inputs) * layer.outputs;
   }
   return sum;
@@ -80,7 +79,7 @@ const float* PackedNetwork::evaluate_columns(int queries, const float* input, in
   }
   const float* x = input;
   float* y = scratch;
-  float* other = scratch + static_cast<std::ptrdiff_t>(padded_width_) * queries;
+  float* other = scratch + std::ptrdiff_t(padded_width_) * queries;
   for (const PackedLayer& layer : layers_) {
     kernels_.layer(layer.padded_outputs, queries, layer.inputs, layer.weight.data(),
                    layer.padded_outputs, x, ld, layer.bias.data(), layer.relu, y, padded_width_);
@@ -100,9 +99,9 @@ const float* PackedNetwork::evaluate_layers_of_rows(int count, int queries, cons
   assert(count <= layer_count());
   const float* x = input;
   float* y = scratch;
-  float* other = scratch + static_cast<std::ptrdiff_t>(padded_width_) * queries;
+  float* other = scratch + std::ptrdiff_t(padded_width_) * queries;
   for (int l = 0; l < count; ++l) {
-    const PackedLayer& layer = layers_[static_cast<std::size_t>(l)];
+    const PackedLayer& layer = layers_[l];
     kernels_.layer_of_rows(queries, layer.outputs, layer.inputs, x, queries,
                            layer.transposed_weight.data(), layer.inputs, layer.bias.data(),
                            layer.relu, y, queries);

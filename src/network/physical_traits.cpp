@@ -9,6 +9,7 @@
 #include <Eigen/QR>
 
 #include "limber/arm/names.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/number_text.hpp"
 #include "limber/common/units.hpp"
 
@@ -77,7 +78,7 @@ Explanation explanation(const ArmFamily& family, const ToldOfE& told,
                         const std::vector<std::size_t>& traits) {
   Eigen::MatrixXd along(told.pull.size(), std::ssize(traits));
   for (Eigen::Index i = 0; i < along.cols(); ++i) {
-    along.col(i) = family.traits[traits[static_cast<std::size_t>(i)]].along.cast<double>();
+    along.col(i) = family.traits[traits[i]].along.cast<double>();
   }
   Explanation found{traits, {}, {}, 0.0};
   const Eigen::VectorXd pull = along.transpose() * told.pull;
@@ -96,10 +97,8 @@ void sort(std::vector<Explanation>& explanations) {
 
 /// One trait each; two, where one does not explain enough.
 std::vector<Explanation> explanations(const ArmFamily& family, const ToldOfE& told, double enough) {
-  std::vector<Explanation> found;
-  for (std::size_t i = 0; i < family.traits.size(); ++i) {
-    found.push_back(explanation(family, told, {i}));
-  }
+  auto found = mapped<Explanation>(family.traits.size(),
+                                   [&](std::size_t i) { return explanation(family, told, {i}); });
   sort(found);
   if (found.empty() || found.front().told >= enough) {
     return found;
@@ -133,13 +132,11 @@ TraitWords words_of_trait(const std::string& name) {
 }
 
 std::vector<TraitEstimate> physical_traits(const ArmFamily& family, const FamilyMember& member) {
-  std::vector<TraitEstimate> traits;
-  for (const PhysicalTrait& trait : family.traits) {
-    traits.push_back({trait.name, value_of(trait, member),
-                      std::sqrt(double(trait.left * trait.left) + variance(trait, member)),
-                      double(trait.of_file)});
-  }
-  return traits;
+  return mapped<TraitEstimate>(family.traits, [&](const PhysicalTrait& trait) {
+    return TraitEstimate{trait.name, value_of(trait, member),
+                         std::sqrt(double(trait.left * trait.left) + variance(trait, member)),
+                         double(trait.of_file)};
+  });
 }
 
 std::vector<ArmChange> explained_changes(const ArmFamily& family, const FamilyMember& before,
@@ -158,7 +155,7 @@ std::vector<ArmChange> explained_changes(const ArmFamily& family, const FamilyMe
     }
     ArmChange& change = changes.emplace_back();
     for (std::size_t i = 0; i < one.traits.size(); ++i) {
-      const auto at = static_cast<Eigen::Index>(i);
+      const auto at = Eigen::Index(i);
       const PhysicalTrait& trait = family.traits[one.traits[i]];
       const double reference = value_of(trait, before);
       change.push_back({trait.name, reference + one.change(at),
@@ -175,10 +172,9 @@ std::vector<std::string> trait_texts(const std::vector<TraitEstimate>& traits) {
 }
 
 std::string changes_text(const std::vector<ArmChange>& changes) {
-  std::vector<std::string> texts;
-  for (const ArmChange& change : changes) {
-    texts.push_back(fmt::format("{}", fmt::join(trait_texts(change), " and ")));
-  }
+  const auto texts = mapped<std::string>(changes, [&](const ArmChange& change) {
+    return fmt::format("{}", fmt::join(trait_texts(change), " and "));
+  });
   return fmt::format("{}", fmt::join(texts, ", or "));
 }
 

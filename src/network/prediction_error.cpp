@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/common/error.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/json_number.hpp"
 #include "limber/common/units.hpp"
 #include "limber/common/yaml_reader.hpp"
@@ -25,9 +26,9 @@ double conformal_quantile(std::vector<double> values, double share) {
   assert(!values.empty());
   // Exact shares such as 20·0.95 must not be rounded up by their last bit.
   constexpr double kRounding = 1e-9;
-  const auto count = static_cast<double>(values.size());
+  const auto count = double(values.size());
   const double rank = std::min(std::ceil((count + 1.0) * share - kRounding), count);
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(rank) - 1;
+  const auto at = values.begin() + std::ptrdiff_t(rank) - 1;
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }
@@ -55,11 +56,11 @@ void validate(const PredictionError& error, const std::string& where) {
 }
 
 std::string prediction_error_to_metadata(const PredictionError& error) {
-  nlohmann::ordered_json json({{"runs", error.runs},
-                               {"run_s", error.run_s},
-                               {"largest_position_m", error.max_position_m},
-                               {"off_path_m", error.off_path_m},
-                               {"end_position_m", error.end_position_m}});
+  Json json({{"runs", error.runs},
+             {"run_s", error.run_s},
+             {"largest_position_m", error.max_position_m},
+             {"off_path_m", error.off_path_m},
+             {"end_position_m", error.end_position_m}});
   if (error.end_orientation_rad) {
     json["end_orientation_rad"] = *error.end_orientation_rad;
   }
@@ -83,7 +84,7 @@ PredictionError read_prediction_error(const YamlReader& root) {
   return error;
 }
 
-nlohmann::ordered_json to_json(const PredictionError& error) {
+Json to_json(const PredictionError& error) {
   return {{"runs", error.runs},
           {"run_s", error.run_s},
           {"largest_cm_p95", kCmPerM * error.max_position_m},

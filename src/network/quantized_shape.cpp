@@ -17,7 +17,7 @@ std::int16_t rounded(float value, float unit) {
 }
 
 float unit_m(double arm_length_m) {
-  return static_cast<float>(arm_length_m) / kMax;
+  return float(arm_length_m) / kMax;
 }
 
 constexpr float kUnitRad = std::numbers::pi_v<float> / kMax;
@@ -42,8 +42,8 @@ void blend_shapes(const QuantizedShapeRef& from, const QuantizedShapeRef& to, fl
                   double arm_length_m, Eigen::Ref<Backbone> backbone) {
   const float unit = unit_m(arm_length_m);
   const auto blended = [&](Eigen::Index i) {
-    const auto before = static_cast<float>(from[i]);
-    return before + fraction * (static_cast<float>(to[i]) - before);
+    const auto before = float(from[i]);
+    return before + fraction * (float(to[i]) - before);
   };
   for (Eigen::Index gap = 0; gap + 1 < backbone.rows(); ++gap) {
     const Eigen::Index at = kPoseSize * gap;

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/common/error.hpp"
+#include "limber/common/json.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/units.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "limber/network/prediction_error.hpp"
@@ -40,7 +42,7 @@ void require_counts(const std::string& where, const std::string& name, int outsi
   }
 }
 
-nlohmann::ordered_json to_json(const TubeLevel& level) {
+Json to_json(const TubeLevel& level) {
   return {{"level", level.level},
           {"factor", level.factor},
           {"runs", level.runs},
@@ -133,17 +135,15 @@ void validate(const Tube& tube, const std::string& where) {
 }
 
 std::string tube_to_metadata(const Tube& tube) {
-  nlohmann::ordered_json levels = nlohmann::ordered_json::array();
-  for (const TubeLevel& level : tube.levels) {
-    levels.push_back(to_json(level));
-  }
-  return nlohmann::ordered_json({{"plate_scale_m", tube.plate_scale_m},
-                                 {"end_scale_m", tube.end_scale_m},
-                                 {"end_heading_scale_rad", tube.end_heading_scale_rad},
-                                 {"start_share", tube.growth.start_share},
-                                 {"full_after_m", tube.growth.full_after_m},
-                                 {"source", tube.source},
-                                 {"levels", levels}})
+  const auto levels =
+      mapped<Json>(tube.levels, [&](const TubeLevel& level) { return to_json(level); });
+  return Json({{"plate_scale_m", tube.plate_scale_m},
+               {"end_scale_m", tube.end_scale_m},
+               {"end_heading_scale_rad", tube.end_heading_scale_rad},
+               {"start_share", tube.growth.start_share},
+               {"full_after_m", tube.growth.full_after_m},
+               {"source", tube.source},
+               {"levels", levels}})
       .dump();
 }
 
@@ -163,8 +163,8 @@ Tube read_tube(const YamlReader& root) {
   return tube;
 }
 
-nlohmann::ordered_json to_json(const Tube& tube) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::parse(tube_to_metadata(tube));
+Json to_json(const Tube& tube) {
+  Json json = Json::parse(tube_to_metadata(tube));
   for (std::size_t i = 0; i < tube.levels.size(); ++i) {
     const double factor = tube.levels[i].factor;
     json["levels"][i]["tip_radius_cm"] = kCmPerM * factor * tube.plate_scale_m.back();

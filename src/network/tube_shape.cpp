@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "limber/common/mapped.hpp"
+
 namespace limber {
 
 namespace {
@@ -18,16 +20,15 @@ constexpr double kQuantileConfidence = 0.5;  // a measured quantile is too small
 
 /// What 95 % of these motions stay below, of the plates.
 TubeLevel level_by(const Tube& shape, const std::vector<MotionErrors>& motions) {
-  std::vector<double> scores;
-  for (const MotionErrors& motion : motions) {
-    scores.push_back(score_of(motion.plate_m, shape.plate_scale_m));
-  }
+  const auto scores = mapped<double>(motions, [&](const MotionErrors& motion) {
+    return score_of(motion.plate_m, shape.plate_scale_m);
+  });
   TubeLevel level;
   level.level = Tube::kDefaultLevel;
   level.factor = conformal_quantile(scores, level.level);
-  level.runs = static_cast<int>(scores.size());
-  level.outside = static_cast<int>(
-      std::ranges::count_if(scores, [&](double score) { return score > level.factor; }));
+  level.runs = int(scores.size());
+  level.outside =
+      int(std::ranges::count_if(scores, [&](double score) { return score > level.factor; }));
   level.confidence = kQuantileConfidence;
   return level;
 }
@@ -40,11 +41,8 @@ RoomGrowth growth_of(std::size_t candidate, double arm_length_m) {
 
 std::vector<MotionErrors> errors_of(const std::vector<GrowingErrors>& motions,
                                     std::size_t candidate) {
-  std::vector<MotionErrors> errors;
-  for (const GrowingErrors& motion : motions) {
-    errors.push_back(motion.of[candidate]);
-  }
-  return errors;
+  return mapped<MotionErrors>(motions,
+                              [&](const GrowingErrors& motion) { return motion.of[candidate]; });
 }
 
 Tube tube_shape(const std::vector<MotionErrors>& runs, const RoomGrowth& growth) {
@@ -52,10 +50,7 @@ Tube tube_shape(const std::vector<MotionErrors>& runs, const RoomGrowth& growth)
   Tube tube;
   tube.growth = growth;
   const auto below = [&](double share, auto&& value) {
-    std::vector<double> values;
-    for (const MotionErrors& run : runs) {
-      values.push_back(value(run));
-    }
+    auto values = mapped<double>(runs, [&](const MotionErrors& run) { return value(run); });
     return conformal_quantile(std::move(values), share);
   };
   const std::size_t plates = runs.front().plate_m.size();
@@ -82,17 +77,16 @@ double score_of(const std::vector<double>& plate_m, const std::vector<double>& p
 
 GrowingTube narrowest_tube(const std::vector<GrowingErrors>& motions, double arm_length_m) {
   assert(motions.size() > 1);
-  const auto half = static_cast<std::ptrdiff_t>(motions.size() / 2);
+  const auto half = std::ptrdiff_t(motions.size() / 2);
   GrowingTube narrowest;
   double least_m = std::numeric_limits<double>::infinity();
   for (std::size_t g = 0; g < kStartShares.size(); ++g) {
     const std::vector<MotionErrors> errors = errors_of(motions, g);
     Tube tube = tube_shape({errors.begin(), errors.begin() + half}, growth_of(g, arm_length_m));
     tube.levels = {level_by(tube, {errors.begin() + half, errors.end()})};
-    double tip_share = 0.0;
-    for (const GrowingErrors& motion : motions) {
-      tip_share += motion.tip_share[g] / double(motions.size());
-    }
+    const auto tip_share = sum_of<double>(motions, [&](const GrowingErrors& motion) {
+      return motion.tip_share[g] / double(motions.size());
+    });
     const double mean_m = tube.levels.front().factor * tube.plate_scale_m.back() * tip_share;
     if (mean_m < least_m) {
       least_m = mean_m;

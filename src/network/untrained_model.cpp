@@ -19,10 +19,10 @@ Layer random_layer(int inputs, int outputs, RandomStream& random) {
   // He's bound: the spread of the numbers stays the same from layer to layer.
   const double bound = std::sqrt(6.0 / inputs);
   Layer layer;
-  layer.weight = Eigen::MatrixXf::NullaryExpr(
-      outputs, inputs, [&] { return static_cast<float>(random.uniform(-bound, bound)); });
-  layer.bias = Eigen::VectorXf::NullaryExpr(
-      outputs, [&] { return static_cast<float>(random.uniform(-0.1, 0.1)); });
+  layer.weight = Eigen::MatrixXf::NullaryExpr(outputs, inputs,
+                                              [&] { return float(random.uniform(-bound, bound)); });
+  layer.bias =
+      Eigen::VectorXf::NullaryExpr(outputs, [&] { return float(random.uniform(-0.1, 0.1)); });
   return layer;
 }
 
@@ -59,16 +59,16 @@ CompensationModel untrained_model(const ArmDescription& arm, BackboneLayout layo
 
   // In base poses the arm's whole length and all segments' turns count, in gap poses one gap's.
   const bool base = layout == BackboneLayout::base_poses;
-  const auto length = static_cast<float>(arm.length_m());
-  const float share = base ? 1.0F : 1.0F / static_cast<float>(arm.point_count() - 1);
-  const float turn = kBend_rad * static_cast<float>(arm.segment_count());
+  const auto length = float(arm.length_m());
+  const float share = base ? 1.0F : 1.0F / float(arm.point_count() - 1);
+  const float turn = kBend_rad * float(arm.segment_count());
   Eigen::VectorXf low(sizes.input_size());
   Eigen::VectorXf high(sizes.input_size());
   for (int i = 0; i < sizes.command_size(); ++i) {
     const PressureLimits& limits = arm.limits_of_channel(i % arm.channel_count());
     for (const int row : {sizes.previous_pressure_row() + i, sizes.pressure_row() + i}) {
-      low[row] = static_cast<float>(limits.lower_kpa);
-      high[row] = static_cast<float>(limits.upper_kpa);
+      low[row] = float(limits.lower_kpa);
+      high[row] = float(limits.upper_kpa);
     }
   }
   const int poses = sizes.backbone_size() + sizes.no_load_size();

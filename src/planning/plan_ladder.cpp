@@ -54,7 +54,7 @@ bool is_refused(const PlanningProblem& problem, const CollisionChecker& checker,
 
 std::vector<TreeEdge> tree_edges(const PressureTree& tree) {
   std::vector<TreeEdge> edges;
-  const int count = std::min(tree.size(), static_cast<int>(PlanResult::kMaxTreeEdges) + 1);
+  const int count = std::min(tree.size(), int(PlanResult::kMaxTreeEdges) + 1);
   for (int i = 1; i < count; ++i) {
     const auto from = tree.backbone(tree.parent(i)).bottomRows<1>();
     const auto to = tree.backbone(i).bottomRows<1>();

@@ -55,12 +55,12 @@ const char* to_string(PlanStatus status) {
   constexpr std::array kNames{
       "solved", "limit", "invalid_start", "goal_unreachable", "goal_in_collision", "not_certified"};
   static_assert(kNames.size() == kPlanStatuses.size());
-  return kNames[static_cast<std::size_t>(status)];
+  return kNames[std::size_t(status)];
 }
 
 const char* to_string(PlanLimit limit) {
   constexpr std::array kNames{"time", "iterations", "queries", "memory"};
-  return kNames[static_cast<std::size_t>(limit)];
+  return kNames[std::size_t(limit)];
 }
 
 }  // namespace limber

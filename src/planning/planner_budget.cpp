@@ -9,6 +9,7 @@
 
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/refuse_if.hpp"
 
 namespace limber {
 
@@ -23,7 +24,7 @@ constexpr double kNotableCost = 0.995;  // of the cost noted before
 
 template <class Number>
 void require_positive(const std::optional<Number>& limit, const char* name) {
-  if (limit && !(*limit > Number(0) && std::isfinite(static_cast<double>(*limit)))) {
+  if (limit && !(*limit > Number(0) && std::isfinite(double(*limit)))) {
     throw InputError(fmt::format("{} of {}; expected a number > 0", name, *limit));
   }
 }
@@ -38,9 +39,8 @@ PlannerBudget::PlannerBudget(const PlannerLimits& limits, const PlannerCallback&
       start_(now_()),
       reserve_s_(kReserveS),
       stop_(stop_of_thread()) {
-  if (!limits.time_s && !limits.iterations && !limits.queries) {
-    throw InputError("a planner needs a limit of time, iterations or queries; none is set");
-  }
+  refuse_if(!limits.time_s && !limits.iterations && !limits.queries,
+            "a planner needs a limit of time, iterations or queries; none is set");
   require_positive(limits.time_s, "time limit [s]");
   require_positive(limits.iterations, "limit of iterations");
   require_positive(limits.queries, "limit of queries");
@@ -121,7 +121,7 @@ double Restarts::length(std::uint64_t i) {
   while (!std::has_single_bit(i + 1)) {
     i -= std::bit_floor(i) - 1;
   }
-  return static_cast<double>((i + 1) / 2);
+  return double((i + 1) / 2);
 }
 
 }  // namespace limber

@@ -125,7 +125,7 @@ class Restarts {
 
   /// Whether the search that began at `begun_` has had its queries.
   bool is_due(std::uint64_t queries) const {
-    return static_cast<double>(queries - begun_) >= unit_queries_ * length(count_ + 1);
+    return double(queries - begun_) >= unit_queries_ * length(count_ + 1);
   }
   /// The next search begins.
   void begin(std::uint64_t queries) {

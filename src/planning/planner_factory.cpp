@@ -11,6 +11,8 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/network/gap_bounds.hpp"
 #include "limber/planning/forest.hpp"
@@ -40,11 +42,9 @@ const LearntRegion* recorded_of(const MotionModel& model) {
 
 std::optional<RecordedRegion> region_to_stay_in(const ArmDescription& arm,
                                                 const MotionModel& model) {
-  if (recorded_of(model) == nullptr) {
-    throw InputError(
-        "--stay-recorded: the model does not store what "
-        "its recordings held; limber train stores it");
-  }
+  refuse_if(recorded_of(model) == nullptr,
+            "--stay-recorded: the model does not store what "
+            "its recordings held; limber train stores it");
   return std::optional<RecordedRegion>(std::in_place, *recorded_of(model), arm.frame_rate_hz);
 }
 
@@ -70,22 +70,18 @@ ArmDescription slowed(ArmDescription arm, const PlanSettings& settings,
   }
   if (settings.rate_limit_kpa_per_s) {
     const double rate = *settings.rate_limit_kpa_per_s;
-    if (!(rate > 0.0 && rate <= own)) {
-      throw InputError(fmt::format(
-          "a rate limit of {0} {1}/s (--rate-limit); expected more than 0, and at most the arm's "
-          "{2} {1}/s",
-          rate, arm.command.unit, own));
-    }
-    if (settings.forest != nullptr) {
-      throw InputError("a rate limit of its own and a forest, which was grown with the arm's");
-    }
+    refuse_if(
+        !(rate > 0.0 && rate <= own),
+        "a rate limit of {0} {1}/s (--rate-limit); expected more than 0, and at most the arm's "
+        "{2} {1}/s",
+        rate, arm.command.unit, own);
+    refuse_if(settings.forest != nullptr,
+              "a rate limit of its own and a forest, which was grown with the arm's");
     own = rate;
-    if (arm.max_motion_frames() > kMaxMotionFrames) {
-      throw InputError(fmt::format(
-          "a rate limit of {} {}/s (--rate-limit): from limit to limit takes {:.3g} frames; "
-          "expected at most {:.0f}",
-          rate, arm.command.unit, arm.max_motion_frames(), kMaxMotionFrames));
-    }
+    refuse_if(arm.max_motion_frames() > kMaxMotionFrames,
+              "a rate limit of {} {}/s (--rate-limit): from limit to limit takes {:.3g} frames; "
+              "expected at most {:.0f}",
+              rate, arm.command.unit, arm.max_motion_frames(), kMaxMotionFrames);
   }
   return arm;
 }
@@ -111,9 +107,7 @@ std::unique_ptr<Planner> make_planner(const std::string& name, int jobs, const F
     settings.forest = forest;
     return make_certified_planner(make_default_planner(settings, name), jobs);
   }
-  if (forest != nullptr) {
-    throw InputError(fmt::format("planner '{}' uses no forest; only 'default' does", name));
-  }
+  refuse_if(forest != nullptr, "planner '{}' uses no forest; only 'default' does", name);
   // The second name is of a search that tries all parents; the tree is the same, node by node.
   if (parsed.name == "paper" || parsed.name == "paper-steer-all") {
     return make_paper_planner(std::move(parsed), name, jobs);
@@ -161,7 +155,7 @@ PlanResult plan(const ArmDescription& arm, const CompensationModel& network,
   return result;
 }
 
-PlanResult plan(const ArmDescription& arm, const std::filesystem::path& model_file,
+PlanResult plan(const ArmDescription& arm, const fs::path& model_file,
                 const Environment& environment, const PlannerLimits& limits, std::uint64_t seed,
                 const PlanSettings& settings) {
   const CompensationModel network = read_model_of_one_arm(model_file, arm);

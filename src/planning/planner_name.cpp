@@ -1,9 +1,7 @@
 #include "planner_name.hpp"
 
-#include <fmt/format.h>
-
-#include "limber/common/error.hpp"
 #include "limber/common/number_text.hpp"
+#include "limber/common/refuse_if.hpp"
 
 namespace limber {
 
@@ -15,14 +13,11 @@ PlannerName PlannerName::parse(const std::string& text) {
     const std::size_t next = text.find(',', at + 1);
     const std::string part = text.substr(at + 1, next == std::string::npos ? next : next - at - 1);
     const std::size_t equals = part.find('=');
-    if (equals == std::string::npos || equals == 0) {
-      throw InputError(
-          fmt::format("planner setting '{}'; expected NAME,key=value,key=value", part));
-    }
+    refuse_if(equals == std::string::npos || equals == 0,
+              "planner setting '{}'; expected NAME,key=value,key=value", part);
     const std::string key = part.substr(0, equals);
-    if (!parsed.settings.emplace(key, part.substr(equals + 1)).second) {
-      throw InputError(fmt::format("planner setting {}: given twice", key));
-    }
+    refuse_if(!parsed.settings.emplace(key, part.substr(equals + 1)).second,
+              "planner setting {}: given twice", key);
     at = next;
   }
   return parsed;
@@ -38,10 +33,8 @@ double PlannerName::take(const std::string& key, double low, double high, double
 
 double setting_number(const std::string& key, const std::string& value, double low, double high) {
   const std::optional<double> number = number_in(value);
-  if (!number || !(*number >= low && *number <= high)) {
-    throw InputError(fmt::format("planner setting {} = '{}'; expected a number from {} to {}", key,
-                                 value, low, high));
-  }
+  refuse_if(!number || !(*number >= low && *number <= high),
+            "planner setting {} = '{}'; expected a number from {} to {}", key, value, low, high);
   return *number;
 }
 

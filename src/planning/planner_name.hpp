@@ -3,18 +3,14 @@
 #include <map>
 #include <string>
 
-#include <fmt/format.h>
-
-#include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 
 namespace limber {
 
 /// @throws InputError if a planner's setting is out of range.
 inline void require_between(const char* name, double value, double low, double high) {
-  if (!(value >= low && value <= high)) {
-    throw InputError(
-        fmt::format("planner setting {} = {}; expected {} to {}", name, value, low, high));
-  }
+  refuse_if(!(value >= low && value <= high), "planner setting {} = {}; expected {} to {}", name,
+            value, low, high);
 }
 
 /// The number of a planner's setting. @throws InputError if it is none from `low` to `high`.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "limber/common/mapped.hpp"
+
 namespace limber {
 
 int PressureTree::add(const MotionState& state, int parent, double cost_kpa) {
@@ -84,18 +86,15 @@ std::vector<int> PressureTree::nodes_to(int i) const {
 }
 
 std::vector<Pressures> PressureTree::path_to(int i) const {
-  std::vector<Pressures> path;
-  for (const int node : nodes_to(i)) {
-    path.emplace_back(setpoint_kpa(node));
-  }
-  return path;
+  return mapped<Pressures>(nodes_to(i),
+                           [&](const int node) { return Pressures(setpoint_kpa(node)); });
 }
 
 std::size_t PressureTree::bytes_per_node() const {
-  return sizeof(Node) + sizeof(float) * static_cast<std::size_t>(
-                                            model_.valves().state_size() +
-                                            (model_.reads_velocity() ? 2 * kPoseSize : kPoseSize) *
-                                                model_.point_count());
+  return sizeof(Node) +
+         sizeof(float) * std::size_t(model_.valves().state_size() +
+                                     (model_.reads_velocity() ? 2 * kPoseSize : kPoseSize) *
+                                         model_.point_count());
 }
 
 }  // namespace limber

@@ -22,7 +22,7 @@ class PressureTree {
   /// The same if the caller knows the state's settled tip already.
   int add(const MotionState& state, const Pose& settled_tip, int parent, double cost_kpa);
 
-  int size() const { return static_cast<int>(nodes_.size()); }
+  int size() const { return int(nodes_.size()); }
   int parent(int i) const { return node(i).parent; }
   double cost_kpa(int i) const { return node(i).cost_kpa; }
   Eigen::Map<const Pressures> setpoint_kpa(int i) const;
@@ -64,8 +64,8 @@ class PressureTree {
     Pose settled_tip;
   };
 
-  Node& node(int i) { return nodes_[static_cast<std::size_t>(i)]; }
-  const Node& node(int i) const { return nodes_[static_cast<std::size_t>(i)]; }
+  Node& node(int i) { return nodes_[i]; }
+  const Node& node(int i) const { return nodes_[i]; }
   void attach(int i, int parent);
 
   MotionModel model_;

@@ -9,6 +9,7 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/units.hpp"
 #include "limber/world/inverse_kinematics.hpp"
 #include "limber/world/start_shape.hpp"
@@ -41,7 +42,7 @@ double min_tip_radius_m(const PlanningProblem& problem, const CollisionChecker& 
   const double moved_m = std::hypot(goal.x_m - tip.x_m, goal.y_m - tip.y_m);
   const double min_moved_m = std::max(0.0, moved_m - goal.position_tolerance_m);
   const std::vector<double>& full_m = problem.tube->plate_radius_m;
-  const auto before = static_cast<std::size_t>(gap);
+  const auto before = std::size_t(gap);
   return checker.radius_m(gap) - std::max(full_m[before], full_m[before + 1]) +
          full_m[before + 1] * problem.tube->growth.share_after(min_moved_m);
 }
@@ -54,7 +55,7 @@ void check_goal_clearance(const PlanningProblem& problem, const CollisionChecker
   const PoseGoal& goal = environment.goal;
   const double tip_radius = min_tip_radius_m(problem, checker);
   for (std::size_t i = 0; i < environment.obstacles.size(); ++i) {
-    const ObstacleShape shape = make_obstacle_shape(environment.obstacles[i], static_cast<int>(i));
+    const ObstacleShape shape = make_obstacle_shape(environment.obstacles[i], int(i));
     const double distance = signed_distance(shape, Eigen::Vector2d(goal.x_m, goal.y_m));
     const double missing = tip_radius - distance - goal.position_tolerance_m;
     if (missing > 0.0) {
@@ -63,8 +64,8 @@ void check_goal_clearance(const PlanningProblem& problem, const CollisionChecker
           "the goal ({:.3f}, {:.3f}) m is {:.2f} cm {} {}; the tip, {:.2f} cm thick to each side"
           "{}, can't be there: even at the edge of the tolerance {:.2f} cm are missing",
           goal.x_m, goal.y_m, std::abs(distance) * kCmPerM, distance < 0.0 ? "inside" : "away from",
-          obstacle_name(environment, static_cast<int>(i)), tip_radius * kCmPerM,
-          margin_note(problem), missing * kCmPerM);
+          obstacle_name(environment, int(i)), tip_radius * kCmPerM, margin_note(problem),
+          missing * kCmPerM);
       return;
     }
   }
@@ -96,13 +97,13 @@ void check_start_limits(const PlanningProblem& problem, ProblemCheck& result) {
   const Pressures start_kpa = start_state(problem.environment, problem.arm).setpoint_kpa();
   const std::vector<PressureLimits> limits = limits_of(problem);
   for (std::size_t i = 0; i < limits.size(); ++i) {
-    const double value = start_kpa[static_cast<Eigen::Index>(i)];
+    const double value = start_kpa[Eigen::Index(i)];
     if (!limits[i].contains(value)) {
       result.refusal = PlanStatus::invalid_start;
       result.reason = fmt::format(
           "the arm starts with {} at {:.6g} {unit}; the limits to plan within are {} {unit}: widen "
           "them, or move the start",
-          segment_name(static_cast<Eigen::Index>(i)), value, to_string(limits[i]),
+          segment_name(Eigen::Index(i)), value, to_string(limits[i]),
           fmt::arg("unit", problem.arm.command.unit));
       return;
     }
@@ -179,26 +180,20 @@ std::string reached_only_in_collision(const PlanningProblem& problem,
 }
 
 void require_margin(double margin_m) {
-  if (!(margin_m >= 0.0 && margin_m <= kMaxMarginM)) {
-    throw InputError(fmt::format("margin_m = {}; expected a distance in metres, 0 to {}", margin_m,
-                                 kMaxMarginM));
-  }
+  refuse_if(!(margin_m >= 0.0 && margin_m <= kMaxMarginM),
+            "margin_m = {}; expected a distance in metres, 0 to {}", margin_m, kMaxMarginM);
 }
 
 void require_goal_margin(const PoseError& margin) {
   for (const double one : {margin.position_m, margin.orientation_rad}) {
-    if (!(one >= 0.0 && one <= kMaxMarginM)) {
-      throw InputError(
-          fmt::format("goal margin of {}; expected a number, 0 to {}", one, kMaxMarginM));
-    }
+    refuse_if(!(one >= 0.0 && one <= kMaxMarginM), "goal margin of {}; expected a number, 0 to {}",
+              one, kMaxMarginM);
   }
 }
 
 void require_limits(const std::vector<PressureLimits>& limits, const ArmDescription& arm) {
-  if (!limits.empty() && int(limits.size()) != arm.channel_count()) {
-    throw InputError(fmt::format("limits of {} segments; arm '{}' has {}", limits.size(), arm.name,
-                                 arm.channel_count()));
-  }
+  refuse_if(!limits.empty() && int(limits.size()) != arm.channel_count(),
+            "limits of {} segments; arm '{}' has {}", limits.size(), arm.name, arm.channel_count());
   for (std::size_t i = 0; i < limits.size(); ++i) {
     const PressureLimits& own = arm.segments[i].pressure_limit_kpa;
     const bool has_width = limits[i].lower_kpa < limits[i].upper_kpa;
@@ -206,8 +201,8 @@ void require_limits(const std::vector<PressureLimits>& limits, const ArmDescript
       throw InputError(
           fmt::format("limits of {} to plan within: {} {unit}; expected "
                       "lower < upper, both within the arm's {} {unit}",
-                      segment_name(static_cast<Eigen::Index>(i)), to_string(limits[i]),
-                      to_string(own), fmt::arg("unit", arm.command.unit)));
+                      segment_name(Eigen::Index(i)), to_string(limits[i]), to_string(own),
+                      fmt::arg("unit", arm.command.unit)));
     }
   }
 }

@@ -11,7 +11,7 @@
 #include "chart_area.hpp"
 #include "chart_measure.hpp"
 #include "chart_shapes.hpp"
-#include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/plot/svg_text.hpp"
 #include "svg_elements.hpp"
 
@@ -92,18 +92,15 @@ Picture picture_of(const ChartSettings& settings, const std::vector<Series>& ser
 
 void check_sizes(const std::string& chart, const std::string& label, std::string_view first_name,
                  std::size_t first, std::string_view second_name, std::size_t second) {
-  if (first != second) {
-    throw InputError(fmt::format("chart '{}': series '{}' has {} {} and {} {}; expected as many",
-                                 chart, label, first, first_name, second, second_name));
-  }
+  refuse_if(first != second, "chart '{}': series '{}' has {} {} and {} {}; expected as many", chart,
+            label, first, first_name, second, second_name);
 }
 
 std::pair<double, double> checked_range(const std::string& chart, char axis, double low,
                                         double high) {
-  if (!std::isfinite(low) || !std::isfinite(high) || low >= high) {
-    throw InputError(fmt::format("chart '{}': {} range {} … {}; expected finite limits, low < high",
-                                 chart, axis, low, high));
-  }
+  refuse_if(!std::isfinite(low) || !std::isfinite(high) || low >= high,
+            "chart '{}': {} range {} … {}; expected finite limits, low < high", chart, axis, low,
+            high);
   return {low, high};
 }
 
@@ -144,10 +141,9 @@ Chart& Chart::equal_aspect() {
 }
 
 Chart& Chart::size_px(int width_px, int height_px) {
-  if (width_px < 200 || height_px < 150) {
-    throw InputError(fmt::format("chart '{}': {} × {} px; expected at least 200 × 150",
-                                 settings_.title, width_px, height_px));
-  }
+  refuse_if(width_px < 200 || height_px < 150,
+            "chart '{}': {} × {} px; expected at least 200 × 150", settings_.title, width_px,
+            height_px);
   settings_.width_px = width_px;
   settings_.height_px = height_px;
   return *this;
@@ -215,12 +211,10 @@ Chart& Chart::bars(std::vector<std::string> categories, std::string label,
   if (!errors.empty()) {
     check_sizes(settings_.title, label, "values", values.size(), "errors", errors.size());
   }
-  if (!settings_.categories.empty() && settings_.categories != categories) {
-    throw InputError(
-        fmt::format("chart '{}': bars '{}' name other categories than the series before; all bars "
-                    "of a chart share theirs",
-                    settings_.title, label));
-  }
+  refuse_if(!settings_.categories.empty() && settings_.categories != categories,
+            "chart '{}': bars '{}' name other categories than the series before; all bars "
+            "of a chart share theirs",
+            settings_.title, label);
   settings_.categories = std::move(categories);
   return add(BarSeries{std::move(label), std::move(values), std::move(errors), std::move(style)});
 }
@@ -231,11 +225,9 @@ Chart& Chart::histogram(std::string label, std::vector<double> values, SeriesSty
 
 Chart& Chart::distribution(std::string label, std::vector<double> values, SeriesStyle style) {
   for (const Series& series : series_) {
-    if (std::holds_alternative<BarSeries>(series)) {
-      throw InputError(
-          fmt::format("chart '{}': distribution '{}' in a chart of bars; use a chart of its own",
-                      settings_.title, label));
-    }
+    refuse_if(std::holds_alternative<BarSeries>(series),
+              "chart '{}': distribution '{}' in a chart of bars; use a chart of its own",
+              settings_.title, label);
   }
   settings_.categories.push_back(label);
   return add(DistributionSeries{std::move(label), std::move(values), std::move(style)});
@@ -256,9 +248,7 @@ std::string Chart::svg() const {
 }
 
 ChartGrid::ChartGrid(int columns, std::string title) : columns_(columns), title_(std::move(title)) {
-  if (columns < 1) {
-    throw InputError(fmt::format("chart grid: {} columns; expected at least 1", columns));
-  }
+  refuse_if(columns < 1, "chart grid: {} columns; expected at least 1", columns);
 }
 
 ChartGrid& ChartGrid::add(Chart chart) {
@@ -276,8 +266,8 @@ std::string ChartGrid::svg() const {
     bottom = 38.0;
     right = 24.0 + svg::text_width(title_, 19.0);
   }
-  for (std::size_t first = 0; first < charts_.size(); first += static_cast<std::size_t>(columns_)) {
-    const std::size_t end = std::min(charts_.size(), first + static_cast<std::size_t>(columns_));
+  for (std::size_t first = 0; first < charts_.size(); first += std::size_t(columns_)) {
+    const std::size_t end = std::min(charts_.size(), first + std::size_t(columns_));
     double x = 0.0;
     double row_height = 0.0;
     for (std::size_t i = first; i < end; ++i) {

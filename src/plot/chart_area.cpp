@@ -65,7 +65,7 @@ ChartArea::ChartArea(const ChartSettings& settings, const ChartMeasure& measure)
     widen_to_equal_aspect();
   }
   if (settings.categories.empty()) {
-    x_ticks_ = linear_ticks(x_.low, x_.high, std::max(2, static_cast<int>(width_px_ / 80.0)));
+    x_ticks_ = linear_ticks(x_.low, x_.high, std::max(2, int(width_px_ / 80.0)));
   }
 }
 
@@ -119,7 +119,7 @@ std::string ChartArea::x_ticks() const {
     out += svg::text(x, height_px_ + 20.0, x_ticks_.labels[i], {.anchor = TextAnchor::kMiddle});
   }
   for (std::size_t i = 0; i < settings_.categories.size(); ++i) {
-    const double x = pixel_x(static_cast<double>(i));
+    const double x = pixel_x(double(i));
     const double y = height_px_ + 20.0;
     const std::string turn = svg::attribute(
         "transform",

@@ -21,7 +21,7 @@ std::string tick_label(double value, double step) {
   if (step >= 1e6 || (step < 1e-4 && magnitude < 1.0)) {
     return value == 0.0 ? "0" : fmt::format("{:.3g}", value);
   }
-  const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + kSlack)));
+  const int decimals = std::max(0, int(-std::floor(std::log10(step) + kSlack)));
   return fmt::format("{:.{}f}", value, decimals);
 }
 
@@ -129,7 +129,7 @@ std::vector<double> even_edges(const Extent& extent) {
   }
   std::vector<double> edges(kBins + 1);
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    const double share = static_cast<double>(i) / kBins;
+    const double share = double(i) / kBins;
     edges[i] = low + share * (high - low);
   }
   edges.back() = high;
@@ -138,7 +138,7 @@ std::vector<double> even_edges(const Extent& extent) {
 
 NiceRange x_range(const ChartSettings& settings, const Measurer& measured) {
   if (!settings.categories.empty()) {
-    return {-0.5, static_cast<double>(settings.categories.size()) - 0.5};
+    return {-0.5, double(settings.categories.size()) - 0.5};
   }
   if (settings.x.range) {
     return {settings.x.range->first, settings.x.range->second};
@@ -211,7 +211,7 @@ NiceRange nice_range(double low, double high, int count) {
 AxisTicks linear_ticks(double low, double high, int count) {
   const double step = nice_step(low, high, count);
   const double first = std::ceil(low / step - kSlack);
-  const int tick_count = 1 + static_cast<int>(std::floor(high / step + kSlack) - first);
+  const int tick_count = 1 + int(std::floor(high / step + kSlack) - first);
   AxisTicks ticks;
   for (int i = 0; i < tick_count; ++i) {
     const double index = first + i;
@@ -246,8 +246,8 @@ NiceRange nice_logarithmic_range(double low, double high) {
 
 AxisTicks logarithmic_ticks(double low, double high) {
   assert(low > 0.0 && low < high);
-  const int first = static_cast<int>(std::floor(std::log10(low)));
-  const int last = static_cast<int>(std::ceil(std::log10(high)));
+  const int first = int(std::floor(std::log10(low)));
+  const int last = int(std::ceil(std::log10(high)));
   const int decades = last - first;
   const bool few = std::log10(high / low) < 3.0;
   const int stride = std::max(1, decades / 8);
@@ -276,8 +276,7 @@ std::vector<int> bin_counts(const std::vector<double>& values, const std::vector
       continue;
     }
     const auto above = std::upper_bound(edges.begin(), edges.end(), value);
-    const auto bin =
-        static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, above - edges.begin() - 1));
+    const auto bin = std::size_t(std::max<std::ptrdiff_t>(0, above - edges.begin() - 1));
     ++counts[std::min(bin, counts.size() - 1)];
   }
   return counts;

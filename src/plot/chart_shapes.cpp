@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "limber/common/mapped.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/plot/svg_text.hpp"
 #include "svg_elements.hpp"
@@ -85,7 +86,7 @@ DensityOutline density_outline(const std::vector<double>& values, int steps) {
   std::vector<double> counts(kFineBins, 0.0);
   for (const double value : values) {
     const long bin = std::lround((value - low) / width * (kFineBins - 1));
-    counts[static_cast<std::size_t>(bin)] += 1.0;
+    counts[bin] += 1.0;
   }
   DensityOutline outline;
   for (int step = 0; step < steps; ++step) {
@@ -93,7 +94,7 @@ DensityOutline density_outline(const std::vector<double>& values, int steps) {
     double density = 0.0;
     for (int bin = 0; bin < kFineBins; ++bin) {
       const double distance = (low + width * bin / (kFineBins - 1) - at) / bandwidth;
-      density += counts[static_cast<std::size_t>(bin)] * std::exp(-0.5 * distance * distance);
+      density += counts[bin] * std::exp(-0.5 * distance * distance);
     }
     outline.at.push_back(at);
     outline.density.push_back(density);
@@ -142,7 +143,7 @@ std::string pixel_path(const std::vector<Pixel>& points) {
 SeriesDrawer::SeriesDrawer(const ChartArea& area, const ChartMeasure& measure,
                            const std::vector<Series>& series)
     : area_(area), measure_(measure) {
-  bar_series_ = static_cast<int>(std::ranges::count_if(
+  bar_series_ = int(std::ranges::count_if(
       series, [](const Series& each) { return std::holds_alternative<BarSeries>(each); }));
 }
 
@@ -207,8 +208,8 @@ std::string SeriesDrawer::operator()(const BarSeries& series) {
     if (!is_drawable(series.values[i], area_.logarithmic()) || !is_drawable(error)) {
       continue;
     }
-    const double left = area_.pixel_x(static_cast<double>(i) + offset);
-    const double right = area_.pixel_x(static_cast<double>(i) + offset + bar_width);
+    const double left = area_.pixel_x(double(i) + offset);
+    const double right = area_.pixel_x(double(i) + offset + bar_width);
     const double end = area_.pixel_y(series.values[i]);
     const double top = std::min(end, area_.floor_px());
     out +=
@@ -260,10 +261,9 @@ std::string SeriesDrawer::operator()(const DistributionSeries& series) {
     return "";
   }
   const DensityOutline density = density_outline(heights, 96);
-  std::vector<Pixel> outline;
-  for (std::size_t i = 0; i < density.at.size(); ++i) {
-    outline.push_back({center + half_width * density.density[i], density.at[i]});
-  }
+  auto outline = mapped<Pixel>(density.at.size(), [&](std::size_t i) {
+    return Pixel{center + half_width * density.density[i], density.at[i]};
+  });
   for (std::size_t i = density.at.size(); i-- > 0;) {
     outline.push_back({center - half_width * density.density[i], density.at[i]});
   }

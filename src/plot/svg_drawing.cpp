@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "chart_measure.hpp"
-#include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/plot/svg_text.hpp"
 #include "svg_elements.hpp"
 
@@ -28,15 +28,12 @@ bool is_finite(WorldPoint point) {
 void check_box(const WorldBox& box, double width_px) {
   const bool finite = std::isfinite(box.x_min_m) && std::isfinite(box.x_max_m) &&
                       std::isfinite(box.y_min_m) && std::isfinite(box.y_max_m);
-  if (!finite || box.x_min_m >= box.x_max_m || box.y_min_m >= box.y_max_m) {
-    throw InputError(
-        fmt::format("drawing: box x {} … {} m, y {} … {} m; each must rise from a "
-                    "finite minimum to a finite maximum",
-                    box.x_min_m, box.x_max_m, box.y_min_m, box.y_max_m));
-  }
-  if (!std::isfinite(width_px) || width_px <= 0.0) {
-    throw InputError(fmt::format("drawing: width {} px; expected a finite number > 0", width_px));
-  }
+  refuse_if(!finite || box.x_min_m >= box.x_max_m || box.y_min_m >= box.y_max_m,
+            "drawing: box x {} … {} m, y {} … {} m; each must rise from a "
+            "finite minimum to a finite maximum",
+            box.x_min_m, box.x_max_m, box.y_min_m, box.y_max_m);
+  refuse_if(!std::isfinite(width_px) || width_px <= 0.0,
+            "drawing: width {} px; expected a finite number > 0", width_px);
 }
 
 }  // namespace
@@ -45,7 +42,7 @@ std::string palette_color(int index) {
   assert(index >= 0);
   static constexpr std::array kColors{"#d55e00", "#0072b2", "#111111", "#009e73",
                                       "#cc79a7", "#e69f00", "#56b4e9", "#b8a900"};
-  return kColors[static_cast<std::size_t>(index) % kColors.size()];
+  return kColors[std::size_t(index) % kColors.size()];
 }
 
 SvgDrawing::SvgDrawing(const WorldBox& box, double width_px, std::string title)
@@ -97,8 +94,8 @@ std::string SvgDrawing::path(std::span<const WorldPoint> points) const {
 }
 
 void SvgDrawing::polyline(std::span<const WorldPoint> points, const ShapeStyle& style) {
-  undrawable_ += static_cast<int>(std::count_if(
-      points.begin(), points.end(), [](WorldPoint point) { return !is_finite(point); }));
+  undrawable_ += int(std::count_if(points.begin(), points.end(),
+                                   [](WorldPoint point) { return !is_finite(point); }));
   const std::string data = path(points);
   if (!data.empty()) {
     body_ += fmt::format("<path d=\"{}\"{} stroke-linejoin=\"round\" stroke-linecap=\"round\"/>\n",
@@ -150,12 +147,10 @@ void SvgDrawing::segments(std::span<const WorldPoint> end_points, const ShapeSty
 
 void SvgDrawing::capsule_chain(std::span<const WorldPoint> points, std::span<const double> radii_m,
                                const ShapeStyle& style) {
-  if (points.empty() || radii_m.size() + 1 != points.size()) {
-    throw InputError(
-        fmt::format("drawing: a chain of {} points with {} radii; expected one radius "
-                    "for each gap between two points",
-                    points.size(), radii_m.size()));
-  }
+  refuse_if(points.empty() || radii_m.size() + 1 != points.size(),
+            "drawing: a chain of {} points with {} radii; expected one radius "
+            "for each gap between two points",
+            points.size(), radii_m.size());
   const bool radii_finite = std::all_of(radii_m.begin(), radii_m.end(),
                                         [](double radius) { return std::isfinite(radius); });
   if (!drawable(points, radii_finite ? 0.0 : std::nan(""))) {

@@ -68,7 +68,7 @@ double text_width(std::string_view content, double size_px) {
   const auto characters = std::count_if(content.begin(), content.end(), [](char byte) {
     return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
   });
-  return 0.56 * size_px * static_cast<double>(characters);
+  return 0.56 * size_px * double(characters);
 }
 
 std::string point(double x, double y) {

@@ -26,8 +26,8 @@ std::size_t character_length(std::string_view text) {
   constexpr std::size_t kLongest = 4;
   const bool is_none = find_invalid_utf8(text.substr(0, kLongest)) == 0 ||
                        text.starts_with("\xEF\xBF\xBE") || text.starts_with("\xEF\xBF\xBF");
-  const int leading_ones = std::countl_one(static_cast<std::uint8_t>(text.front()));
-  return is_none ? 0 : static_cast<std::size_t>(std::max(1, leading_ones));
+  const int leading_ones = std::countl_one(std::uint8_t(text.front()));
+  return is_none ? 0 : std::size_t(std::max(1, leading_ones));
 }
 
 std::string_view escaped(std::string_view character) {
@@ -37,7 +37,7 @@ std::string_view escaped(std::string_view character) {
       return escape;
     }
   }
-  const bool is_control = static_cast<std::uint8_t>(first) < 0x20 && first != '\n' && first != '\t';
+  const bool is_control = std::uint8_t(first) < 0x20 && first != '\n' && first != '\t';
   return is_control ? kReplacement : character;
 }
 

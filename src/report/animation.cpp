@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "limber/common/json.hpp"
 #include "limber/common/units.hpp"
 #include "limber/plot/svg_text.hpp"
 #include "limber/report/motion_track.hpp"
@@ -16,8 +17,6 @@
 namespace limber {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // As web/src/animation_data.ts has them: m, m, rad, below a pixel; and kPa.
 const std::vector<double> kShapeUnits = {1e-4, 1e-4, 1e-3};

@@ -9,6 +9,8 @@
 #include "frame_column.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/arm/valve_parameters.hpp"
+#include "limber/common/json.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/plot/chart.hpp"
 #include "limber/report/report_page.hpp"
@@ -16,8 +18,6 @@
 namespace limber {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json to_json(const DeadmanResult& deadman) {
   if (!deadman.tested) {
@@ -45,7 +45,7 @@ std::string pressures_svg(const DriverCheck& check) {
   ChartGrid grid(1, "Set points and what was measured");
   const Eigen::VectorXd& time_s = check.episode.time_s;
   for (int s = 0; s < std::ssize(check.channels); ++s) {
-    Chart chart(check.channels[static_cast<std::size_t>(s)]);
+    Chart chart(check.channels[s]);
     chart.x_axis("time [s]").y_axis("pressure [kPa]").size_px(900, 240);
     const std::vector<double> time(time_s.begin(), time_s.end());
     chart.line("set point in force", time, frame_column(check.episode.setpoint_kpa, s),
@@ -58,10 +58,8 @@ std::string pressures_svg(const DriverCheck& check) {
 
 std::string round_trip_svg(const DriverCheck& check) {
   Chart chart("From a set point to its state");
-  std::vector<double> ms;
-  for (const double seconds : check.timing.round_trip_s) {
-    ms.push_back(kMsPerS * seconds);
-  }
+  const auto ms = mapped<double>(check.timing.round_trip_s,
+                                 [&](const double seconds) { return kMsPerS * seconds; });
   chart.x_axis("round trip [ms]").y_axis("requests").without_legend();
   chart.histogram("round trip", ms);
   return chart.svg();
@@ -122,7 +120,7 @@ std::string to_text(const DriverCheck& check) {
   text += fmt::format("\n  at rest: {:.2f} kPa, noise {:.2f} kPa", fmt::join(check.zero_kpa, ", "),
                       fmt::join(check.noise_kpa, ", "));
   for (const StepResponse& step : check.steps) {
-    const std::string& name = check.channels[static_cast<std::size_t>(step.channel)];
+    const std::string& name = check.channels[step.channel];
     text += fmt::format("\n  {} to {:.0f} kPa: ", name, step.setpoint_kpa);
     text +=
         step.answered

@@ -11,7 +11,10 @@
 #include "limber/arm/names.hpp"
 #include "limber/arm/pose_columns.hpp"
 #include "limber/common/atomic_file.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/json_number.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/plot/chart.hpp"
 #include "limber/plot/svg_drawing.hpp"
 #include "limber/report/shapes_page.hpp"
@@ -73,14 +76,13 @@ std::vector<Eigen::Index> shown_frames(const Episode& episode) {
   const auto& motion = episode.motion_index;
   for (std::size_t t = 1; t < motion.size(); ++t) {
     if (t + 1 == motion.size() || motion[t + 1] != motion[t]) {
-      ends.push_back(static_cast<Eigen::Index>(t));
+      ends.push_back(Eigen::Index(t));
     }
   }
   std::vector<Eigen::Index> shown;
-  const auto count = std::min(static_cast<int>(ends.size()), kShownFrames);
+  const auto count = std::min(int(ends.size()), kShownFrames);
   for (int k = 0; k < count; ++k) {
-    const std::size_t at =
-        (2 * static_cast<std::size_t>(k) + 1) * ends.size() / (2 * static_cast<std::size_t>(count));
+    const std::size_t at = (2 * std::size_t(k) + 1) * ends.size() / (2 * std::size_t(count));
     shown.push_back(ends[at]);
   }
   return shown;
@@ -116,8 +118,6 @@ std::string turned_shapes(const ArmDescription& arm, const Predictions& predicti
 const Episode& longest(const std::vector<Episode>& episodes) {
   return *std::ranges::max_element(episodes, {}, &Episode::frame_count);
 }
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kShownEpisodes = 3;
 
@@ -244,20 +244,18 @@ EvaluationPlots plot_evaluation(const ArmDescription& arm, const ForwardModel& n
           arm.is_spatial() ? turned_shapes(arm, predictions, shown, backbones.svg()) : ""};
 }
 
-std::vector<std::filesystem::path> evaluation_plot_paths(const std::filesystem::path& folder,
-                                                         Dimension dimension) {
-  std::vector<std::filesystem::path> paths = {
-      folder / "error_over_time.svg", folder / "position_distribution.svg",
-      folder / "orientation_distribution.svg", folder / "backbones.svg"};
+std::vector<fs::path> evaluation_plot_paths(const fs::path& folder, Dimension dimension) {
+  std::vector<fs::path> paths = {folder / "error_over_time.svg",
+                                 folder / "position_distribution.svg",
+                                 folder / "orientation_distribution.svg", folder / "backbones.svg"};
   if (dimension == Dimension::space) {
     paths.push_back(folder / "shapes.html");
   }
   return paths;
 }
 
-std::vector<std::filesystem::path> write_evaluation_plots(const std::filesystem::path& folder,
-                                                          const EvaluationPlots& plots) {
-  const std::vector<std::filesystem::path> paths =
+std::vector<fs::path> write_evaluation_plots(const fs::path& folder, const EvaluationPlots& plots) {
+  const std::vector<fs::path> paths =
       evaluation_plot_paths(folder, plots.shapes.empty() ? Dimension::plane : Dimension::space);
   const std::string* const texts[] = {&plots.error_over_time, &plots.position_distribution,
                                       &plots.orientation_distribution, &plots.backbones,
@@ -322,10 +320,8 @@ std::string error_over_horizon_svg(const YardstickReport& report) {
       .y_axis("mean position error [cm]")
       .size_px(900, 420)
       .logarithmic_y();
-  std::vector<double> x;
-  for (const int frames : report.horizon_frames) {
-    x.push_back(std::log2(double(frames)));
-  }
+  const auto x = mapped<double>(report.horizon_frames,
+                                [&](const int frames) { return std::log2(double(frames)); });
   int color = kTrueArmColor + 1;
   for (const PredictorErrors& curve : report.predictors) {
     const int its_color = curve.key == "no_load"   ? kNoLoadColor
@@ -339,20 +335,18 @@ std::string error_over_horizon_svg(const YardstickReport& report) {
   return chart.svg();
 }
 
-std::vector<std::filesystem::path> prediction_paths(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> paths;
+std::vector<fs::path> prediction_paths(const fs::path& folder) {
+  std::vector<fs::path> paths;
   for (const auto& [name, restart] : kHorizons) {
     paths.push_back(folder / (std::string(name) + ".csv"));
   }
   return paths;
 }
 
-std::vector<std::filesystem::path> write_predictions(const std::filesystem::path& folder,
-                                                     const ForwardModel& no_load,
-                                                     const ForwardModel* network,
-                                                     const std::vector<Episode>& episodes,
-                                                     int jobs) {
-  const std::vector<std::filesystem::path> paths = prediction_paths(folder);
+std::vector<fs::path> write_predictions(const fs::path& folder, const ForwardModel& no_load,
+                                        const ForwardModel* network,
+                                        const std::vector<Episode>& episodes, int jobs) {
+  const std::vector<fs::path> paths = prediction_paths(folder);
   const std::vector<FrameMatrix> unloaded = predict(no_load, episodes, Restart::every_frame, jobs);
   for (std::size_t i = 0; i < kHorizons.size(); ++i) {
     write_file_atomically(

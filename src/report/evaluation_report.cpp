@@ -6,15 +6,15 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/arm/names.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/json_number.hpp"
+#include "limber/common/mapped.hpp"
 
 namespace limber {
 
 namespace {
 
 constexpr double kTooMuchNoise = 10.0;  // times: networks that learnt with noise have 1 to 4
-
-using Json = nlohmann::ordered_json;
 
 Json to_json(const ErrorStatistics& value) {
   return {{"mean", json_number(value.mean)},
@@ -76,22 +76,16 @@ std::string row(const char* name, const EnsembleErrors& errors) {
 }  // namespace
 
 Json to_json(const std::vector<TraitEstimate>& traits) {
-  Json list = Json::array();
-  for (const TraitEstimate& trait : traits) {
-    list.push_back({{"name", trait.name},
-                    {"value", trait.value},
-                    {"sd", trait.deviation},
-                    {"reference", trait.reference}});
-  }
-  return list;
+  return mapped<Json>(traits, [&](const TraitEstimate& trait) {
+    return Json{{"name", trait.name},
+                {"value", trait.value},
+                {"sd", trait.deviation},
+                {"reference", trait.reference}};
+  });
 }
 
 Json to_json(const std::vector<ArmChange>& changes) {
-  Json list = Json::array();
-  for (const ArmChange& change : changes) {
-    list.push_back(to_json(change));
-  }
-  return list;
+  return mapped<Json>(changes, [&](const ArmChange& change) { return to_json(change); });
 }
 
 Json to_json(const TipErrors& value) {
@@ -108,7 +102,7 @@ Json to_json(const RolloutErrors& errors) {
           {"open_loop", to_json(errors.open_loop)}};
 }
 
-nlohmann::ordered_json to_json(const LongRollout& rollout) {
+Json to_json(const LongRollout& rollout) {
   return {{"frames", rollout.frames},
           {"largest_distance_m", rollout.max_distance_m},
           {"largest_heading_rad", rollout.max_heading_rad},

@@ -8,6 +8,7 @@
 
 #include "animation.hpp"
 #include "limber/arm/names.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/json_number.hpp"
 #include "limber/common/units.hpp"
 #include "limber/network/physical_traits.hpp"
@@ -22,8 +23,6 @@ namespace limber {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 std::string contact_text(const Contact& contact, const Environment& environment) {
   const int obstacle = contact.clearance.obstacle;
   return fmt::format("{}, {}, {:.2f} s", obstacle_name(environment, obstacle),
@@ -34,7 +33,7 @@ Json to_json(const std::optional<Contact>& contact, const Environment& environme
   if (!contact) {
     return nullptr;
   }
-  const auto obstacle = static_cast<std::size_t>(contact->clearance.obstacle);
+  const auto obstacle = std::size_t(contact->clearance.obstacle);
   return {{"time_s", contact->time_s},
           {"clearance_cm", kCmPerM * contact->clearance.value_m},
           {"obstacle", obstacle},
@@ -62,7 +61,7 @@ void draw_tip_path(SvgDrawing& drawing, const ArmDescription& arm, const Episode
     tips.push_back({tip.x(), tip.y()});
   }
   for (int k = 0; k < std::min(kShapes, frames); ++k) {
-    const auto frame = static_cast<Eigen::Index>(std::lround(k * (frames - 1.0) / kShapes));
+    const auto frame = Eigen::Index(std::lround(k * (frames - 1.0) / kShapes));
     draw_arm(drawing, arm, backbone_at(episode.backbone, frame),
              {.fill = color, .stroke = "none", .opacity = 0.08 + 0.03 * k});
   }
@@ -262,10 +261,10 @@ std::string execution_picture(const ArmDescription& arm, const Environment& befo
 
 std::string execution_animation(const ArmDescription& arm, const Environment& before,
                                 const Plan& plan, const ExecutionResult& result) {
-  nlohmann::ordered_json motion = {{"frame_rate_hz", plan.frame_rate_hz},
-                                   {"appeared", appeared_to_json(result.appeared)},
-                                   {"setpoints_kpa", setpoints_to_json(plan)},
-                                   {"tracks", {predicted_track(arm, before, plan).json()}}};
+  Json motion = {{"frame_rate_hz", plan.frame_rate_hz},
+                 {"appeared", appeared_to_json(result.appeared)},
+                 {"setpoints_kpa", setpoints_to_json(plan)},
+                 {"tracks", {predicted_track(arm, before, plan).json()}}};
   if (result.episode.frame_count() > 0) {
     motion["setpoints_kpa"] = rows_to_json(result.episode.setpoint_kpa);
     motion["tracks"].push_back(executed_track("arm", arm, before, result).json());

@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "limber/common/json.hpp"
 #include "limber/common/units.hpp"
 #include "limber/report/scene_json.hpp"
 
 namespace limber {
-
-using Json = nlohmann::ordered_json;
 
 void MotionTrack::add(const Eigen::Ref<const Pressures>& kpa,
                       const Eigen::Ref<const Backbone>& shape, bool is_seen) {

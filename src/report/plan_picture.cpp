@@ -7,6 +7,7 @@
 
 #include "animation.hpp"
 #include "limber/arm/names.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/plot/chart.hpp"
 #include "limber/plot/svg_drawing.hpp"
 #include "limber/world/obstacle_shape.hpp"
@@ -37,10 +38,8 @@ void draw(SvgDrawing& drawing, const Rectangle& r) {
 }
 
 void draw(SvgDrawing& drawing, const Polygon& polygon) {
-  std::vector<WorldPoint> points;
-  for (const Eigen::Vector2d& p : polygon.points_m) {
-    points.push_back(world(p));
-  }
+  const auto points =
+      mapped<WorldPoint>(polygon.points_m, [&](const Eigen::Vector2d& p) { return world(p); });
   drawing.polygon(points, kObstacleStyle);
 }
 
@@ -51,18 +50,14 @@ std::string model_color(const std::string& model) {
 }
 
 std::vector<WorldPoint> center_line(const Backbone& backbone) {
-  std::vector<WorldPoint> points;
-  for (Eigen::Index i = 0; i < backbone.rows(); ++i) {
-    points.push_back({backbone(i, 0), backbone(i, 1)});
-  }
-  return points;
+  return mapped<WorldPoint>(backbone.rows(), [&](Eigen::Index i) {
+    return WorldPoint{backbone(i, 0), backbone(i, 1)};
+  });
 }
 
 void draw_tip_path(SvgDrawing& drawing, const Plan& plan, const ShapeStyle& style) {
-  std::vector<WorldPoint> tips;
-  for (const PlanFrame& frame : plan.frames) {
-    tips.push_back(world(tip_position_m(frame.backbone)));
-  }
+  const auto tips = mapped<WorldPoint>(
+      plan.frames, [&](const PlanFrame& frame) { return world(tip_position_m(frame.backbone)); });
   drawing.polyline(tips, style);
 }
 
@@ -79,7 +74,7 @@ WorldBox picture_box(const ArmDescription& arm, const Environment& environment) 
   };
   include(goal.x_m, goal.y_m);
   for (std::size_t i = 0; i < environment.obstacles.size(); ++i) {
-    const Box around = make_obstacle_shape(environment.obstacles[i], static_cast<int>(i)).box;
+    const Box around = make_obstacle_shape(environment.obstacles[i], int(i)).box;
     // What lies beyond the arm's reach is cut off.
     const auto within = [&](double v) { return std::clamp(v, -1.2 * reach, 1.2 * reach); };
     include(within(around.low.x()), within(around.low.y()));
@@ -114,7 +109,7 @@ void draw_arm(SvgDrawing& drawing, const ArmDescription& arm, const Backbone& ba
               const ShapeStyle& style) {
   std::vector<double> radii;
   for (const Segment& segment : arm.segments) {
-    radii.insert(radii.end(), static_cast<std::size_t>(segment.gaps),
+    radii.insert(radii.end(), std::size_t(segment.gaps),
                  0.5 * segment.width_m + arm.actuator_radius_m);
   }
   drawing.capsule_chain(center_line(backbone), radii, style);
@@ -136,23 +131,21 @@ void draw_plan(SvgDrawing& drawing, const ArmDescription& arm, const Plan& plan)
   const std::string color = model_color(plan.model);
   for (int k = 0; k < shapes; ++k) {
     const bool last = k + 1 == shapes;
-    const int frame = last ? plan.frame_count() - 1
-                           : static_cast<int>(std::lround(k * (moving - 1.0) / (shapes - 1)));
+    const int frame =
+        last ? plan.frame_count() - 1 : int(std::lround(k * (moving - 1.0) / (shapes - 1)));
     const ShapeStyle style =
         last ? ShapeStyle{.fill = color, .stroke = "#222222", .width_px = 1.0, .opacity = 0.85}
              : ShapeStyle{.fill = color,
                           .stroke = "none",
                           .opacity = kFaintest + (0.45 - kFaintest) * k / std::max(1, shapes - 1)};
-    draw_arm(drawing, arm, plan.frames[static_cast<std::size_t>(frame)].backbone, style);
+    draw_arm(drawing, arm, plan.frames[frame].backbone, style);
   }
   draw_tip_path(drawing, plan, {.stroke = "#222222", .width_px = 1.5});
 }
 
 std::string pressure_picture(const ArmDescription& arm, const Plan& plan) {
-  std::vector<double> time_s;
-  for (int k = 0; k < plan.frame_count(); ++k) {
-    time_s.push_back(k * arm.frame_period_s());
-  }
+  const auto time_s =
+      mapped<double>(plan.frame_count(), [&](int k) { return k * arm.frame_period_s(); });
   Chart chart(fmt::format("Set points and {}s", followed_name(arm.command)));
   chart.x_axis("time [s]").y_axis(fmt::format("{} [{}]", arm.command.name, arm.command.unit));
   for (Eigen::Index i = 0; i < arm.segment_count(); ++i) {
@@ -161,7 +154,7 @@ std::string pressure_picture(const ArmDescription& arm, const Plan& plan) {
       setpoints.push_back(double(frame.setpoint_kpa[i]));
       predicted.push_back(double(frame.pressure_kpa[i]));
     }
-    const SeriesStyle style{.color = palette_color(static_cast<int>(i) + 3)};
+    const SeriesStyle style{.color = palette_color(int(i) + 3)};
     chart.line(fmt::format("{}: set point", segment_name(i)), time_s, std::move(setpoints),
                {.color = style.color, .width_px = 1.0, .dashed = true});
     chart.line(fmt::format("{}: predicted", segment_name(i)), time_s, std::move(predicted), style);

@@ -7,12 +7,11 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/arm/pressure_limits.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/json_number.hpp"
 #include "limber/common/units.hpp"
 
 namespace limber {
-
-using Json = nlohmann::ordered_json;
 
 namespace {
 

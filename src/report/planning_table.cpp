@@ -5,15 +5,15 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "limber/common/json.hpp"
 #include "limber/common/json_number.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/common/units.hpp"
 
 namespace limber {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// The numbers behind a row.
 struct Samples {
@@ -191,7 +191,7 @@ ReportTable findings_table(const std::vector<PlanningRow>& rows) {
 
 SampleFigures figures_of(const std::vector<double>& values) {
   SampleFigures figures;
-  figures.count = static_cast<int>(values.size());
+  figures.count = int(values.size());
   if (values.empty()) {
     return figures;
   }
@@ -238,32 +238,29 @@ PlanningRow planning_row(const std::vector<PlanTrial>& trials, const std::string
 }
 
 Json to_json(const std::vector<PlanningRow>& rows) {
-  Json table = Json::array();
-  for (const PlanningRow& row : rows) {
-    table.push_back(
-        {{"environment", row.environment},
-         {"model", row.model},
-         {"planner", row.planner},
-         {"controller", row.controller},
-         {"disturbance", row.disturbance},
-         {"trials", row.trials},
-         {"solved", row.solved},
-         {"not_certified", row.not_certified},
-         {"first_solution_s", to_json(row.first_solution_s)},
-         {"first_candidate_s", to_json(row.first_candidate_s)},
-         {"first_certificate_s", to_json(row.first_certificate_s)},
-         {"first_solution_cost_psi", to_json(row.first_cost_psi)},
-         {"cost_psi", to_json(row.cost_psi)},
-         {"executed", row.executed},
-         {"collided", row.collided},
-         {"reached", row.reached},
-         {"stopped_ahead", row.stopped_ahead},
-         {"distance_to_goal_cm", to_json(row.distance_cm)},
-         {"distance_to_goal_without_collision_cm", to_json(row.distance_free_cm)},
-         {"orientation_to_goal_rad", to_json(row.orientation_rad)},
-         {"orientation_to_goal_without_collision_rad", to_json(row.orientation_free_rad)}});
-  }
-  return table;
+  return mapped<Json>(rows, [&](const PlanningRow& row) {
+    return Json{{"environment", row.environment},
+                {"model", row.model},
+                {"planner", row.planner},
+                {"controller", row.controller},
+                {"disturbance", row.disturbance},
+                {"trials", row.trials},
+                {"solved", row.solved},
+                {"not_certified", row.not_certified},
+                {"first_solution_s", to_json(row.first_solution_s)},
+                {"first_candidate_s", to_json(row.first_candidate_s)},
+                {"first_certificate_s", to_json(row.first_certificate_s)},
+                {"first_solution_cost_psi", to_json(row.first_cost_psi)},
+                {"cost_psi", to_json(row.cost_psi)},
+                {"executed", row.executed},
+                {"collided", row.collided},
+                {"reached", row.reached},
+                {"stopped_ahead", row.stopped_ahead},
+                {"distance_to_goal_cm", to_json(row.distance_cm)},
+                {"distance_to_goal_without_collision_cm", to_json(row.distance_free_cm)},
+                {"orientation_to_goal_rad", to_json(row.orientation_rad)},
+                {"orientation_to_goal_without_collision_rad", to_json(row.orientation_free_rad)}};
+  });
 }
 
 bool is_clean_stop(const ExecutionResult& run) {
@@ -276,7 +273,7 @@ std::vector<ReportTable> planning_tables(const std::vector<PlanningRow>& rows) {
   for (std::size_t t = 0; t + 1 < tables.size(); ++t) {
     for (std::size_t r = 0; r < rows.size(); ++r) {
       if (rows[r].model == "network") {
-        tables[t].highlighted_rows.push_back(static_cast<int>(r));
+        tables[t].highlighted_rows.push_back(int(r));
       }
     }
   }

@@ -158,7 +158,7 @@ ReportPage& ReportPage::table(const ReportTable& table) {
   body_ += table.caption.empty() ? "" : element("caption", table.caption);
   body_ += "<thead>\n" + row_element(table.header, "th", false) + "</thead>\n<tbody>\n";
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    const bool highlighted = std::ranges::count(table.highlighted_rows, static_cast<int>(row)) > 0;
+    const bool highlighted = std::ranges::count(table.highlighted_rows, int(row)) > 0;
     body_ += row_element(table.rows[row], "td", highlighted);
   }
   body_ += "</tbody>\n</table>\n</div>\n";

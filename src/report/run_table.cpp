@@ -8,15 +8,15 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/common/cpu_level.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/json_number.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/units.hpp"
 #include "limber/common/version.hpp"
 
 namespace limber {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 bool is_run_of(const PlanTrial& trial, const RunRow& row) {
   return trial.model == row.model && trial.planner == row.planner &&
@@ -58,7 +58,7 @@ std::string run_line(const PlanTrial& trial) {
   return fmt::format("{}; {}; {}; {}; {}; {}; {}; {}; {}; \n", planning.statistics.time_s,
                      trial.solved() ? 1 : 0, trial.solved() ? 1 : 0, number(cost), number(first_s),
                      number(first_cost), planning.statistics.nodes, planning.statistics.queries,
-                     static_cast<int>(planning.status));
+                     int(planning.status));
 }
 
 /// How the best cost fell: "time,cost,;time,cost,;…".
@@ -126,25 +126,23 @@ std::vector<RunRow> RunCount::rows() const {
 }
 
 Json to_json(const std::vector<RunRow>& rows) {
-  Json list = Json::array();
-  for (const RunRow& row : rows) {
-    list.push_back({{"model", row.model},
-                    {"planner", row.planner},
-                    {"controller", row.controller},
-                    {"disturbance", row.disturbance},
-                    {"executed", row.executed},
-                    {"reached", row.reached},
-                    {"collided", row.collided},
-                    {"stopped", row.stopped},
-                    {"stopped_ahead", row.stopped_ahead},
-                    {"obstacles_appeared", row.appeared},
-                    {"faults", row.faults},
-                    {"distance_to_goal_cm", run_figures(row.distance_cm)},
-                    {"goal_time_over_plan", run_figures(row.goal_time_ratio)},
-                    {"time_over_plan", run_figures(row.time_ratio)},
-                    {"replans", run_figures(row.replans)}});
-  }
-  return list;
+  return mapped<Json>(rows, [&](const RunRow& row) {
+    return Json{{"model", row.model},
+                {"planner", row.planner},
+                {"controller", row.controller},
+                {"disturbance", row.disturbance},
+                {"executed", row.executed},
+                {"reached", row.reached},
+                {"collided", row.collided},
+                {"stopped", row.stopped},
+                {"stopped_ahead", row.stopped_ahead},
+                {"obstacles_appeared", row.appeared},
+                {"faults", row.faults},
+                {"distance_to_goal_cm", run_figures(row.distance_cm)},
+                {"goal_time_over_plan", run_figures(row.goal_time_ratio)},
+                {"time_over_plan", run_figures(row.time_ratio)},
+                {"replans", run_figures(row.replans)}};
+  });
 }
 
 ReportTable run_table(const std::vector<RunRow>& rows) {
@@ -176,7 +174,7 @@ std::string planner_arena_log(const std::string& environment, const std::vector<
     }
     const std::string name = fmt::format("control_{}_{}", trial.planner, trial.model);
     const auto found = std::find(planners.begin(), planners.end(), name);
-    const auto index = static_cast<std::size_t>(found - planners.begin());
+    const auto index = std::size_t(found - planners.begin());
     if (found == planners.end()) {
       planners.push_back(name);
       runs.emplace_back();

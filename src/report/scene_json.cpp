@@ -2,11 +2,12 @@
 
 #include <cmath>
 
+#include "limber/common/json.hpp"
+#include "limber/common/mapped.hpp"
+
 namespace limber {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json exact_pressures(const Pressures& kpa) {
   return std::vector<float>(kpa.begin(), kpa.end());
@@ -27,11 +28,9 @@ Json start_to_json(const ArmStart& start) {
 }  // namespace
 
 Json exact_backbone(const Backbone& backbone) {
-  Json rows = Json::array();
-  for (Eigen::Index i = 0; i < backbone.rows(); ++i) {
-    rows.push_back({backbone(i, 0), backbone(i, 1), backbone(i, 2)});
-  }
-  return rows;
+  return mapped<Json>(backbone.rows(), [&](Eigen::Index i) {
+    return Json{backbone(i, 0), backbone(i, 1), backbone(i, 2)};
+  });
 }
 
 double rounded_to(double value, double parts) {
@@ -69,10 +68,10 @@ Json obstacle_to_json(const Obstacle& obstacle) {
               {"height_m", r->height_m},
               {"angle_rad", r->angle_rad}}}};
   }
-  Json points = Json::array();
-  for (const Eigen::Vector2d& p : std::get<Polygon>(obstacle).points_m) {
-    points.push_back({p.x(), p.y()});
-  }
+  const auto points =
+      mapped<Json>(std::get<Polygon>(obstacle).points_m, [&](const Eigen::Vector2d& p) {
+        return Json{p.x(), p.y()};
+      });
   return {{"polygon", points}};
 }
 
@@ -109,27 +108,17 @@ Json length_to_json(double length_m) {
 }
 
 Json pressures_to_json(const Eigen::Ref<const Pressures>& kpa) {
-  Json numbers = Json::array();
-  for (const float value : kpa) {
-    numbers.push_back(rounded_to(double(value), 1e3));
-  }
-  return numbers;
+  return mapped<Json>(kpa, [&](const float value) { return rounded_to(double(value), 1e3); });
 }
 
 Json rows_to_json(const FrameMatrix& rows) {
-  Json json = Json::array();
-  for (Eigen::Index k = 0; k < rows.rows(); ++k) {
-    json.push_back(pressures_to_json(rows.row(k).transpose()));
-  }
-  return json;
+  return mapped<Json>(rows.rows(),
+                      [&](Eigen::Index k) { return pressures_to_json(rows.row(k).transpose()); });
 }
 
 Json setpoints_to_json(const Plan& plan) {
-  Json json = Json::array();
-  for (const PlanFrame& frame : plan.frames) {
-    json.push_back(pressures_to_json(frame.setpoint_kpa));
-  }
-  return json;
+  return mapped<Json>(
+      plan.frames, [&](const PlanFrame& frame) { return pressures_to_json(frame.setpoint_kpa); });
 }
 
 }  // namespace limber

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "animation.hpp"
+#include "limber/common/json.hpp"
 #include "limber/plot/svg_drawing.hpp"
 #include "limber/report/plan_picture.hpp"
 
@@ -16,8 +17,6 @@ namespace {
 ShapeStyle body_style(const std::string& model) {
   return {.fill = model_color(model), .stroke = "none", .opacity = 0.35};
 }
-
-using Json = nlohmann::ordered_json;
 
 constexpr double kPlaceUnitM = 1e-4;  // below a pixel
 constexpr Eigen::Index kMaxShownFrames = 2000;
@@ -39,8 +38,7 @@ Json places_of(const FrameMatrix& backbones, const Episode& recorded, Eigen::Ind
 Json unknown_frames(const FrameMatrix& backbones, const Episode& recorded, Eigen::Index frames) {
   Json unknown = Json::array();
   for (Eigen::Index t = 0; t < frames; ++t) {
-    const bool is_seen =
-        &backbones != &recorded.backbone || recorded.was_tracked(static_cast<int>(t));
+    const bool is_seen = &backbones != &recorded.backbone || recorded.was_tracked(int(t));
     if (!is_seen || !backbones.row(t).allFinite()) {
       unknown.push_back(t);
     }

@@ -5,11 +5,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "limber/common/json.hpp"
+#include "limber/common/mapped.hpp"
+
 namespace limber {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr double kMinShown = 100.0;  // queries/s: a bar's foot, below the paper's figures
 constexpr double kMaxShown = 2e8;
@@ -20,11 +21,7 @@ Json to_json(const QueryRate& rate) {
 }
 
 Json to_json(const std::vector<QueryRate>& rates) {
-  Json list = Json::array();
-  for (const QueryRate& rate : rates) {
-    list.push_back(to_json(rate));
-  }
-  return list;
+  return mapped<Json>(rates, [&](const QueryRate& rate) { return to_json(rate); });
 }
 
 Json to_json(const NetworkSpeed& speed) {

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/arm/names.hpp"
+#include "limber/common/json.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/units.hpp"
 #include "limber/plot/chart.hpp"
 #include "limber/report/execution_report.hpp"
@@ -22,11 +24,7 @@ constexpr int kTimesHeightPx = 300;
 
 /// A number of each of `count` frames; NaN leaves a gap.
 std::vector<double> each_frame(int count, const std::function<double(int)>& number) {
-  std::vector<double> values;
-  for (int k = 0; k < count; ++k) {
-    values.push_back(number(k));
-  }
-  return values;
+  return mapped<double>(count, [&](int k) { return number(k); });
 }
 
 /// What the charts share.
@@ -45,7 +43,7 @@ struct RunTimes {
             each_frame(planned.frame_count(), [&](int k) { return k * of.frame_period_s(); })),
         run_s(run.time_s.begin(), run.time_s.end()) {}
 
-  const PlanFrame& planned_frame(int k) const { return plan.frames[static_cast<std::size_t>(k)]; }
+  const PlanFrame& planned_frame(int k) const { return plan.frames[k]; }
   /// A number of each frame of the run; none of those in which nobody saw the arm.
   std::vector<double> each_seen(const std::function<double(int)>& number) const {
     return each_frame(episode.frame_count(), [&](int t) {
@@ -127,14 +125,11 @@ Chart clearance_chart(const RunTimes& run, const Environment& environment,
   return chart;
 }
 
-nlohmann::ordered_json with_names(const PlanTrial& trial, const nlohmann::ordered_json& object) {
-  nlohmann::ordered_json named = {
-      {"environment", trial.environment}, {"model", trial.model}, {"seed", trial.seed}};
+Json with_names(const PlanTrial& trial, const Json& object) {
+  Json named = {{"environment", trial.environment}, {"model", trial.model}, {"seed", trial.seed}};
   named.update(object);
   return named;
 }
-
-using Json = nlohmann::ordered_json;
 
 double percent_of_length(const TrackRun& run, const TrackError& error) {
   return 100.0 * error.rms_m / run.path.length_m();
@@ -156,9 +151,8 @@ std::string laps_to_text(const char* laps, const TrackRun& run,
     return "";
   }
   return fmt::format(
-      "\n  {}: off by {:.2f} cm (RMS), {:.2f} % of the path's length; "
-      "at most {:.2f} cm",
-      laps, kCmPerM * error->rms_m, percent_of_length(run, *error), kCmPerM * error->max_m);
+      "\n  {}: off by {:.2f} cm (RMS), {:.2f} % of the path's length; at most {:.2f} cm", laps,
+      kCmPerM * error->rms_m, percent_of_length(run, *error), kCmPerM * error->max_m);
 }
 
 }  // namespace
@@ -182,13 +176,13 @@ std::string execution_times_picture(const ArmDescription& arm, const Environment
   return grid.svg();
 }
 
-nlohmann::ordered_json planning_to_json(const PlanTrial& trial, const Environment& environment) {
+Json planning_to_json(const PlanTrial& trial, const Environment& environment) {
   const Command pressures;  // trials are those of the virtual arm
   return with_names(trial, to_json(trial.planning, pressures, environment.goal, trial.planner,
                                    trial.model, trial.seed));
 }
 
-nlohmann::ordered_json execution_to_json(const PlanTrial& trial, const Environment& environment) {
+Json execution_to_json(const PlanTrial& trial, const Environment& environment) {
   return with_names(trial, to_json(*trial.execution, environment));
 }
 

@@ -6,14 +6,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "limber/common/json.hpp"
 #include "limber/plot/chart.hpp"
 #include "limber/training/training_benchmark.hpp"
 
 namespace limber {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json to_json(const std::optional<FineTuningReport::Change>& change) {
   return change ? Json{{"before", to_json(change->before)}, {"after", to_json(change->after)}}

@@ -7,7 +7,7 @@
 
 #include "frame_column.hpp"
 #include "limber/arm/names.hpp"
-#include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/data/valve_identification.hpp"
 #include "limber/data/valve_simulation.hpp"
 #include "limber/plot/chart.hpp"
@@ -44,9 +44,7 @@ FrameRange liveliest(const Recording& recording) {
       }
     }
   }
-  if (max_change < 0.0) {
-    throw InputError("the recording is too short for a picture of its valves");
-  }
+  refuse_if(max_change < 0.0, "the recording is too short for a picture of its valves");
   return best;
 }
 

@@ -22,8 +22,8 @@ ArmPhysics::ArmPhysics(const ArmDescription& arm, const VirtualArmParameters& pa
       loads_(links_.size()) {
   for (const ChainLink& link : links_) {
     for (std::size_t side = 0; side < kSides.size(); ++side) {
-      const double strength = parameters_.actuators_per_side *
-                              side_strength(parameters_, 2 * link.segment + static_cast<int>(side));
+      const double strength =
+          parameters_.actuators_per_side * side_strength(parameters_, 2 * link.segment + int(side));
       sides_.push_back({kSides[side] * 0.5 * link.width_m,
                         side_law_.side(link.length_m, strength, false,
                                        arm.limits_of_channel(link.segment).largest_kpa())});
@@ -39,7 +39,7 @@ void ArmPhysics::rest(VirtualArmState& state) const {
   for (std::size_t gap = 0; gap < links_.size(); ++gap) {
     state.position[2 * gap + 1] = links_[gap].rest_angle_rad;
   }
-  const std::size_t segments = static_cast<std::size_t>(links_.back().segment) + 1;
+  const std::size_t segments = std::size_t(links_.back().segment) + 1;
   state.pressure_kpa.resize(segments);
   state.flow_kpa_per_s.resize(segments);
   state.braid_anchor_m.resize(joints);
@@ -86,7 +86,7 @@ void ArmPhysics::apply_side_forces(VirtualArmState& state) {
   double* joint_force = chain_.applied_force();
   const double* velocity = chain_.velocity();
   for (std::size_t gap = 0; gap < links_.size(); ++gap) {
-    const double pressure = state.pressure_kpa[static_cast<std::size_t>(links_[gap].segment)];
+    const double pressure = state.pressure_kpa[links_[gap].segment];
     const std::array pressures = {std::max(-pressure, 0.0), std::max(pressure, 0.0)};
     joint_force[2 * gap] = 0.0;
     joint_force[2 * gap + 1] = 0.0;

@@ -12,6 +12,7 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
 
 namespace limber {
@@ -67,7 +68,7 @@ BenchPoint settled_point(VirtualArm& arm, const Pressures& setpoint_kpa, Eigen::
 /// The arm that stands on the bench: one segment, nothing that depends on history.
 ArmDescription on_bench(const ArmDescription& arm, int segment, const std::string& what) {
   ArmDescription bench = arm;
-  bench.segments = {arm.segments[static_cast<std::size_t>(segment)]};
+  bench.segments = {arm.segments[segment]};
   bench.name = fmt::format("{}, {} on the bench", arm.name, what);
   change_virtual_arm(bench, make_ideal);
   return bench;
@@ -91,7 +92,7 @@ ChamberPlace place_of(const ArmDescription& arm, int channel) {
   ChamberPlace place{0, channel};
   for (; place.chamber >= std::ssize(arm.segments[std::size_t(place.segment)].chambers);
        ++place.segment) {
-    place.chamber -= static_cast<int>(arm.segments[std::size_t(place.segment)].chambers.size());
+    place.chamber -= int(arm.segments[std::size_t(place.segment)].chambers.size());
   }
   return place;
 }
@@ -101,7 +102,7 @@ ChamberPlace place_of(const ArmDescription& arm, int channel) {
 double own_share(const Segment& segment, int chamber) {
   Eigen::MatrixX3d places(std::ssize(segment.chambers), 3);
   for (Eigen::Index i = 0; i < places.rows(); ++i) {
-    const Chamber& one = segment.chambers[static_cast<std::size_t>(i)];
+    const Chamber& one = segment.chambers[i];
     const double angle_rad = one.angle_deg * std::numbers::pi / 180.0;
     places.row(i) << 1.0, one.radius_m * std::cos(angle_rad), one.radius_m * std::sin(angle_rad);
   }
@@ -126,16 +127,13 @@ std::vector<BenchPoint> bench_test(const ArmDescription& arm, int segment, int s
     throw InputError(fmt::format("bench test: {}; arm '{}' has segments 0 to {}",
                                  segment_name(segment), arm.name, arm.segment_count() - 1));
   }
-  if (steps < kMinSteps || steps > kMaxSteps) {
-    throw InputError(
-        fmt::format("bench test: {} steps; expected {} to {}", steps, kMinSteps, kMaxSteps));
-  }
+  refuse_if(steps < kMinSteps || steps > kMaxSteps, "bench test: {} steps; expected {} to {}",
+            steps, kMinSteps, kMaxSteps);
   VirtualArm bench(side_on_bench(arm, segment));
-  const double limit =
-      arm.segments[static_cast<std::size_t>(segment)].pressure_limit_kpa.largest_kpa();
+  const double limit = arm.segments[segment].pressure_limit_kpa.largest_kpa();
   std::vector<BenchPoint> points = {{0.0, 0.0}};
   for (int step = 1; step <= steps; ++step) {
-    const Pressures setpoint = Pressures::Constant(1, static_cast<float>(limit * step / steps));
+    const Pressures setpoint = Pressures::Constant(1, float(limit * step / steps));
     points.push_back(settled_point(bench, setpoint, 0, [&] { return bench.right_strain(0); }));
   }
   return points;
@@ -157,14 +155,14 @@ std::vector<BenchPoint> bench_test_of_chamber(const ArmDescription& arm, int cha
         channel, steps, arm.name, arm.is_spatial() ? arm.channel_count() : 0, kMinSteps));
   }
   const ChamberPlace place = place_of(arm, channel);
-  const Segment& segment = arm.segments[static_cast<std::size_t>(place.segment)];
+  const Segment& segment = arm.segments[place.segment];
   const Chamber& chamber = arm.chamber(channel);
   const double share = own_share(segment, place.chamber);
   VirtualArm bench(chamber_on_bench(arm, channel));
   std::vector<BenchPoint> points = {{0.0, 0.0}};
   for (int step = 1; step <= steps; ++step) {
     Pressures setpoint = Pressures::Zero(std::ssize(segment.chambers));
-    setpoint[place.chamber] = static_cast<float>(chamber.limit_kpa.upper_kpa * step / steps);
+    setpoint[place.chamber] = float(chamber.limit_kpa.upper_kpa * step / steps);
     BenchPoint point = settled_point(bench, setpoint, place.chamber,
                                      [&] { return bench.chamber_strain(place.chamber); });
     point.strain *= -chamber.sense / share;

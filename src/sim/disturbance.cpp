@@ -9,6 +9,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/number_text.hpp"
 #include "limber/common/random_stream.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
 
 namespace limber {
@@ -39,15 +40,14 @@ constexpr std::array kKindFacts = {
 };
 
 const KindFacts& facts_of(DisturbanceKind kind) {
-  return kKindFacts[static_cast<std::size_t>(kind)];
+  return kKindFacts[std::size_t(kind)];
 }
 
 double read_amount(const KindFacts& facts, const std::string& text) {
   const double amount = number_in(text).value_or(0.0);
-  if (!(amount > 0.0 && amount <= facts.max)) {
-    throw InputError(fmt::format("disturbance {}={}: expected a number above 0, at most {} ({})",
-                                 facts.name, text, facts.max, facts.unit));
-  }
+  refuse_if(!(amount > 0.0 && amount <= facts.max),
+            "disturbance {}={}: expected a number above 0, at most {} ({})", facts.name, text,
+            facts.max, facts.unit);
   return amount;
 }
 
@@ -124,7 +124,7 @@ DisturbedArm disturbed(const ArmDescription& arm, const Plan& plan,
   result.options.seed = seed;
   VirtualArmParameters later;  // what changes in mid-plan, all of it at one moment
   for (const Disturbance& one : disturbances) {
-    const std::uint64_t stream = kDisturbanceStreams + static_cast<std::uint64_t>(one.kind);
+    const std::uint64_t stream = kDisturbanceStreams + std::uint64_t(one.kind);
     RandomStream random(seed, stream);
     switch (one.kind) {
       case DisturbanceKind::tip_load:
@@ -141,8 +141,7 @@ DisturbedArm disturbed(const ArmDescription& arm, const Plan& plan,
       case DisturbanceKind::weak_actuator:
         require_planar(arm, "the disturbance weak_actuator");
         change_virtual_arm(result.arm, [&](auto& p) {
-          p.weak_side =
-              static_cast<int>(random.index(2 * static_cast<std::uint32_t>(arm.segment_count())));
+          p.weak_side = int(random.index(2 * std::uint32_t(arm.segment_count())));
           p.weak_side_loss = one.amount;
         });
         break;
@@ -161,8 +160,7 @@ DisturbedArm disturbed(const ArmDescription& arm, const Plan& plan,
         break;
       case DisturbanceKind::leak:
         later.leak_share = one.amount;
-        later.leaking_channel =
-            static_cast<int>(random.index(static_cast<std::uint32_t>(arm.channel_count())));
+        later.leaking_channel = int(random.index(std::uint32_t(arm.channel_count())));
         break;
       case DisturbanceKind::obstacle:
         result.obstacle = appearing_obstacle(arm, plan, one.amount, seed, stream);
@@ -170,8 +168,7 @@ DisturbedArm disturbed(const ArmDescription& arm, const Plan& plan,
     }
   }
   if (later.tip_load_kg > 0.0 || later.leak_share > 0.0) {  // of the arm as all other kinds have it
-    RandomStream random(
-        seed, kDisturbanceStreams + static_cast<std::uint64_t>(DisturbanceKind::picked_up));
+    RandomStream random(seed, kDisturbanceStreams + std::uint64_t(DisturbanceKind::picked_up));
     result.options.later_from_s = drawn_start_s(arm, plan, 0.0, random);
     result.options.later = result.arm;
     change_virtual_arm(*result.options.later, [&](auto& p) {

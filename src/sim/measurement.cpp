@@ -1,19 +1,15 @@
 #include "measurement.hpp"
 
-#include <fmt/format.h>
-
 #include "limber/arm/space_pose.hpp"
-#include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 
 namespace limber {
 
 namespace {
 
 void check_option(const char* name, double value, double high) {
-  if (!(value >= 0.0 && value <= high)) {
-    throw InputError(
-        fmt::format("virtual arm: {} = {}; expected a number from 0 to {}", name, value, high));
-  }
+  refuse_if(!(value >= 0.0 && value <= high),
+            "virtual arm: {} = {}; expected a number from 0 to {}", name, value, high);
 }
 
 }  // namespace
@@ -35,10 +31,9 @@ void check_options(const VirtualArmOptions& options) {
 ArmState Measurement::pressures(double time_s, const std::vector<double>& true_kpa) {
   ArmState state;
   state.time_s = time_s;
-  state.pressure_kpa.resize(static_cast<Eigen::Index>(true_kpa.size()));
+  state.pressure_kpa.resize(Eigen::Index(true_kpa.size()));
   for (std::size_t s = 0; s < true_kpa.size(); ++s) {
-    state.pressure_kpa[static_cast<Eigen::Index>(s)] =
-        static_cast<float>(true_kpa[s] + noise(options_.noise_kpa));
+    state.pressure_kpa[Eigen::Index(s)] = float(true_kpa[s] + noise(options_.noise_kpa));
   }
   return state;
 }

@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "limber/common/error.hpp"
 #include "limber/common/printable.hpp"
 #include "limber/common/random_stream.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
 #include "mujoco_chain.hpp"
 
@@ -86,7 +86,7 @@ std::vector<ChainLink> chain_links(const ArmDescription& arm, const VirtualArmPa
   RandomStream lengths(p.strength_seed, kGapLengthStream);
   std::vector<ChainLink> links;
   for (int s = 0; s < arm.segment_count(); ++s) {
-    const Segment& segment = arm.segments[static_cast<std::size_t>(s)];
+    const Segment& segment = arm.segments[s];
     const double scale = segment.width_m / p.reference_width_m;
     ChainLink link;
     link.segment = s;
@@ -116,10 +116,9 @@ Eigen::Vector3d gravity_m_per_s2(const VirtualArmParameters& p) {
 std::string chain_mjcf(const ArmDescription& arm, const VirtualArmParameters& p,
                        double time_step_s) {
   constexpr int kMostGaps = 95;  // MuJoCo reads XML 100 elements deep at most
-  if (arm.point_count() - 1 > kMostGaps) {
-    throw InputError(fmt::format("virtual arm: arm '{}' has {} gaps; expected at most {}", arm.name,
-                                 arm.point_count() - 1, kMostGaps));
-  }
+  refuse_if(arm.point_count() - 1 > kMostGaps,
+            "virtual arm: arm '{}' has {} gaps; expected at most {}", arm.name,
+            arm.point_count() - 1, kMostGaps);
   const std::vector<std::string> links = body_texts(arm, p);
   const Eigen::Vector3d gravity =
       arm.is_spatial() ? Eigen::Vector3d(p.gravity_m_per_s2 * arm.gravity) : gravity_m_per_s2(p);

@@ -51,15 +51,14 @@ mjModel* load_model(const std::string& xml) {
   const std::lock_guard lock(compiler);
   const auto files = std::make_unique<mjVFS>();
   mj_defaultVFS(files.get());
-  const int made = mj_makeEmptyFileVFS(files.get(), kFileName, static_cast<int>(xml.size()));
+  const int made = mj_makeEmptyFileVFS(files.get(), kFileName, int(xml.size()));
   if (made != 0) {
     throw SystemFault(fmt::format("MuJoCo cannot hold the arm's model ({} bytes)", xml.size()));
   }
   const int index = mj_findFileVFS(files.get(), kFileName);
   std::memcpy(files->filedata[index], xml.data(), xml.size());
   std::array<char, 1000> message{};
-  mjModel* model =
-      mj_loadXML(kFileName, files.get(), message.data(), static_cast<int>(message.size()));
+  mjModel* model = mj_loadXML(kFileName, files.get(), message.data(), int(message.size()));
   mj_deleteVFS(files.get());
   if (model == nullptr) {
     throw SystemFault(fmt::format("MuJoCo refuses the arm's model: {}", message.data()));
@@ -105,11 +104,11 @@ void MujocoChain::restore(const VirtualArmState& state) {
   std::ranges::copy(state.position, data_->qpos);
   std::ranges::copy(state.velocity, data_->qvel);
   std::ranges::copy(state.warm_start, data_->qacc_warmstart);
-  data_->time = static_cast<double>(state.step) * time_step_s_;
+  data_->time = double(state.step) * time_step_s_;
 }
 
 double MujocoChain::kinetic_energy_j() const {
-  std::vector<double> momentum(static_cast<std::size_t>(size()));
+  std::vector<double> momentum(size());
   mj_mulM(model_.get(), data_.get(), momentum.data(), data_->qvel);
   double energy = 0.0;
   for (std::size_t dof = 0; dof < momentum.size(); ++dof) {
@@ -192,7 +191,7 @@ std::vector<SpaceLink> space_chain_links(const ArmDescription& arm, const Virtua
 
 void write_space_plates(const std::vector<SpaceLink>& links, double base_angle_rad,
                         const double* position, SpaceBackboneD& plates) {
-  plates.resize(static_cast<Eigen::Index>(links.size()) + 1, kSpacePoseSize);
+  plates.resize(Eigen::Index(links.size()) + 1, kSpacePoseSize);
   SpacePose pose{Eigen::Vector3d::Zero(), turn(base_angle_rad, Eigen::Vector3d::UnitZ())};
   plates.row(0) = numbers_of(pose).transpose();
   for (std::size_t gap = 0; gap < links.size(); ++gap) {
@@ -206,7 +205,7 @@ void write_space_plates(const std::vector<SpaceLink>& links, double base_angle_r
                       half_m * (step.rotation * Eigen::Vector3d::UnitX());
     pose = compose(pose, step);
     pose.rotation.normalize();
-    plates.row(static_cast<Eigen::Index>(gap) + 1) = numbers_of(pose).transpose();
+    plates.row(Eigen::Index(gap) + 1) = numbers_of(pose).transpose();
   }
 }
 

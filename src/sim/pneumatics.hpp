@@ -44,7 +44,7 @@ class Pneumatics {
       const double before = flow_kpa_per_s;
       flow_kpa_per_s += valve_response_ * (flow - before);
       pressure_kpa += 0.5 * time_step_s_ * (before + flow_kpa_per_s);
-      if (channel == static_cast<std::size_t>(parameters_.leaking_channel)) {
+      if (channel == std::size_t(parameters_.leaking_channel)) {
         pressure_kpa *= leak_response_;
       }
     }

@@ -192,7 +192,7 @@ ArmDescription with_related_physics(const ArmDescription& arm, const PhysicsVari
 DriverFactory related_arm_factory(const ArmDescription& arm, const VirtualArmOptions& options,
                                   const PhysicsVariation& variation) {
   return [arm, options, variation](int index) {
-    const auto number = static_cast<std::uint64_t>(index);
+    const auto number = std::uint64_t(index);
     const ArmDescription relative = with_related_physics(arm, variation, options.seed, number);
     return virtual_arm_factory(relative, options)(index);
   };
@@ -205,7 +205,7 @@ CollectionSettings related_collection(const ArmDescription& arm, const ScheduleS
   settings.driver += fmt::format(", varied {}", describe(variation));
   settings.physics = [of = virtual_arm_parameters(arm), variation, seed = options.seed,
                       dimension = arm.dimension](int index) {
-    const auto number = static_cast<std::uint64_t>(index);
+    const auto number = std::uint64_t(index);
     return physics_differences(of, related_physics(of, variation, seed, number, dimension));
   };
   return settings;

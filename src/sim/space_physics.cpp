@@ -22,7 +22,7 @@ SpacePhysics::SpacePhysics(const ArmDescription& arm, const VirtualArmParameters
     : parameters_(parameters),
       gravity_m_per_s2_(parameters.gravity_m_per_s2 * arm.gravity),
       links_(space_chain_links(arm, parameters)),
-      channels_(static_cast<std::size_t>(arm.channel_count())),
+      channels_(std::size_t(arm.channel_count())),
       side_law_(parameters, time_step_s),
       pneumatics_(parameters, time_step_s),
       chain_(arm, parameters, time_step_s) {
@@ -32,10 +32,10 @@ SpacePhysics::SpacePhysics(const ArmDescription& arm, const VirtualArmParameters
 void SpacePhysics::add_chambers(const ArmDescription& arm) {
   std::vector<int> first_channel = {0};  // of each segment
   for (const Segment& segment : arm.segments) {
-    first_channel.push_back(first_channel.back() + static_cast<int>(segment.chambers.size()));
+    first_channel.push_back(first_channel.back() + int(segment.chambers.size()));
   }
   for (std::size_t gap = 0; gap < links_.size(); ++gap) {
-    const auto segment = static_cast<std::size_t>(links_[gap].gap.segment);
+    const auto segment = std::size_t(links_[gap].gap.segment);
     for (int channel = first_channel[segment]; channel < first_channel[segment + 1]; ++channel) {
       const Chamber& chamber = arm.chamber(channel);
       const bool extends = chamber.sense > 0;
@@ -48,8 +48,7 @@ void SpacePhysics::add_chambers(const ArmDescription& arm) {
       const double strength =
           side_strength(parameters_, channel) * (extends ? 1.0 : parameters_.actuators_per_side);
       const double angle_rad = chamber.angle_deg * std::numbers::pi / 180.0;
-      chambers_.push_back({gap, static_cast<std::size_t>(channel),
-                           chamber.radius_m * std::cos(angle_rad),
+      chambers_.push_back({gap, std::size_t(channel), chamber.radius_m * std::cos(angle_rad),
                            chamber.radius_m * std::sin(angle_rad),
                            side_law_.side(links_[gap].gap.length_m, strength, extends,
                                           chamber.limit_kpa.largest_kpa())});
@@ -85,8 +84,7 @@ std::string SpacePhysics::step(VirtualArmState& state) {
     const double slide_m = chain_.position()[kSpaceJoints * gap];
     if (std::abs(slide_m) >= links_[gap].gap.length_m) {
       return fmt::format("the gap of {}, {} m long, has moved by {} m",
-                         plates_of_gap(static_cast<Eigen::Index>(gap)), links_[gap].gap.length_m,
-                         slide_m);
+                         plates_of_gap(Eigen::Index(gap)), links_[gap].gap.length_m, slide_m);
     }
   }
   return "";
@@ -164,7 +162,7 @@ double SpacePhysics::energy_j(const VirtualArmState& state) const {
               0.5 * parameters_.twist_stiffness_n_m_per_rad * twist * twist +
               slider.energy((bend - Eigen::Map<const Eigen::Vector2d>(anchor)).norm(), 0.0) +
               slider.energy(joints[3], anchor[2]);
-    const Eigen::Vector3d at_m = plates.row(static_cast<Eigen::Index>(gap) + 1).head<3>();
+    const Eigen::Vector3d at_m = plates.row(Eigen::Index(gap) + 1).head<3>();
     energy -= links_[gap].gap.mass_kg * gravity_m_per_s2_.dot(at_m);
   }
   for (std::size_t i = 0; i < chambers_.size(); ++i) {
@@ -178,7 +176,7 @@ double SpacePhysics::chamber_strain(int channel) const {
   double stretch = 0.0;
   double length = 0.0;
   for (const ChamberInGap& chamber : chambers_) {
-    if (chamber.channel == static_cast<std::size_t>(channel)) {
+    if (chamber.channel == std::size_t(channel)) {
       stretch += stretch_m(chamber);
       length += chamber.law.length_m;
     }

@@ -13,6 +13,7 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/run/safety_gate.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
 #include "measurement.hpp"
@@ -25,8 +26,7 @@ namespace {
 /// Simulator steps per frame: the fewest that keep the step within the arm's `time_step_s`.
 int steps_per_frame(const ArmDescription& arm, const VirtualArmParameters& parameters) {
   constexpr double kRounding = 1e-9;  // so that 0.05 s of 0.001 s are 50 steps, not 51
-  return std::max(
-      1, static_cast<int>(std::ceil(arm.frame_period_s() / parameters.time_step_s - kRounding)));
+  return std::max(1, int(std::ceil(arm.frame_period_s() / parameters.time_step_s - kRounding)));
 }
 
 /// The simulator behind either kind of arm; both are asked the same.
@@ -34,9 +34,9 @@ using Physics = std::variant<std::monostate, ArmPhysics, SpacePhysics>;
 
 void write_shape(const ArmPhysics& physics, BackboneD& backbone) {
   const auto& plates = physics.kinematics().plates();
-  backbone.resize(static_cast<Eigen::Index>(plates.size()), kPoseSize);
+  backbone.resize(Eigen::Index(plates.size()), kPoseSize);
   for (std::size_t i = 0; i < plates.size(); ++i) {
-    backbone.row(static_cast<Eigen::Index>(i)) << plates[i].position.x(), plates[i].position.y(),
+    backbone.row(Eigen::Index(i)) << plates[i].position.x(), plates[i].position.y(),
         plates[i].theta_rad;
   }
 }
@@ -45,10 +45,8 @@ void write_shape(const ArmPhysics& physics, BackboneD& backbone) {
 void require_same_sizes(const VirtualArmState& state, const VirtualArmState& own,
                         const std::string& arm) {
   const auto require = [&](std::size_t found, std::size_t expected, const char* what) {
-    if (found != expected) {
-      throw InputError(fmt::format("virtual arm: {} of {} numbers in the state; arm '{}' has {}",
-                                   what, found, arm, expected));
-    }
+    refuse_if(found != expected, "virtual arm: {} of {} numbers in the state; arm '{}' has {}",
+              what, found, arm, expected);
   };
   using Numbers = std::vector<double> VirtualArmState::*;
   for (const auto& [what, numbers] : std::initializer_list<std::pair<const char*, Numbers>>{
@@ -68,10 +66,9 @@ void require_same_sizes(const VirtualArmState& state, const VirtualArmState& own
   for (const PendingSetpoint& pending : state.pending_setpoints) {
     require(pending.setpoint_kpa.size(), own.setpoint_kpa.size(), "pending_setpoints");
   }
-  if (state.delayed.size() != own.delayed.size()) {
-    throw InputError(fmt::format("virtual arm: {} delayed frames in the state; arm '{}' has {}",
-                                 state.delayed.size(), arm, own.delayed.size()));
-  }
+  refuse_if(state.delayed.size() != own.delayed.size(),
+            "virtual arm: {} delayed frames in the state; arm '{}' has {}", state.delayed.size(),
+            arm, own.delayed.size());
 }
 
 }  // namespace
@@ -92,7 +89,7 @@ class VirtualArm::Simulation {
         steps_per_frame_(steps_per_frame(arm, parameters_)),
         time_step_s_(arm.frame_period_s() / steps_per_frame_),
         measurement_(options) {
-    state_.setpoint_kpa.resize(static_cast<std::size_t>(arm.channel_count()));
+    state_.setpoint_kpa.resize(arm.channel_count());
     be(arm);
     ask(*this, [&](auto& physics) {
       physics.rest(state_);
@@ -101,7 +98,7 @@ class VirtualArm::Simulation {
     check_options(options);
     check_parts();
     dead_steps_ = std::llround(parameters_.valve_dead_time_s / time_step_s_);
-    const auto latency_steps = static_cast<int>(std::lround(options.latency_s / time_step_s_));
+    const auto latency_steps = int(std::lround(options.latency_s / time_step_s_));
     frames_late_ = latency_steps / steps_per_frame_;
     steps_late_ = latency_steps % steps_per_frame_;
     state_.delivered = measure();
@@ -152,7 +149,7 @@ class VirtualArm::Simulation {
     fault_.clear();
   }
 
-  double time_s() const { return static_cast<double>(state_.step) * time_step_s_; }
+  double time_s() const { return double(state_.step) * time_step_s_; }
   double time_step_s() const { return time_step_s_; }
   double frame_period_s() const { return arm_.frame_period_s(); }
   /// @throws InputError for an arm of the other kind.
@@ -161,9 +158,7 @@ class VirtualArm::Simulation {
     return std::get<ArmPhysics>(physics_);
   }
   const SpacePhysics& in_space(const char* what) const {
-    if (!arm_.is_spatial()) {
-      throw InputError(fmt::format("{} is of arms in space; '{}' is in a plane", what, arm_.name));
-    }
+    refuse_if(!arm_.is_spatial(), "{} is of arms in space; '{}' is in a plane", what, arm_.name);
     return std::get<SpacePhysics>(physics_);
   }
   const std::vector<double>& pressure_kpa() const { return state_.pressure_kpa; }
@@ -185,12 +180,10 @@ class VirtualArm::Simulation {
   }
 
   void check_parts() const {
-    if (parameters_.weak_side_loss > 0.0 && parameters_.weak_side >= 2 * arm_.segment_count()) {
-      throw InputError(
-          fmt::format("virtual arm: weak_side = {}; arm '{}' has sides "
-                      "0 to {} (2 x segment, + 1 for its right side)",
-                      parameters_.weak_side, arm_.name, 2 * arm_.segment_count() - 1));
-    }
+    refuse_if(parameters_.weak_side_loss > 0.0 && parameters_.weak_side >= 2 * arm_.segment_count(),
+              "virtual arm: weak_side = {}; arm '{}' has sides "
+              "0 to {} (2 x segment, + 1 for its right side)",
+              parameters_.weak_side, arm_.name, 2 * arm_.segment_count() - 1);
     if (parameters_.leak_share > 0.0 && parameters_.leaking_channel >= arm_.channel_count()) {
       throw InputError(fmt::format(
           "virtual arm: leaking_channel = {}; arm '{}' has {} 0 to {}", parameters_.leaking_channel,
@@ -295,7 +288,7 @@ void VirtualArm::vent() noexcept {
 
 const ArmState& VirtualArm::settle(const Eigen::Ref<const Pressures>& setpoint_kpa,
                                    double seconds) {
-  const auto frames = static_cast<int>(std::ceil(seconds / simulation_->frame_period_s() - 1e-9));
+  const auto frames = int(std::ceil(seconds / simulation_->frame_period_s() - 1e-9));
   for (int frame = 0; frame < frames; ++frame) {
     throw_if_interrupted();
     command(setpoint_kpa);

@@ -9,7 +9,7 @@ namespace limber {
 DriverFactory virtual_arm_factory(const ArmDescription& arm, const VirtualArmOptions& options) {
   return [arm, options](int index) {
     VirtualArmOptions own = options;
-    own.stream = static_cast<std::uint64_t>(index);
+    own.stream = std::uint64_t(index);
     return std::make_unique<VirtualArm>(arm, own);
   };
 }

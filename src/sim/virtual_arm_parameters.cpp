@@ -144,10 +144,8 @@ const typename Table::value_type* find_field(const Table& table, const std::stri
 QuarticCoefficients read_quartic(const YamlReader& value) {
   const std::vector<double> numbers = value.numbers(kParameter);
   QuarticCoefficients coefficients;
-  if (numbers.size() != coefficients.size()) {
-    value.refuse(
-        fmt::format("{} coefficients found; expected 4, of x, x^2, x^3 and x^4", numbers.size()));
-  }
+  value.refuse_if(numbers.size() != coefficients.size(),
+                  "{} coefficients found; expected 4, of x, x^2, x^3 and x^4", numbers.size());
   std::copy(numbers.begin(), numbers.end(), coefficients.begin());
   return coefficients;
 }
@@ -167,15 +165,14 @@ VirtualArmParameters read_parameters(const YamlReader& node, Dimension dimension
   for (const std::string& key : node.keys()) {
     const YamlReader value = node.at(key);
     if (key == "strength_seed") {
-      parameters.strength_seed =
-          static_cast<std::uint64_t>(value.integer("a seed", 0, 1'000'000'000));
+      parameters.strength_seed = std::uint64_t(value.integer("a seed", 0, 1'000'000'000));
     } else if (key == kWeakSide) {
       require_belonging(value, Of::plane, dimension);
-      parameters.weak_side = static_cast<int>(
-          value.integer("2 x segment, + 1 for its right side", 0, 2 * kMaxSegments - 1));
+      parameters.weak_side =
+          int(value.integer("2 x segment, + 1 for its right side", 0, 2 * kMaxSegments - 1));
     } else if (key == kLeakingChannel) {
-      parameters.leaking_channel = static_cast<int>(
-          value.integer("a segment, in space a chamber", 0, std::numeric_limits<int>::max()));
+      parameters.leaking_channel =
+          int(value.integer("a segment, in space a chamber", 0, std::numeric_limits<int>::max()));
     } else if (const Field* field = find_field(kFields, key)) {
       require_belonging(value, field->of, dimension);
       parameters.*(field->member) = value.number(kParameter, field->low, field->high);
@@ -258,7 +255,7 @@ VirtualArmParameters with_differences(const VirtualArmParameters& of,
 }
 
 double side_strength(const VirtualArmParameters& parameters, int side) {
-  RandomStream stream(parameters.strength_seed, static_cast<std::uint64_t>(side));
+  RandomStream stream(parameters.strength_seed, std::uint64_t(side));
   const double left = side == parameters.weak_side ? 1.0 - parameters.weak_side_loss : 1.0;
   return (1.0 + parameters.strength_spread * stream.uniform(-1.0, 1.0)) * left;
 }

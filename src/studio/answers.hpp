@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "connections.hpp"
+#include "limber/common/json.hpp"
 
 namespace limber {
 
@@ -39,12 +40,11 @@ inline void send(httplib::Response& response, std::string_view bytes, const char
       });
 }
 
-inline void answer(httplib::Response& response, const nlohmann::ordered_json& json,
-                   int status = 200) {
+inline void answer(httplib::Response& response, const Json& json, int status = 200) {
   response.status = status;
   // What a file is called may be no UTF-8.
   const auto text = std::make_shared<const std::string>(
-      json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+      json.dump(-1, ' ', false, Json::error_handler_t::replace));
   send(response, *text, "application/json", text);
 }
 

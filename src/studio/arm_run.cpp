@@ -10,6 +10,8 @@
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/json.hpp"
 #include "limber/driver/driver_run.hpp"
 #include "limber/forward/error_room.hpp"
 #include "limber/network/arm_family.hpp"
@@ -23,8 +25,6 @@
 namespace limber {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 void require_allowed(const Plan& plan, const std::vector<PressureLimits>& limits_kpa,
                      const std::string& whose) {
@@ -103,7 +103,7 @@ class FrameWatch {
 
 /// What `limber verify` repeats: the run's plan as 00.json, those after it as 01.json, …, and as
 /// 00.yaml, … what each was certified for.
-void write_plans(const std::filesystem::path& folder, const FoundPlan& first,
+void write_plans(const fs::path& folder, const FoundPlan& first,
                  const std::list<FollowedPlan>& further, const std::string& model_hash) {
   int number = 0;
   const auto write = [&](const Plan& plan, const Environment& environment) {
@@ -125,23 +125,22 @@ std::string with_vent(const std::string& message, const ProcessDriver& driver) {
 
 }  // namespace
 
-std::string keep_arm(const std::filesystem::path& recording, const StudioScene& scene,
+std::string keep_arm(const fs::path& recording, const StudioScene& scene,
                      const ExecutionResult& result) {
   const bool has_changed =
       result.arm && (result.arm_changed_s.has_value() || !result.arm_changes.empty());
   if (!has_changed || !has_run(result)) {
     return "";
   }
-  const auto file = std::filesystem::path(recording).replace_extension(".safetensors");
+  const auto file = fs::path(recording).replace_extension(".safetensors");
   write_model(file, model_after_run(*scene.network(), *result.arm));
   return fmt::format("plan with {}/{} from now on: it has what the run told of the arm",
                      file.parent_path().filename().string(), file.filename().string());
 }
 
 ArmRunReport run_on_arm(const ArmRunJob& job, const StudioScene& scene,
-                        ProcessDriverSettings driver_settings,
-                        const std::filesystem::path& recording, ArmControl& control,
-                        const std::function<void(const Json&)>& on_frame) {
+                        ProcessDriverSettings driver_settings, const fs::path& recording,
+                        ArmControl& control, const std::function<void(const Json&)>& on_frame) {
   const ArmDescription& arm = scene.arm();
   const Environment& environment = job.found.environment;
   const Plan& plan = job.found.plan;
@@ -186,9 +185,8 @@ ArmRunReport run_on_arm(const ArmRunJob& job, const StudioScene& scene,
                                             job.replan ? std::optional(loop_settings.motion_queries)
                                                        : std::nullopt));
   }
-  write_plans(std::filesystem::path(recording).replace_extension(ProjectFolder::kPlansOfRun),
-              job.found, loop ? loop->further_plans() : std::list<FollowedPlan>(),
-              scene.model_hash());
+  write_plans(fs::path(recording).replace_extension(ProjectFolder::kPlansOfRun), job.found,
+              loop ? loop->further_plans() : std::list<FollowedPlan>(), scene.model_hash());
   // A fault is told also where somebody pressed VENT after it.
   const std::string why =
       result.status == ExecutionStatus::stopped ? control.why_vented() : std::string();

@@ -9,6 +9,8 @@
 
 #include "arm_control.hpp"
 #include "jobs.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/json.hpp"
 #include "limber/driver/process_driver.hpp"
 #include "limber/run/executor.hpp"
 #include "studio_scene.hpp"
@@ -24,14 +26,14 @@ struct ArmRunJob {
 };
 
 struct ArmRunReport {
-  std::string message;         ///< how it ended, and what became of the vent
-  nlohmann::ordered_json run;  ///< the whole motion (docs/studio_api.md, `arm_run`)
+  std::string message;  ///< how it ended, and what became of the vent
+  Json run;             ///< the whole motion (docs/studio_api.md, `arm_run`)
 };
 
 /// Of an arm that a run has found changed: writes the model that knows it, for the next plan.
 /// @param recording  of the run; the model lies beside it
 /// @return that, in words; empty: nothing was found, or the run ended in a fault
-std::string keep_arm(const std::filesystem::path& recording, const StudioScene& scene,
+std::string keep_arm(const fs::path& recording, const StudioScene& scene,
                      const ExecutionResult& result);
 
 /// Runs it as `limber execute --driver` does, and records it. Vented when this returns or throws.
@@ -42,8 +44,7 @@ std::string keep_arm(const std::filesystem::path& recording, const StudioScene& 
 /// @param on_frame   takes each frame as it happens (`arm_frame`)
 /// @throws InputError where the plan does not fit, nothing was moved; SystemFault.
 ArmRunReport run_on_arm(const ArmRunJob& job, const StudioScene& scene,
-                        ProcessDriverSettings driver, const std::filesystem::path& recording,
-                        ArmControl& control,
-                        const std::function<void(const nlohmann::ordered_json&)>& on_frame);
+                        ProcessDriverSettings driver, const fs::path& recording,
+                        ArmControl& control, const std::function<void(const Json&)>& on_frame);
 
 }  // namespace limber

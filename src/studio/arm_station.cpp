@@ -5,14 +5,14 @@
 
 #include <fmt/format.h>
 
+#include "limber/common/filesystem.hpp"
+#include "limber/common/json.hpp"
 #include "limber/driver/driver_run.hpp"
 #include "request_rules.hpp"
 
 namespace limber {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::chrono::milliseconds kLook{50};  // how soon a lease that has run out is noticed
 
@@ -170,13 +170,13 @@ void ArmStation::work() {
 }
 
 void ArmStation::run_now(const ArmRunJob& job) {
-  std::filesystem::path file;
+  fs::path file;
   std::string message;
   std::string said;  // by the driver of its vents
   Json run;
   try {
     file = free_name((project_.folder() / "runs" / time_stamped_run_name()).string(), "_", ".h5");
-    std::filesystem::create_directories(file.parent_path());
+    fs::create_directories(file.parent_path());
     const StudioScene scene(project_, job.found.scene);
     ProcessDriverSettings driver = driver_;
     // As the arm file has it now: pages read the arm anew too.
@@ -196,7 +196,7 @@ void ArmStation::run_now(const ArmRunJob& job) {
     message += (message.empty() ? "" : "; ") + said;
   }
   std::error_code ignored;
-  const bool is_recorded = std::filesystem::exists(file, ignored);
+  const bool is_recorded = fs::exists(file, ignored);
   {
     const std::lock_guard lock(mutex_);
     running_ = false;

@@ -24,8 +24,7 @@ bool is_ready(socket_t socket, short events, int timeout_ms) {
 
 int ms_until(Clock::time_point end) {
   return std::max(
-      0, static_cast<int>(
-             std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count()));
+      0, int(std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count()));
 }
 
 /// One request's bytes: no more than so many, until a time.
@@ -40,8 +39,7 @@ class BoundedStream final : public httplib::Stream {
   /// False, too, if the other side has gone.
   bool is_writable() const override {
     pollfd poll_of{socket_, POLLOUT | POLLRDHUP, 0};
-    return poll(&poll_of, 1, static_cast<int>(kWriteTime.count()) * 1000) > 0 &&
-           poll_of.revents == POLLOUT;
+    return poll(&poll_of, 1, int(kWriteTime.count()) * 1000) > 0 && poll_of.revents == POLLOUT;
   }
   ssize_t read(char* data, size_t size) override {
     if (!is_readable()) {
@@ -53,11 +51,11 @@ class BoundedStream final : public httplib::Stream {
         return -1;
       }
       at_ = 0;
-      filled_ = static_cast<std::size_t>(got);
+      filled_ = std::size_t(got);
       left_ -= filled_;
     }
     const std::size_t count = std::min(size, filled_ - at_);
-    std::copy_n(buffer_.begin() + static_cast<std::ptrdiff_t>(at_), count, data);
+    std::copy_n(buffer_.begin() + std::ptrdiff_t(at_), count, data);
     at_ += count;
     return static_cast<ssize_t>(count);
   }

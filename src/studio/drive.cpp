@@ -3,6 +3,7 @@
 #include <thread>
 
 #include "jobs.hpp"
+#include "limber/common/json.hpp"
 #include "limber/forward/motion_simulator.hpp"
 #include "limber/report/scene_json.hpp"
 #include "limber/run/executor.hpp"
@@ -12,8 +13,6 @@
 namespace limber {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr double kRestS = 3.0;  // after the last change of a set point everything has settled
 constexpr std::size_t kMemory = 1200;  // frames, a minute: what an arm still shows of its past

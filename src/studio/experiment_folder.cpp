@@ -8,15 +8,15 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/json_reader.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/world/environment.hpp"
 
 namespace limber {
 
 namespace {
-
-namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMaxLooks = 200;  // at files of a kind, for one of a hash
 
@@ -129,9 +129,7 @@ Json ExperimentFolder::rows() const {
 
 Json ExperimentFolder::runs(std::size_t row) const {
   const nlohmann::json rows = table();
-  if (row >= rows.size()) {
-    throw InputError(fmt::format("row: {} found; the table has {}", row, rows.size()));
-  }
+  refuse_if(row >= rows.size(), "row: {} found; the table has {}", row, rows.size());
   const std::string begin =
       fmt::format("{}_{}_", text_of(rows[row], "environment"), text_of(rows[row], "model"));
   std::set<std::string> ids;

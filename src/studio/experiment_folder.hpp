@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "limber/common/json.hpp"
 #include "limber/world/plan.hpp"
 #include "project_folder.hpp"
 #include "studio_scene.hpp"
@@ -24,9 +25,9 @@ class ExperimentFolder {
   const std::string& name() const { return name_; }
 
   /// The rows of table.json, the first kMaxRows.
-  nlohmann::ordered_json rows() const;
+  Json rows() const;
   /// The trials of a row, kMaxRuns of them: how each was planned and executed.
-  nlohmann::ordered_json runs(std::size_t row) const;
+  Json runs(std::size_t row) const;
 
   /// A run's plan, with the project's files that it was made for, found by their hashes.
   struct Run {

@@ -2,14 +2,13 @@
 
 #include <vector>
 
+#include "limber/common/json.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/network/physical_traits.hpp"
 
 namespace limber {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// What e tells of arms: its value by e, the range over the arms that the family learnt from, and
 /// how e changes along with it.

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include "jobs.hpp"
-#include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/json_number.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/units.hpp"
 #include "limber/lab/unseen_arm.hpp"
 #include "limber/network/arm_family.hpp"
@@ -11,15 +13,13 @@ namespace limber {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr double kMinuteS = 60.0;
 constexpr std::uint64_t kSeed = 1;
 
 /// "three_segment_fitted", or with the first number that is free.
-std::filesystem::path free_file(const ProjectFolder& project, const std::string& arm) {
-  std::filesystem::path file = project.to_save("models", arm + "_fitted", ".safetensors");
-  for (int number = 2; std::filesystem::exists(file); ++number) {
+fs::path free_file(const ProjectFolder& project, const std::string& arm) {
+  fs::path file = project.to_save("models", arm + "_fitted", ".safetensors");
+  for (int number = 2; fs::exists(file); ++number) {
     file = project.to_save("models", fmt::format("{}_fitted_{}", arm, number), ".safetensors");
   }
   return file;
@@ -29,15 +29,12 @@ std::filesystem::path free_file(const ProjectFolder& project, const std::string&
 
 void run_fit_job(const FitJob& job, const ProjectFolder& project, const StudioScene& scene,
                  const std::atomic<bool>& stop, EventQueue& events) {
-  if (!scene.network() || !is_family(*scene.network())) {
-    throw InputError(
-        fmt::format("'{}': no family of arms, so there is nothing to fit", job.scene.model));
-  }
-  if (!scene.has_virtual_arm()) {
-    throw InputError(
-        "this arm takes no pressures, so it has no virtual twin: record a minute of it, and ask "
-        "'limber adapt' on the command line");
-  }
+  refuse_if(!scene.network() || !is_family(*scene.network()),
+            "'{}': no family of arms, so there is nothing to fit", job.scene.model);
+  refuse_if(
+      !scene.has_virtual_arm(),
+      "this arm takes no pressures, so it has no virtual twin: record a minute of it, and ask "
+      "'limber adapt' on the command line");
   const auto note = [&](const char* step) {
     events.push("fitting", Json{{"request", job.request}, {"step", step}}.dump());
   };
@@ -52,7 +49,7 @@ void run_fit_job(const FitJob& job, const ProjectFolder& project, const StudioSc
   if (stop) {
     return;
   }
-  const std::filesystem::path file = free_file(project, scene.arm().name);
+  const fs::path file = free_file(project, scene.arm().name);
   write_model(file, done.model);
   events.push("fitted", Json{{"request", job.request},
                              {"model", project.name_of(file)},

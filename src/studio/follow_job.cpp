@@ -2,6 +2,8 @@
 
 #include "jobs.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/json.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/units.hpp"
 #include "limber/report/motion_track.hpp"
 #include "limber/report/scene_json.hpp"
@@ -12,8 +14,6 @@
 namespace limber {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string outcome_of(const TrackRun& run) {
   const std::optional<TrackError>& error = run.errors.first_lap;
@@ -43,10 +43,9 @@ TipPath tip_path_in(const JsonReader& body) {
   const std::vector<double> numbers =
       body.at("path").numbers(std::string::npos, "s, m, m", -kFarthestM, kLongestS);
   const std::size_t points = numbers.size() / kNumbers;
-  if (numbers.size() % kNumbers != 0 || points < 2 || points > kMaxPoints) {
-    throw InputError(fmt::format("path: {} numbers; expected time_s, x_m and y_m of 2 to {} points",
-                                 numbers.size(), kMaxPoints));
-  }
+  refuse_if(numbers.size() % kNumbers != 0 || points < 2 || points > kMaxPoints,
+            "path: {} numbers; expected time_s, x_m and y_m of 2 to {} points", numbers.size(),
+            kMaxPoints);
   TipPath path;
   for (std::size_t i = 0; i < points; ++i) {
     const double* point = &numbers[kNumbers * i];
@@ -65,11 +64,9 @@ TipPath tip_path_in(const JsonReader& body) {
 void run_follow_job(const FollowJob& job, const StudioScene& scene, const std::atomic<bool>& stop,
                     EventQueue& events) {
   scene.require_one_arm();
-  if (!scene.has_virtual_arm()) {
-    throw InputError(
-        "paths are followed by the virtual arm, which there is for arms driven by "
-        "pressures alone");
-  }
+  refuse_if(!scene.has_virtual_arm(),
+            "paths are followed by the virtual arm, which there is for arms driven by "
+            "pressures alone");
   const ArmDescription& arm = scene.arm();
   const Environment environment = environment_from_json(job.environment, arm);
   job.path.require_within(arm.length_m(), "path");

@@ -1,12 +1,12 @@
 #include <algorithm>
 
-#include <fmt/format.h>
-
 #include "jobs.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
-#include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/json_number.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/data/episode_slice.hpp"
 #include "limber/training/yardsticks.hpp"
 #include "pressure_coverage.hpp"
@@ -14,8 +14,6 @@
 namespace limber {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::uintmax_t kMaxBytes = 256U << 20U;  // of a file: it is read whole
 constexpr std::int64_t kMaxFrames = 36000;         // half an hour at 20 Hz: seconds of work
@@ -28,19 +26,17 @@ std::vector<Episode> first_frames(const std::vector<Episode>& episodes) {
   for (const Episode& episode : episodes) {
     const Eigen::Index count = std::min<Eigen::Index>(left, episode.frame_count());
     if (count >= kFewest) {
-      part.push_back(slice(episode, 0, static_cast<int>(count)));
+      part.push_back(slice(episode, 0, int(count)));
       left -= count;
     }
   }
   return part;
 }
 
-Recording read_small(const std::filesystem::path& path, const std::string& name,
-                     const ArmDescription& arm) {
-  if (std::filesystem::file_size(path) > kMaxBytes) {
-    throw InputError(fmt::format("{}: larger than {} MB: ask 'limber evaluate' on the command line",
-                                 name, kMaxBytes >> 20U));
-  }
+Recording read_small(const fs::path& path, const std::string& name, const ArmDescription& arm) {
+  refuse_if(fs::file_size(path) > kMaxBytes,
+            "{}: larger than {} MB: ask 'limber evaluate' on the command line", name,
+            kMaxBytes >> 20U);
   Recording recording = read_recording(path);
   require_recording_of(recording, arm, name);
   return recording;
@@ -65,7 +61,7 @@ void run_measure_job(const MeasureJob& job, const ProjectFolder& project, const 
     events.push("measuring", Json{{"request", job.request}, {"share", share}}.dump());
   };
   note(0.0);
-  const std::filesystem::path path = project.find(ProjectItem::recording, job.recording);
+  const fs::path path = project.find(ProjectItem::recording, job.recording);
   Recording recording = read_small(path, job.recording, scene.arm());
   const std::int64_t frames = recording.frame_count();
   std::vector<Episode> episodes = first_frames(recording.episodes);

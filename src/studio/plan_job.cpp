@@ -6,6 +6,7 @@
 
 #include "jobs.hpp"
 #include "limber/arm/pressure_limits.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/seconds_since.hpp"
 #include "limber/common/units.hpp"
 #include "limber/forward/error_room.hpp"
@@ -18,8 +19,6 @@
 namespace limber {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMaxEdges = 5000;
 constexpr double kDoubtAfterS = 0.4;  // without a plan: then it is said what may be in the way

@@ -9,12 +9,12 @@
 
 #include "limber/common/data_folder.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/refuse_if.hpp"
 
 namespace limber {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::string_view kOwn = "limber:";
 constexpr std::string_view kGiven = "given:";
@@ -30,8 +30,8 @@ const char* ending_of(ProjectItem kind) {
 std::string head_of(const fs::path& file) {
   std::string head(kHead, '\0');
   std::ifstream stream(file, std::ios::binary);
-  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream.gcount())));
+  stream.read(head.data(), std::streamsize(head.size()));
+  head.resize(std::max<std::streamsize>(0, stream.gcount()));
   return head;
 }
 
@@ -57,9 +57,8 @@ bool is_of(ProjectItem kind, const fs::path& file) {
 
 fs::path own_folder(ProjectItem kind) {
   constexpr std::array<const char*, 3> kFolders = {"arms", "families", "environments"};
-  return kind == ProjectItem::recording
-             ? fs::path()
-             : data_folder() / kFolders.at(static_cast<std::size_t>(kind));
+  return kind == ProjectItem::recording ? fs::path()
+                                        : data_folder() / kFolders.at(std::size_t(kind));
 }
 
 bool is_experiment(const fs::directory_entry& entry) {
@@ -90,9 +89,7 @@ bool is_inside(const fs::path& folder, const fs::path& file) {
 ProjectFolder::ProjectFolder(const fs::path& folder) {
   std::error_code error;
   folder_ = fs::canonical(folder, error);
-  if (error || !fs::is_directory(folder_)) {
-    throw InputError(fmt::format("--project {}: no such folder", folder.string()));
-  }
+  refuse_if(error || !fs::is_directory(folder_), "--project {}: no such folder", folder.string());
 }
 
 std::string ProjectFolder::give(ProjectItem kind, const fs::path& file) {
@@ -104,7 +101,7 @@ std::string ProjectFolder::give(ProjectItem kind, const fs::path& file) {
     return std::string(kOwn) + whole.stem().string();
   }
   const std::string name = std::string(kGiven) + whole.filename().string();
-  given_[static_cast<std::size_t>(kind)][name] = whole;
+  given_[std::size_t(kind)][name] = whole;
   return name;
 }
 
@@ -114,7 +111,7 @@ std::string ProjectFolder::name_of(const fs::path& file) const {
 
 std::vector<std::string> ProjectFolder::names(ProjectItem kind) const {
   std::vector<std::string> result;
-  for (const auto& [name, path] : given_[static_cast<std::size_t>(kind)]) {
+  for (const auto& [name, path] : given_[std::size_t(kind)]) {
     result.push_back(name);
   }
   std::set<std::string> found;
@@ -183,7 +180,7 @@ void ProjectFolder::look_through(const Use& use) const {
 }
 
 fs::path ProjectFolder::find(ProjectItem kind, const std::string& name) const {
-  const auto& given = given_[static_cast<std::size_t>(kind)];
+  const auto& given = given_[std::size_t(kind)];
   if (const auto found = given.find(name); found != given.end()) {
     return found->second;
   }
@@ -217,15 +214,12 @@ fs::path ProjectFolder::inside(const std::string& name) const {
 
 fs::path ProjectFolder::to_save(const std::string& subfolder, const std::string& name,
                                 const std::string& ending) const {
-  if (!is_plain_name(name)) {
-    throw InputError(
-        "name: expected 1 to 100 letters, digits, spaces and any of _ - ., the first no point");
-  }
+  refuse_if(!is_plain_name(name),
+            "name: expected 1 to 100 letters, digits, spaces and any of _ - ., the first no point");
   fs::path folder = folder_ / subfolder;
   std::error_code error;
-  if (fs::exists(folder, error) && !is_inside(folder_, fs::canonical(folder, error))) {
-    throw InputError(fmt::format("{}: leads out of the project folder", subfolder));
-  }
+  refuse_if(fs::exists(folder, error) && !is_inside(folder_, fs::canonical(folder, error)),
+            "{}: leads out of the project folder", subfolder);
   return folder / (name.ends_with(ending) ? name : name + ending);
 }
 

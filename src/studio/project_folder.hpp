@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "limber/common/filesystem.hpp"
+
 namespace limber {
 
 enum class ProjectItem { arm, model, environment, recording };
@@ -16,10 +18,10 @@ enum class ProjectItem { arm, model, environment, recording };
 class ProjectFolder {
  public:
   /// @throws InputError if it is no folder.
-  explicit ProjectFolder(const std::filesystem::path& folder);
+  explicit ProjectFolder(const fs::path& folder);
 
   /// Offers a file from anywhere. @return its name
-  std::string give(ProjectItem kind, const std::filesystem::path& file);
+  std::string give(ProjectItem kind, const fs::path& file);
 
   /// Names of all files of a kind: given ones, the project's, limber's own. Looks kMaxDepth folders
   /// deep, at kMaxEntries files and folders, and never into an experiment's or a run's plans.
@@ -32,19 +34,19 @@ class ProjectFolder {
   std::vector<std::string> experiments() const;
 
   /// @throws InputError if the name is none that could be offered, or there is no such file.
-  std::filesystem::path find(ProjectItem kind, const std::string& name) const;
+  fs::path find(ProjectItem kind, const std::string& name) const;
 
   /// A file of any kind by its path in the project. @throws InputError if it is none, or outside.
-  std::filesystem::path inside(const std::string& name) const;
+  fs::path inside(const std::string& name) const;
 
   /// Where a file of that name is saved: "mine" becomes FOLDER/subfolder/mine.yaml.
   /// @throws InputError unless the name is made of letters, digits, "_", "-", "." and spaces.
-  std::filesystem::path to_save(const std::string& subfolder, const std::string& name,
-                                const std::string& ending) const;
+  fs::path to_save(const std::string& subfolder, const std::string& name,
+                   const std::string& ending) const;
   /// What a file in the project is called in requests.
-  std::string name_of(const std::filesystem::path& file) const;
+  std::string name_of(const fs::path& file) const;
 
-  const std::filesystem::path& folder() const { return folder_; }
+  const fs::path& folder() const { return folder_; }
 
   static constexpr int kMaxDepth = 3;
   static constexpr int kMaxEntries = 5000;
@@ -55,8 +57,8 @@ class ProjectFolder {
   template <class Use>
   void look_through(const Use& use) const;
 
-  std::filesystem::path folder_;  // canonical
-  std::map<std::string, std::filesystem::path> given_[4];
+  fs::path folder_;  // canonical
+  std::map<std::string, fs::path> given_[4];
 };
 
 }  // namespace limber

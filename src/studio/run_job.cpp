@@ -1,6 +1,7 @@
 #include <optional>
 
 #include "jobs.hpp"
+#include "limber/common/json.hpp"
 #include "limber/forward/error_room.hpp"
 #include "limber/forward/motion_simulator.hpp"
 #include "limber/report/motion_track.hpp"
@@ -11,8 +12,6 @@
 namespace limber {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 MotionTrack track_of_model(const char* key, const MotionModel& model, const FoundPlan& found,
                            const ArmDescription& arm) {

@@ -3,20 +3,17 @@
 #include <cmath>
 #include <set>
 
-#include <fmt/format.h>
-
 #include "limber/arm/no_load_model.hpp"
-#include "limber/common/error.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/json_number.hpp"
 #include "limber/common/random_stream.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "limber/report/scene_json.hpp"
 
 namespace limber {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 using Cells = std::set<std::pair<int, int>>;
 
@@ -44,9 +41,7 @@ Cells without_holes(const Cells& cells) {
 
 /// JSON is YAML: the reader of files reads it, with all of its checks.
 Environment environment_from_json(const nlohmann::json& json, const ArmDescription& arm) {
-  if (!json.is_object()) {
-    throw InputError("environment: expected an object");
-  }
+  refuse_if(!json.is_object(), "environment: expected an object");
   nlohmann::json file = json;
   file["schema"] = "limber/environment/1";
   return read_environment(YamlReader::from_text(file.dump(), "environment"), arm);
@@ -105,12 +100,10 @@ Json reach_to_json(const ArmDescription& arm) {
   Cells cells;
   for (int sample = 0; sample < kSamples; ++sample) {
     for (Eigen::Index i = 0; i < kpa.size(); ++i) {
-      const PressureLimits& limits = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+      const PressureLimits& limits = arm.segments[i].pressure_limit_kpa;
       const bool at_limit = random.uniform() < kAtLimit;
       const double inside = random.uniform(limits.lower_kpa, limits.upper_kpa);
-      kpa[i] = static_cast<float>(!at_limit      ? inside
-                                  : inside < 0.0 ? limits.lower_kpa
-                                                 : limits.upper_kpa);
+      kpa[i] = float(!at_limit ? inside : inside < 0.0 ? limits.lower_kpa : limits.upper_kpa);
     }
     model.backbone(Eigen::Ref<const Eigen::VectorXf>(kpa), Eigen::Ref<Backbone>(shape));
     const Eigen::Vector2d tip_m = tip_position_m(shape);

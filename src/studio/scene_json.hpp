@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/arm/arm_description.hpp"
+#include "limber/common/json.hpp"
 #include "limber/planning/planner.hpp"
 #include "limber/world/environment.hpp"
 #include "limber/world/plan.hpp"
@@ -18,13 +19,13 @@ namespace limber {
 /// @throws InputError naming field, what was found and what is allowed.
 Environment environment_from_json(const nlohmann::json& json, const ArmDescription& arm);
 
-nlohmann::ordered_json plan_to_json(const Plan& plan);
-nlohmann::ordered_json progress_to_json(const PlannerProgress& progress);
+Json plan_to_json(const Plan& plan);
+Json progress_to_json(const PlannerProgress& progress);
 /// Tips of nodes and of their parents, flat; the oldest `max_edges`.
-nlohmann::ordered_json tree_to_json(const std::vector<TreeEdge>& tree, std::size_t max_edges);
+Json tree_to_json(const std::vector<TreeEdge>& tree, std::size_t max_edges);
 
 /// Middles of cells that the tip of the unloaded arm reaches at rest, flat (x_m, y_m …), and their
 /// width: sampled, with a fixed seed.
-nlohmann::ordered_json reach_to_json(const ArmDescription& arm);
+Json reach_to_json(const ArmDescription& arm);
 
 }  // namespace limber

@@ -13,7 +13,10 @@
 #include "family_json.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/json_reader.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/version.hpp"
 #include "limber/report/page_bytes.hpp"
 #include "limber/report/scene_json.hpp"
@@ -24,8 +27,6 @@
 namespace limber {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 using httplib::Request;
 using httplib::Response;
 
@@ -108,11 +109,9 @@ class Studio::Server {
 
  private:
   void bind(const StudioSettings& settings) {
-    if (listen_ == "0.0.0.0" || listen_ == "::" || listen_.empty()) {
-      throw InputError(fmt::format(
-          "--listen '{}': expected one address or name of this machine, as browsers ask for it",
-          listen_));
-    }
+    refuse_if(listen_ == "0.0.0.0" || listen_ == "::" || listen_.empty(),
+              "--listen '{}': expected one address or name of this machine, as browsers ask for it",
+              listen_);
     http_.set_socket_options(reuse_address);
     port_ = settings.port;
     if (port_ == 0) {
@@ -199,7 +198,7 @@ class Studio::Server {
     post("/api/environment", [this](const JsonReader& body, Response& response) {
       const ArmDescription arm = arm_named(body.at("arm").text());
       const Environment environment = environment_from_json(body.at("environment").value(), arm);
-      save("environments", ".yaml", body, response, [&](const std::filesystem::path& path) {
+      save("environments", ".yaml", body, response, [&](const fs::path& path) {
         write_file_atomically(path, environment_to_yaml(environment));
       });
     });
@@ -208,7 +207,7 @@ class Studio::Server {
       with_tab(body, response, [&](Tab& tab) { found = tab.found(); });
       if (found) {
         save("plans", ".json", body, response,
-             [&](const std::filesystem::path& path) { write_plan(path, found->plan); });
+             [&](const fs::path& path) { write_plan(path, found->plan); });
       } else if (response.status == -1) {
         refuse(response, kConflict, "there is no certified plan to save");
       }
@@ -349,8 +348,8 @@ class Studio::Server {
   template <class Write>
   void save(const char* folder, const char* ending, const JsonReader& body, Response& response,
             Write&& write) {
-    const std::filesystem::path path = project_.to_save(folder, body.at("name").text(), ending);
-    if (std::filesystem::exists(path) && !body.at("overwrite").boolean()) {
+    const fs::path path = project_.to_save(folder, body.at("name").text(), ending);
+    if (fs::exists(path) && !body.at("overwrite").boolean()) {
       refuse(response, kIsThere, fmt::format("{} is there already", project_.name_of(path)));
       return;
     }

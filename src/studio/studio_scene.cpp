@@ -1,10 +1,9 @@
 #include "studio_scene.hpp"
 
-#include <fmt/format.h>
-
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
-#include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/network/gap_bounds.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
@@ -12,8 +11,6 @@
 namespace limber {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 ArmDescription checked_arm(const fs::path& file) {
   ArmDescription arm = load_arm(file);
@@ -64,10 +61,8 @@ StudioScene::StudioScene(const ProjectFolder& project, SceneNames names)
   if (!model_file_.empty()) {
     model_hash_ = file_hash(model_file_);
   }
-  if (!is_current(names_)) {
-    throw InputError(fmt::format("'{}', '{}': written while they were read; choose them again",
-                                 names_.arm, names_.model));
-  }
+  refuse_if(!is_current(names_), "'{}', '{}': written while they were read; choose them again",
+            names_.arm, names_.model);
 }
 
 void StudioScene::require_one_arm() const {
@@ -78,9 +73,8 @@ void StudioScene::require_one_arm() const {
 
 ForwardModel StudioScene::model_of(const Eigen::VectorXf& e) const {
   const Eigen::Index size = network_ && network_->family ? network_->family->size() : 0;
-  if (size == 0 || e.size() != size) {
-    throw InputError(fmt::format("e: {} numbers; the model's family has {}", e.size(), size));
-  }
+  refuse_if(size == 0 || e.size() != size, "e: {} numbers; the model's family has {}", e.size(),
+            size);
   return ForwardModel(arm_,
                       model_of_arm(*network_, {"", e, Eigen::MatrixXf::Identity(size, size)}));
 }

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "limber/common/filesystem.hpp"
 #include "limber/forward/motion_model.hpp"
 #include "limber/world/environment.hpp"
 #include "project_folder.hpp"
@@ -48,11 +49,11 @@ class StudioScene {
   const std::string& model_hash() const { return model_hash_; }
 
  private:
-  using FileTime = std::filesystem::file_time_type;
+  using FileTime = fs::file_time_type;
 
   SceneNames names_;
-  std::filesystem::path arm_file_;
-  std::filesystem::path model_file_;  // empty: the simple model
+  fs::path arm_file_;
+  fs::path model_file_;  // empty: the simple model
   FileTime arm_time_;
   FileTime model_time_{};
   ArmDescription arm_;

@@ -5,12 +5,12 @@
 #include <limits>
 #include <span>
 
-#include <fmt/format.h>
 #include <Eigen/Eigenvalues>
 
 #include "limber/arm/plate_distance.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/data/episode_slice.hpp"
 #include "limber/data/valve_identification.hpp"
 #include "limber/forward/forward_model.hpp"
@@ -44,7 +44,7 @@ struct Halves {
 };
 
 Halves split(const std::vector<Episode>& episodes) {
-  int left = static_cast<int>(std::lround(kHeldBackShare * double(frame_count(episodes))));
+  int left = int(std::lround(kHeldBackShare * double(frame_count(episodes))));
   Halves halves{episodes, {}};
   if (left < kMinHeldBackFrames) {
     return halves;
@@ -134,7 +134,7 @@ class Adapter {
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXf> axes(
         result.model.member_of_family->covariance);
     const Eigen::VectorXf deviation = axes.eigenvalues().cwiseMax(0.0F).cwiseSqrt();
-    result.uncertainty = std::sqrt(deviation.squaredNorm() / static_cast<float>(deviation.size()));
+    result.uncertainty = std::sqrt(deviation.squaredNorm() / float(deviation.size()));
     result.largest_uncertainty = deviation.maxCoeff();
   }
 
@@ -198,12 +198,10 @@ class Adapter {
 Adaptation adapt(const ArmDescription& arm, const CompensationModel& family,
                  const std::vector<Episode>& episodes, const AdaptationSettings& settings) {
   const auto frames = frame_count(episodes);
-  if (frames < kLeastFrames) {
-    throw InputError(fmt::format(
-        "{} frames in {} episodes are too few to tell which arm it is; expected {} at least, "
-        "better a minute of motions",
-        frames, episodes.size(), kLeastFrames));
-  }
+  refuse_if(frames < kLeastFrames,
+            "{} frames in {} episodes are too few to tell which arm it is; expected {} at least, "
+            "better a minute of motions",
+            frames, episodes.size(), kLeastFrames);
   return Adapter(arm, family, settings).run(episodes);
 }
 

@@ -6,14 +6,13 @@
 #include <optional>
 #include <utility>
 
-#include <fmt/format.h>
 #include <Eigen/Cholesky>
 
 #include "kernels/job_arena.hpp"
 #include "learnt_kind.hpp"
 #include "limber/arm/damped_solve.hpp"
-#include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/data/episode_slice.hpp"
 #include "limber/forward/forward_model.hpp"
@@ -47,12 +46,9 @@ class Windows {
         pieces_(pieces_of_length(episodes, kFitWindowFrames)),
         jobs_(jobs),
         frames_(measured_frames(episodes, pieces_)) {
-    if (frames_ == 0) {
-      throw InputError(
-          fmt::format("{} episodes hold no window in which the arm was tracked: there is nothing "
-                      "to fit to",
-                      episodes.size()));
-    }
+    refuse_if(frames_ == 0,
+              "{} episodes hold no window in which the arm was tracked: there is nothing to fit to",
+              episodes.size());
   }
 
   int size() const { return family_.family->size(); }
@@ -73,7 +69,7 @@ class Windows {
     Eigen::MatrixXf result(numbers(), plates() * frames_);
     Eigen::Index column = 0;
     for (const RolloutPiece& piece : pieces_) {
-      const auto index = static_cast<std::size_t>(piece.episode);
+      const auto index = std::size_t(piece.episode);
       for (int t = piece.first + 1; t <= piece.first + piece.frames; ++t) {
         if (episodes_[index].was_tracked(t)) {
           result.middleCols(column, plates()) =
@@ -85,7 +81,7 @@ class Windows {
         }
       }
     }
-    return result.array().isFinite().select(result, static_cast<float>(kLostM));
+    return result.array().isFinite().select(result, float(kLostM));
   }
 
  private:
@@ -148,10 +144,10 @@ class Fit {
     for (Eigen::Index frame = 0; frame < frames; ++frame) {
       const Eigen::Index tip = (frame + 1) * plates - 1;
       const auto slope = slope_.middleRows(numbers * tip, numbers);
-      left_m += static_cast<double>(offsets_.col(tip).norm());
-      variance_m2 += static_cast<double>((slope * covariance).cwiseProduct(slope).sum());
+      left_m += double(offsets_.col(tip).norm());
+      variance_m2 += double((slope * covariance).cwiseProduct(slope).sum());
     }
-    const auto count = static_cast<double>(frames);
+    const auto count = double(frames);
     return std::hypot(left_m / count, std::sqrt(variance_m2 / count));
   }
 
@@ -164,11 +160,11 @@ class Fit {
         (length < kSquareUpToM)
             .select(0.5 * length.square() / kSquareUpToM, length - 0.5 * kSquareUpToM)
             .sum();
-    return share() * sum + 0.5 * static_cast<double>(e.squaredNorm());
+    return share() * sum + 0.5 * double(e.squaredNorm());
   }
 
   double mean_length_m() const {
-    return std::max(static_cast<double>(offsets_.colwise().norm().mean()), kLeastErrorM);
+    return std::max(double(offsets_.colwise().norm().mean()), kLeastErrorM);
   }
 
   void linearise() {
@@ -258,9 +254,9 @@ ArmFit fit_arm(const ArmDescription& arm, const CompensationModel& family,
   const Eigen::MatrixXf covariance = fit.covariance();
   result.expected_error_m = fit.expected_error_m(covariance);
   result.model = model_of_arm(family, {"", fit.e(), covariance});
-  const float root = std::sqrt(static_cast<float>(windows.size()));
+  const float root = std::sqrt(float(windows.size()));
   result.distance = result.model.member_of_family->distance();
-  result.distance_to_nearest = static_cast<double>(
+  result.distance_to_nearest = double(
       (windows.family().family->arms.colwise() - fit.e()).colwise().norm().minCoeff() / root);
   return result;
 }

@@ -18,30 +18,27 @@ ArmModulation<Scalar>::ArmModulation(const ParameterLayout& layout,
   for (int layer = 0; layer + 1 < layout.layer_count(); ++layer) {
     first_row_.push_back(rows() + 2 * layout.outputs(layer));
   }
-  const auto numbers = [&](int count) {
-    return static_cast<std::size_t>(count) * static_cast<std::size_t>(stride);
-  };
+  const auto numbers = [&](int count) { return std::size_t(count) * std::size_t(stride); };
   arm_.resize(numbers(groups));
   vector_.resize(numbers(layout.arms().size));
   vector_back_.resize(vector_.size());
-  no_bias_.resize(static_cast<std::size_t>(rows()));
-  share_.resize(static_cast<std::size_t>(groups) * numbers(rows()));
+  no_bias_.resize(rows());
+  share_.resize(std::size_t(groups) * numbers(rows()));
   share_back_.resize(numbers(rows()));
 }
 
 template <class Scalar>
 void ArmModulation<Scalar>::load(const std::vector<int>& arm, std::span<const int> starts) {
-  std::ranges::transform(starts, arm_.begin(),
-                         [&](int frame) { return arm[static_cast<std::size_t>(frame)]; });
+  std::ranges::transform(starts, arm_.begin(), [&](int frame) { return arm[frame]; });
 }
 
 template <class Scalar>
 void ArmModulation<Scalar>::gather_vectors(const Scalar* parameters, int group) {
   for (int i = 0; i < stride_; ++i) {
-    const int arm = arm_[static_cast<std::size_t>(group * stride_ + i)];
+    const int arm = arm_[group * stride_ + i];
     const Scalar* vector = parameters + layout_.arm_offset(arm);
     for (int r = 0; r < layout_.arms().size; ++r) {
-      vector_[static_cast<std::size_t>(r * stride_ + i)] = Scalar(kArmVectorScale) * vector[r];
+      vector_[r * stride_ + i] = Scalar(kArmVectorScale) * vector[r];
     }
   }
 }
@@ -93,11 +90,10 @@ void ArmModulation<Scalar>::end_back(const Scalar* parameters, int group, Scalar
     kernels_.weight_gradient(1, stride_, rows, size, back, vector_.data(), 0, gradient + at);
     kernels_.layer_back(stride_, rows, size, back, parameters + at, vector_back_.data());
     for (int i = 0; i < stride_; ++i) {
-      const int arm = arm_[static_cast<std::size_t>(group * stride_ + i)];
+      const int arm = arm_[group * stride_ + i];
       Scalar* vector = gradient + layout_.arm_offset(arm);
       for (int r = 0; r < size; ++r) {
-        vector[r] +=
-            Scalar(kArmVectorScale) * vector_back_[static_cast<std::size_t>(r * stride_ + i)];
+        vector[r] += Scalar(kArmVectorScale) * vector_back_[r * stride_ + i];
       }
     }
   }

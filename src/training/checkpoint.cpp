@@ -8,7 +8,10 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/json_reader.hpp"
+#include "limber/common/mapped.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/safetensors.hpp"
 #include "limber/common/utf8.hpp"
 
@@ -16,8 +19,7 @@ namespace limber {
 
 namespace {
 
-using Json = nlohmann::json;
-namespace fs = std::filesystem;
+using PlainJson = nlohmann::json;
 
 constexpr const char* kSchema = "limber/checkpoint/5";
 constexpr double kMaxSeconds = 1e9;  // 30 years
@@ -28,22 +30,20 @@ std::string rival_name(std::size_t rival) {
 }
 
 /// JSON has no NaN: null stands for an epoch that was not validated.
-Json to_json(const std::vector<LearningCurvePoint>& curve) {
-  Json rows = Json::array();
+PlainJson to_json(const std::vector<LearningCurvePoint>& curve) {
+  PlainJson rows = PlainJson::array();
   for (const LearningCurvePoint& p : curve) {
     const double error = p.validation_position_error_cm;
     rows.push_back({p.epoch, p.window_frames, p.learning_rate, p.loss,
-                    std::isnan(error) ? Json() : Json(error), p.elapsed_s});
+                    std::isnan(error) ? PlainJson() : PlainJson(error), p.elapsed_s});
   }
   return rows;
 }
 
-Json to_json(const std::vector<TrainingStage>& stages) {
-  Json rows = Json::array();
-  for (const TrainingStage& stage : stages) {
-    rows.push_back({stage.window_frames, stage.windows_per_batch, stage.epochs});
-  }
-  return rows;
+PlainJson to_json(const std::vector<TrainingStage>& stages) {
+  return mapped<PlainJson>(stages, [&](const TrainingStage& stage) {
+    return PlainJson{stage.window_frames, stage.windows_per_batch, stage.epochs};
+  });
 }
 
 /// One checkpoint's parts, each checked against the run that continues it.
@@ -56,13 +56,11 @@ class CheckpointReader {
     if (text("schema") != kSchema) {
       refuse(fmt::format("schema '{}'; expected {}", shortened(text("schema")), kSchema));
     }
-    if (text("identity") != identity) {
-      throw InputError(
-          fmt::format("{}: the checkpoint of a run with other data or settings; give the same, or "
-                      "leave out --resume to start over",
-                      where_));
-    }
-    const Json numbers = parse_json_object(text("state"), where_ + ": state");
+    refuse_if(text("identity") != identity,
+              "{}: the checkpoint of a run with other data or settings; give the same, or "
+              "leave out --resume to start over",
+              where_);
+    const PlainJson numbers = parse_json_object(text("state"), where_ + ": state");
     const JsonReader state(numbers, where_, "state");
     try {
       return read_state(state, identity);
@@ -94,7 +92,7 @@ class CheckpointReader {
       refuse(fmt::format("no tensor {}", name));
     }
     const Tensor& tensor = found->second;
-    if (tensor.values.size() != static_cast<std::size_t>(size)) {
+    if (tensor.values.size() != std::size_t(size)) {
       refuse(fmt::format("tensor {}: {} numbers found; expected {}", name, tensor.values.size(),
                          size));
     }
@@ -118,7 +116,7 @@ class CheckpointReader {
     state.optimiser.first_moment = vector("first_moment", moments);
     state.optimiser.second_moment = vector("second_moment", moments, 0.0F);
     state.optimiser.rotations = vector("rotations", run_.rotations);
-    state.optimiser.step = static_cast<std::int64_t>(json.at("step").count(kMaxSteps));
+    state.optimiser.step = std::int64_t(json.at("step").count(kMaxSteps));
     read_progress(json, result.stages, state);
     read_rivals(json, state);
     return result;
@@ -141,13 +139,11 @@ class CheckpointReader {
 
   void read_progress(const JsonReader& json, const std::vector<TrainingStage>& stages,
                      TrainingState& state) const {
-    int epochs = 0;
-    for (const TrainingStage& stage : stages) {
-      epochs += stage.epochs;
-    }
+    const auto epochs =
+        sum_of<int>(stages, [&](const TrainingStage& stage) { return stage.epochs; });
     state.epochs_done = json.at("epochs_done").integer(0, epochs);
     state.curve = curve(json.at("curve"));
-    if (state.curve.size() != static_cast<std::size_t>(state.epochs_done)) {
+    if (state.curve.size() != std::size_t(state.epochs_done)) {
       json.at("curve").refuse(fmt::format("{} epochs found; expected the {} that are done",
                                           state.curve.size(), state.epochs_done));
     }
@@ -159,8 +155,7 @@ class CheckpointReader {
       within = within && state.epochs_done != end;
     }
     state.stage_first_loss =
-        json.at("stage_first_loss")
-            .numbers(within ? static_cast<std::size_t>(run_.members) : 0, "losses", 0.0);
+        json.at("stage_first_loss").numbers(within ? std::size_t(run_.members) : 0, "losses", 0.0);
   }
 
   std::vector<LearningCurvePoint> curve(const JsonReader& field) const {
@@ -170,7 +165,7 @@ class CheckpointReader {
       if (items.size() != 6) {
         row.refuse(fmt::format("{} numbers found; expected 6", items.size()));
       }
-      const int epoch = static_cast<int>(result.size()) + 1;
+      const int epoch = int(result.size()) + 1;
       const double error =
           items[4].is_null() ? std::numeric_limits<double>::quiet_NaN() : items[4].number(0.0);
       result.push_back({items[0].integer(epoch, epoch), items[1].integer(1, kMaxEpochs),
@@ -186,9 +181,8 @@ class CheckpointReader {
       ValidatedEpoch rival;
       rival.epoch = row.at("epoch").integer(min_epoch, state.epochs_done);
       rival.error_m = row.at("error_m").number(0.0);
-      rival.members_m =
-          row.at("members_m")
-              .numbers(static_cast<std::size_t>(run_.validates ? run_.members : 0), "errors", 0.0);
+      rival.members_m = row.at("members_m")
+                            .numbers(std::size_t(run_.validates ? run_.members : 0), "errors", 0.0);
       rival.weights = vector(rival_name(state.rivals.size()).c_str(), run_.parameters);
       min_epoch = rival.epoch + 1;
       state.rivals.push_back(std::move(rival));
@@ -209,20 +203,20 @@ void write_checkpoint(const fs::path& path, const Checkpoint& checkpoint) {
   content.tensors["first_moment"] = vector_tensor(state.optimiser.first_moment);
   content.tensors["second_moment"] = vector_tensor(state.optimiser.second_moment);
   content.tensors["rotations"] = vector_tensor(state.optimiser.rotations);
-  Json rivals = Json::array();
+  PlainJson rivals = PlainJson::array();
   for (std::size_t i = 0; i < state.rivals.size(); ++i) {
     const ValidatedEpoch& rival = state.rivals[i];
     rivals.push_back(
         {{"epoch", rival.epoch}, {"error_m", rival.error_m}, {"members_m", rival.members_m}});
     content.tensors[rival_name(i)] = vector_tensor(rival.weights);
   }
-  const Json numbers = {{"epochs_done", state.epochs_done},
-                        {"step", state.optimiser.step},
-                        {"stage_first_loss", state.stage_first_loss},
-                        {"elapsed_s", checkpoint.elapsed_s},
-                        {"rivals", std::move(rivals)},
-                        {"stages", to_json(checkpoint.stages)},
-                        {"curve", to_json(state.curve)}};
+  const PlainJson numbers = {{"epochs_done", state.epochs_done},
+                             {"step", state.optimiser.step},
+                             {"stage_first_loss", state.stage_first_loss},
+                             {"elapsed_s", checkpoint.elapsed_s},
+                             {"rivals", std::move(rivals)},
+                             {"stages", to_json(checkpoint.stages)},
+                             {"curve", to_json(state.curve)}};
   content.metadata = {
       {"schema", kSchema}, {"identity", checkpoint.identity}, {"state", numbers.dump()}};
   write_file_atomically(path, safetensors_bytes(content));

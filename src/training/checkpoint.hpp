@@ -4,6 +4,7 @@
 #include <string>
 
 #include "epoch_trainer.hpp"
+#include "limber/common/filesystem.hpp"
 
 namespace limber {
 
@@ -25,12 +26,11 @@ struct RunShape {
 };
 
 /// Writes safetensors (schema limber/checkpoint/5), atomically; every number survives exactly.
-void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
+void write_checkpoint(const fs::path& path, const Checkpoint& checkpoint);
 
 /// Reads, and checks everything that training needs: sizes, ranges, finite numbers, and that the
 /// parts agree with each other. @throws InputError naming the file and what is wrong with it, also
 /// if it has another identity.
-Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string& identity,
-                           const RunShape& run);
+Checkpoint read_checkpoint(const fs::path& path, const std::string& identity, const RunShape& run);
 
 }  // namespace limber

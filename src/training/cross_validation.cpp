@@ -15,6 +15,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/random_stream.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/units.hpp"
 #include "limber/data/episode_slice.hpp"
 #include "limber/data/recording_inspection.hpp"
@@ -109,7 +110,7 @@ std::vector<int> deal(const std::vector<Episode>& parts, std::uint64_t seed) {
   std::vector<int> folds(parts.size());
   for (const std::size_t i : order) {
     const auto least = std::ranges::min_element(frames);
-    folds[i] = static_cast<int>(least - frames.begin());
+    folds[i] = int(least - frames.begin());
     *least += parts[i].frame_count();
   }
   return folds;
@@ -127,12 +128,11 @@ class CrossValidator {
         settings_(settings),
         valves_(valves),
         hooks_(hooks) {
-    if (parts_.moving.size() < kFolds) {
-      throw InputError(fmt::format(
-          "{} parts of more than {} frames in which the arm moves; {} folds need one each. Give "
-          "more of its motion, or a recording of its own that validates",
-          parts_.moving.size(), kLittleWindowFrames + 1, kFolds));
-    }
+    refuse_if(
+        parts_.moving.size() < kFolds,
+        "{} parts of more than {} frames in which the arm moves; {} folds need one each. Give "
+        "more of its motion, or a recording of its own that validates",
+        parts_.moving.size(), kLittleWindowFrames + 1, kFolds);
     settings_.checkpoint.clear();
     settings_.resume = false;
     settings_.ensemble = 1;
@@ -219,7 +219,7 @@ class CrossValidator {
       if (attempt.way.folds == kFolds && std::isfinite(attempt.way.score_cm()) &&
           (best == nullptr || attempt.way.score_cm() < best->way.score_cm())) {
         best = &attempt;
-        found.chosen = static_cast<int>(found.tried.size());
+        found.chosen = int(found.tried.size());
       }
       found.tried.push_back(attempt.way);
     }
@@ -276,7 +276,7 @@ CrossValidation cross_validate(const ArmDescription& arm, const std::vector<Epis
 }
 
 bool take_another_way(CrossValidation& found) {
-  WayTried& diverged = found.tried[static_cast<std::size_t>(found.chosen)];
+  WayTried& diverged = found.tried[found.chosen];
   diverged.one_step_cm = diverged.window_32_cm = diverged.window_600_cm = kNever;
   found.prediction_error.reset();  // of the other's networks, as the tube
   found.tube.reset();
@@ -286,7 +286,7 @@ bool take_another_way(CrossValidation& found) {
     return std::tuple(!std::isfinite(way.score_cm()), way.folds < found.folds, way.score_cm());
   };
   const auto next = std::ranges::min_element(found.tried, {}, rank);
-  found.chosen = static_cast<int>(next - found.tried.begin());
+  found.chosen = int(next - found.tried.begin());
   return std::isfinite(next->score_cm());
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "limber/common/json.hpp"
 #include "limber/common/json_number.hpp"
 #include "limber/common/json_reader.hpp"
 #include "limber/common/yaml_reader.hpp"
@@ -35,16 +36,16 @@ WayTried way_at(const JsonReader& row) {
 
 }  // namespace
 
-nlohmann::ordered_json to_json(const CrossValidation& found) {
-  nlohmann::ordered_json json = {{"identity", found.identity},
-                                 {"folds", found.folds},
-                                 {"epochs", found.epochs()},
-                                 {"hidden_units", found.best().hidden_units},
-                                 {"optimiser", to_string(found.best().optimiser)},
-                                 {"tried", nlohmann::ordered_json::array()},
-                                 {"prediction_error", nullptr},
-                                 {"tube", nullptr},
-                                 {"widest_where", found.widest_where}};
+Json to_json(const CrossValidation& found) {
+  Json json = {{"identity", found.identity},
+               {"folds", found.folds},
+               {"epochs", found.epochs()},
+               {"hidden_units", found.best().hidden_units},
+               {"optimiser", to_string(found.best().optimiser)},
+               {"tried", Json::array()},
+               {"prediction_error", nullptr},
+               {"tube", nullptr},
+               {"widest_where", found.widest_where}};
   for (const WayTried& tried : found.tried) {
     json["tried"].push_back({{"epochs", tried.epochs},
                              {"hidden_units", tried.hidden_units},
@@ -55,11 +56,10 @@ nlohmann::ordered_json to_json(const CrossValidation& found) {
                              {"window_600_cm", json_number(tried.window_600_cm)}});
   }
   if (found.prediction_error) {
-    json["prediction_error"] =
-        nlohmann::ordered_json::parse(prediction_error_to_metadata(*found.prediction_error));
+    json["prediction_error"] = Json::parse(prediction_error_to_metadata(*found.prediction_error));
   }
   if (found.tube) {
-    json["tube"] = nlohmann::ordered_json::parse(tube_to_metadata(*found.tube));
+    json["tube"] = Json::parse(tube_to_metadata(*found.tube));
   }
   return json;
 }
@@ -79,7 +79,7 @@ CrossValidation read_cross_validation(const std::string& text, const std::string
     };
     WayTried way = way_at(row);
     if (way == wanted) {
-      found.chosen = static_cast<int>(found.tried.size());
+      found.chosen = int(found.tried.size());
     }
     way.folds = row.at("folds").integer(1, kFolds);
     way.one_step_cm = error_at("one_step_cm");
@@ -118,7 +118,7 @@ std::string to_text(const CrossValidation& found) {
                 ? fmt::format(": {}, {}, {} cm", in_cm(tried.one_step_cm),
                               in_cm(tried.window_32_cm), in_cm(tried.window_600_cm))
                 : ": diverged";
-    text += static_cast<int>(i) == found.chosen ? ", chosen" : "";
+    text += int(i) == found.chosen ? ", chosen" : "";
   }
   return text;
 }

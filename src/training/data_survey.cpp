@@ -1,10 +1,8 @@
 #include "data_survey.hpp"
 
-#include <fmt/format.h>
-
 #include "learnt_kind.hpp"
 #include "limber/common/content_hash.hpp"
-#include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/network/gap_bounds.hpp"
 #include "limber/training/episode_slices.hpp"
 #include "limber/training/gap_bounds_fit.hpp"
@@ -41,12 +39,11 @@ DataSurvey survey_of(
   if (data.slices.frame_counts.empty()) {
     return {bounds_for(data, start), learns_from_setpoints(data), ""};
   }
-  if (!data.training.empty() || !data.replay.empty() || data.slices.slice_frames < 1) {
-    throw InputError(fmt::format(
-        "slices of {} frames, {} other training episodes and {} to replay; expected slices of a "
-        "frame or more, and no other episodes",
-        data.slices.slice_frames, data.training.size(), data.replay.size()));
-  }
+  refuse_if(
+      !data.training.empty() || !data.replay.empty() || data.slices.slice_frames < 1,
+      "slices of {} frames, {} other training episodes and {} to replay; expected slices of a "
+      "frame or more, and no other episodes",
+      data.slices.slice_frames, data.training.size(), data.replay.size());
   DataSurvey survey;
   TrainingData part;
   part.validation = data.validation;

@@ -32,7 +32,7 @@ std::string hash_of(const std::vector<Episode>& episodes);
 template <class Matrix>
 std::string_view number_bytes(const Matrix& matrix) {
   return {reinterpret_cast<const char*>(matrix.data()),
-          static_cast<std::size_t>(matrix.size()) * sizeof(typename Matrix::Scalar)};
+          std::size_t(matrix.size()) * sizeof(typename Matrix::Scalar)};
 }
 
 }  // namespace limber

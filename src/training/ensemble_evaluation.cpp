@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "limber/common/mapped.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/common/units.hpp"
 #include "rollout.hpp"
@@ -28,7 +29,7 @@ std::vector<double> ranks(const std::vector<double>& values) {
       ++end;
     }
     for (std::size_t i = first; i < end; ++i) {
-      result[order[i]] = 0.5 * static_cast<double>(first + end - 1);
+      result[order[i]] = 0.5 * double(first + end - 1);
     }
     first = end;
   }
@@ -42,7 +43,7 @@ SpreadStatistics spread_statistics(const std::vector<double>& spread_cm,
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     return {kNone, kNone, kNone, kNone};
   }
-  const auto count = static_cast<double>(spread_cm.size());
+  const auto count = double(spread_cm.size());
   result.mean_cm = mean(spread_cm);
   std::vector<double> factors;
   for (std::size_t i = 0; i < spread_cm.size(); ++i) {
@@ -56,10 +57,9 @@ SpreadStatistics spread_statistics(const std::vector<double>& spread_cm,
 
 EnsembleErrors errors_of(const EnsembleForward& ensemble, const std::vector<Episode>& episodes,
                          Restart restart, int jobs) {
-  std::vector<std::vector<FrameMatrix>> members;
-  for (int member = 0; member < ensemble.member_count(); ++member) {
-    members.push_back(predict(ensemble.member(member), episodes, restart, jobs));
-  }
+  auto members = mapped<std::vector<FrameMatrix>>(ensemble.member_count(), [&](int member) {
+    return predict(ensemble.member(member), episodes, restart, jobs);
+  });
   const std::vector<FrameMatrix> mean = mean_of(members, ensemble.member(0).dimension());
   TipErrorSeries series;
   std::vector<double> spread_cm;
@@ -72,14 +72,13 @@ EnsembleErrors errors_of(const EnsembleForward& ensemble, const std::vector<Epis
       if (std::isnan(one.position_cm[i])) {
         continue;
       }
-      const auto t = static_cast<Eigen::Index>(i) + 1;
-      double square = 0.0;
-      for (const std::vector<FrameMatrix>& member : members) {
-        square += static_cast<double>(
+      const auto t = Eigen::Index(i) + 1;
+      const auto square = sum_of<double>(members, [&](const std::vector<FrameMatrix>& member) {
+        return double(
             (tip_place(member[episode], t, dimension) - tip_place(mean[episode], t, dimension))
                 .squaredNorm());
-      }
-      spread_cm.push_back(kCmPerM * std::sqrt(square / static_cast<double>(members.size())));
+      });
+      spread_cm.push_back(kCmPerM * std::sqrt(square / double(members.size())));
       error_cm.push_back(one.position_cm[i]);
     }
   }
@@ -98,7 +97,7 @@ EnsembleEvaluation evaluate_ensemble(const EnsembleForward& ensemble,
 double rank_correlation(const std::vector<double>& a, const std::vector<double>& b) {
   const std::vector<double> of_a = ranks(a);
   const std::vector<double> of_b = ranks(b);
-  const double mean = 0.5 * (static_cast<double>(a.size()) - 1.0);
+  const double mean = 0.5 * (double(a.size()) - 1.0);
   double product = 0.0;
   double square_a = 0.0;
   double square_b = 0.0;

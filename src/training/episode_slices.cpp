@@ -19,15 +19,15 @@ std::vector<std::vector<int>> slices_of(const SlicedEpisodes& episodes, std::uin
   const std::vector<int>& counts = episodes.frame_counts;
   const auto frames = std::reduce(counts.begin(), counts.end(), std::int64_t{0});
   const auto wanted = (frames + episodes.slice_frames - 1) / episodes.slice_frames;
-  std::vector<std::vector<int>> slices(static_cast<std::size_t>(std::max<std::int64_t>(wanted, 1)));
+  std::vector<std::vector<int>> slices(std::size_t(std::max<std::int64_t>(wanted, 1)));
   std::vector<int> order(counts.size());
   std::iota(order.begin(), order.end(), 0);
-  RandomStream random(seed, kSliceStreams + static_cast<std::uint64_t>(epoch));
+  RandomStream random(seed, kSliceStreams + std::uint64_t(epoch));
   shuffle(random, order);
   std::int64_t before = 0;
   for (const int episode : order) {
-    slices[static_cast<std::size_t>(before * wanted / frames)].push_back(episode);
-    before += counts[static_cast<std::size_t>(episode)];
+    slices[before * wanted / frames].push_back(episode);
+    before += counts[episode];
   }
   std::erase_if(slices, [&](const auto& slice) { return slice.empty() && !order.empty(); });
   for (std::vector<int>& slice : slices) {

@@ -34,7 +34,7 @@ ParameterLayout layout_for(const TrainingTables& tables, const TrainingSettings&
   if (settings.family_size > 0) {
     arms = {settings.family_size, 1 + std::ranges::max(episode_arms)};
   }
-  std::vector<int> widths = {static_cast<int>(tables.input.scale.size())};
+  std::vector<int> widths = {int(tables.input.scale.size())};
   widths.insert(widths.end(), settings.hidden_units.begin(), settings.hidden_units.end());
   widths.push_back(tables.map.output_count());
   return ParameterLayout(std::move(widths), arms);
@@ -47,9 +47,8 @@ std::vector<int> arms_of_episodes(const TrainingData& data, const TrainingSettin
   }
   const std::size_t episodes = data.training.size() + data.slices.frame_counts.size();
   const bool fit = data.arms.empty() || data.arms.size() == episodes;
-  if (!fit || !data.replay.empty() || std::ranges::any_of(data.arms, [&](int arm) {
-        return arm < 0 || arm >= static_cast<int>(episodes);
-      })) {
+  if (!fit || !data.replay.empty() ||
+      std::ranges::any_of(data.arms, [&](int arm) { return arm < 0 || arm >= int(episodes); })) {
     throw InputError(fmt::format(
         "{} arms for {} episodes of a family, and {} to replay; expected an arm from 0 to below "
         "the number of episodes for each of them, and none to replay",
@@ -98,7 +97,7 @@ EpochTrainer::EpochTrainer(const ArmDescription& arm, const TrainingData& data,
       layout_(layout_for(tables_, settings, episode_arms_)),
       optimiser_(make_optimiser(settings.optimiser, layout_, members_, settings.jobs)),
       replayed_(data.replay.size()) {
-  slice_count_ = static_cast<int>(slices_of(sliced_, settings.seed, 0).size());
+  slice_count_ = int(slices_of(sliced_, settings.seed, 0).size());
   if (!loaded_.empty() && frame_count() > sliced_.slice_frames) {
     spilled_.emplace(settings.checkpoint);
   }
@@ -127,7 +126,7 @@ EpochTrainer::EpochTrainer(const ArmDescription& arm, const TrainingData& data,
       own = to_parameters(layout_, start->member(member).layers);
     } else {
       const std::uint64_t first_stream =
-          member == 0 ? 0 : kMemberStreams + (static_cast<std::uint64_t>(member) << 16);
+          member == 0 ? 0 : kMemberStreams + (std::uint64_t(member) << 16);
       Eigen::VectorXf initial =
           initial_parameters(layout_, settings_.seed, first_stream, settings_.first_weights);
       if (tables_.map.is_gated()) {
@@ -148,9 +147,8 @@ double EpochTrainer::learning_rate(double epochs) const {
 
 void EpochTrainer::note_arms(const std::vector<int>& slice, TrainingTables& tables) const {
   for (std::size_t i = 0; i < tables.episodes.size() && !episode_arms_.empty(); ++i) {
-    const std::size_t episode = slice.empty() ? i : static_cast<std::size_t>(slice[i]);
-    tables.frames.arm.insert(tables.frames.arm.end(),
-                             static_cast<std::size_t>(tables.episodes[i].count),
+    const std::size_t episode = slice.empty() ? i : std::size_t(slice[i]);
+    tables.frames.arm.insert(tables.frames.arm.end(), std::size_t(tables.episodes[i].count),
                              episode_arms_[episode]);
   }
 }
@@ -163,9 +161,9 @@ std::int64_t EpochTrainer::frame_count() const {
 
 void EpochTrainer::load(int slice) {
   const std::vector<std::vector<int>> all = slices_of(sliced_, settings_.seed, state_.epochs_done);
-  const auto at = static_cast<std::size_t>(slice);
+  const auto at = std::size_t(slice);
   slice_ = slice;
-  slice_count_ = static_cast<int>(all.size());
+  slice_count_ = int(all.size());
   if (all[at] != loaded_) {
     const bool is_next = next_.valid() && coming_ == all[at];
     if (!is_next) {
@@ -186,11 +184,10 @@ void EpochTrainer::load(int slice) {
 }
 
 std::vector<int> EpochTrainer::shuffled_starts(const TrainingStage& stage) const {
-  RandomStream random(settings_.seed, kShuffleStreams +
-                                          static_cast<std::uint64_t>(state_.epochs_done) +
-                                          kSliceStep * static_cast<std::uint64_t>(slice_));
-  const auto frames = static_cast<std::uint32_t>(stage.window_frames);
-  const int shift = settings_.shift_windows ? static_cast<int>(random.index(frames)) : 0;
+  RandomStream random(settings_.seed, kShuffleStreams + std::uint64_t(state_.epochs_done) +
+                                          kSliceStep * std::uint64_t(slice_));
+  const auto frames = std::uint32_t(stage.window_frames);
+  const int shift = settings_.shift_windows ? int(random.index(frames)) : 0;
   const std::span all(tables_.episodes);
   const auto starts_in = [&](std::span<const EpisodeRange> episodes) {
     const auto shifted_by = [&](int by) {
@@ -204,8 +201,8 @@ std::vector<int> EpochTrainer::shuffled_starts(const TrainingStage& stage) const
     std::vector<int> replayed = starts_in(all.last(replayed_));
     shuffle(random, replayed);
     const double share = settings_.replay_share / (1.0 - settings_.replay_share);
-    const double wanted = share * static_cast<double>(starts.size());
-    replayed.resize(std::min(replayed.size(), static_cast<std::size_t>(std::lround(wanted))));
+    const double wanted = share * double(starts.size());
+    replayed.resize(std::min(replayed.size(), std::size_t(std::lround(wanted))));
     starts.insert(starts.end(), replayed.begin(), replayed.end());
   }
   shuffle(random, starts);
@@ -225,7 +222,7 @@ BatchGradient& EpochTrainer::gradient_for(const TrainingStage& stage) {
 
 void EpochTrainer::step(double loss_scale, double rate) {
   const FlushedSubnormals flushed;
-  const auto scale = static_cast<float>(loss_scale);
+  const auto scale = float(loss_scale);
   if (scale != 1.0F) {
     gradient_ *= scale;
   }
@@ -237,7 +234,7 @@ void EpochTrainer::step(double loss_scale, double rate) {
   if (settings_.weight_decay > 0.0) {
     for (int member = 0; member < members_; ++member) {
       state_.parameters.segment(member * layout_.size(), layout_.arm_offset(0)) *=
-          static_cast<float>(1.0 - rate * settings_.weight_decay);
+          float(1.0 - rate * settings_.weight_decay);
     }
   }
 }
@@ -246,7 +243,7 @@ EpochLoss EpochTrainer::train_slice(const TrainingStage& stage,
                                     const std::function<bool()>& should_stop, EpochSums& sums) {
   BatchGradient& gradient = gradient_for(stage);
   const std::vector<int> starts = shuffled_starts(stage);
-  const auto batch = static_cast<std::size_t>(stage.windows_per_batch);
+  const auto batch = std::size_t(stage.windows_per_batch);
   const bool summed = settings_.reduction == LossReduction::sum_over_batch;
   for (std::size_t first = 0; first < starts.size(); first += batch) {
     if (should_stop && should_stop()) {
@@ -256,8 +253,8 @@ EpochLoss EpochTrainer::train_slice(const TrainingStage& stage,
     const std::span<const double> losses =
         gradient.compute(std::span(starts).subspan(first, count), state_.parameters, gradient_);
     for (int member = 0; member < members_; ++member) {
-      const auto at = static_cast<std::size_t>(member);
-      const double mean = losses[at] / static_cast<double>(count);
+      const auto at = std::size_t(member);
+      const double mean = losses[at] / double(count);
       if (state_.stage_first_loss.size() <= at) {
         state_.stage_first_loss.push_back(mean);
       }
@@ -266,8 +263,8 @@ EpochLoss EpochTrainer::train_slice(const TrainingStage& stage,
       }
       sums.losses[at] += losses[at];
     }
-    const double progress = static_cast<double>(first) / static_cast<double>(starts.size());
-    step(summed ? 1.0 : 1.0 / static_cast<double>(count),
+    const double progress = double(first) / double(starts.size());
+    step(summed ? 1.0 : 1.0 / double(count),
          learning_rate(state_.epochs_done + (slice_ + progress) / slice_count_));
   }
   sums.windows += starts.size();
@@ -277,7 +274,7 @@ EpochLoss EpochTrainer::train_slice(const TrainingStage& stage,
 EpochLoss EpochTrainer::train_epoch(const TrainingStage& stage,
                                     const std::function<bool()>& should_stop) {
   EpochSums sums;
-  sums.losses.assign(static_cast<std::size_t>(members_), 0.0);
+  sums.losses.assign(std::size_t(members_), 0.0);
   int slice = 0;
   do {
     load(slice);
@@ -289,8 +286,8 @@ EpochLoss EpochTrainer::train_epoch(const TrainingStage& stage,
   assert(sums.windows > 0);  // the constructor refuses stages that have none
   EpochLoss result;
   for (int member = 0; member < members_; ++member) {
-    const auto at = static_cast<std::size_t>(member);
-    const double mean = sums.losses[at] / static_cast<double>(sums.windows);
+    const auto at = std::size_t(member);
+    const double mean = sums.losses[at] / double(sums.windows);
     result.mean += mean / members_;
     if (mean > kWorsening * state_.stage_first_loss[at]) {
       result.diverged = member;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "limber/arm/plate_distance.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/data/valve_identification.hpp"
 #include "limber/training/unseen_error.hpp"
 
@@ -47,18 +48,17 @@ bool stands_still(const Episode& episode, int frame) {
 
 std::vector<RolloutPiece> error_runs(const ArmDescription& arm,
                                      const std::vector<Episode>& unseen) {
-  const int max_frames = static_cast<int>(std::lround(kLongestErrorRun_s * arm.frame_rate_hz));
+  const int max_frames = int(std::lround(kLongestErrorRun_s * arm.frame_rate_hz));
   constexpr double kNoise = 0.02;  // of a sensor, where set points are what was measured
-  std::vector<double> noise;
-  for (const Episode& episode : unseen) {
-    noise.push_back(!episode.setpoints_only && setpoints_are_measured(episode) ? kNoise : 0.0);
-  }
+  const auto noise = mapped<double>(unseen, [&](const Episode& episode) {
+    return !episode.setpoints_only && setpoints_are_measured(episode) ? kNoise : 0.0;
+  });
   std::vector<RolloutPiece> moving;
   std::vector<RolloutPiece> from_rest;
   // Motions as they were recorded, including holds, cut if they are long.
   for (const RolloutPiece& piece : cut_pieces(pieces_of_motions(unseen), unseen, max_frames)) {
-    const Episode& episode = unseen[static_cast<std::size_t>(piece.episode)];
-    if (moves(arm, episode, piece, noise[static_cast<std::size_t>(piece.episode)])) {
+    const Episode& episode = unseen[piece.episode];
+    if (moves(arm, episode, piece, noise[piece.episode])) {
       moving.push_back(piece);
       if (stands_still(episode, piece.first)) {
         from_rest.push_back(piece);

@@ -9,6 +9,7 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/units.hpp"
 #include "limber/data/valve_identification.hpp"
 #include "limber/data/valve_simulation.hpp"
@@ -26,8 +27,8 @@ constexpr int kMinFrames = 3;  // constant velocity needs two frames before the 
 /// none.
 std::vector<RolloutPiece> pieces_of_every_frame(const std::vector<Episode>& episodes) {
   std::vector<RolloutPiece> pieces;
-  for (int index = 0; index < static_cast<int>(episodes.size()); ++index) {
-    for (int t = 1; t < episodes[static_cast<std::size_t>(index)].frame_count(); ++t) {
+  for (int index = 0; index < int(episodes.size()); ++index) {
+    for (int t = 1; t < episodes[index].frame_count(); ++t) {
       pieces.push_back({index, t - 1, 1});
     }
   }
@@ -38,7 +39,7 @@ std::vector<RolloutPiece> pieces_of_every_frame(const std::vector<Episode>& epis
 void require_finite(const std::vector<FrameMatrix>& predicted,
                     const std::vector<RolloutPiece>& pieces) {
   for (const RolloutPiece& piece : pieces) {
-    const FrameMatrix& frames = predicted[static_cast<std::size_t>(piece.episode)];
+    const FrameMatrix& frames = predicted[piece.episode];
     for (int t = piece.first + 1; t <= piece.first + piece.frames; ++t) {
       if (!frames.row(t).allFinite()) {
         throw InputError(
@@ -89,11 +90,9 @@ namespace {
 /// Frames that count: those tracked after the first of their episode, which is given.
 std::int64_t counted_frames(const std::vector<Episode>& episodes) {
   const std::int64_t frames = measured_frames(episodes, pieces_of_every_frame(episodes));
-  if (frames == 0) {
-    throw InputError(
-        "the recording can't be used for evaluation: the arm was tracked in none of the frames "
-        "after the first of an episode");
-  }
+  refuse_if(frames == 0,
+            "the recording can't be used for evaluation: the arm was tracked in none of the frames "
+            "after the first of an episode");
   return frames;
 }
 
@@ -120,7 +119,7 @@ std::vector<Episode> with_tracker_noise(std::vector<Episode> episodes, Eigen::In
     for (Eigen::Index t = 0; t < episode.backbone.rows(); ++t) {
       for (Eigen::Index i = pose_size; i < episode.backbone.cols(); ++i) {
         const double noise_m = i % pose_size < places ? kTrackerNoiseM * random.normal() : 0.0;
-        episode.backbone(t, i) += static_cast<float>(noise_m);
+        episode.backbone(t, i) += float(noise_m);
       }
     }
   }
@@ -137,9 +136,8 @@ void require_models(const ForwardModel& no_load, const ForwardModel* network) {
                     : !network->has_network() ? "and a no-load model"
                                               : "and a network"));
   }
-  if (network != nullptr && network->dimension() != no_load.dimension()) {
-    throw InputError("a model of an arm in space and one in a plane; expected models of one arm");
-  }
+  refuse_if(network != nullptr && network->dimension() != no_load.dimension(),
+            "a model of an arm in space and one in a plane; expected models of one arm");
   if (network != nullptr && (network->segment_count() != no_load.segment_count() ||
                              network->channel_count() != no_load.channel_count() ||
                              network->point_count() != no_load.point_count())) {
@@ -188,12 +186,10 @@ Evaluation evaluate(const ForwardModel& no_load, const ForwardModel* network,
       episodes.push_back(episode);
     }
   }
-  if (episodes.empty()) {
-    throw InputError(
-        fmt::format("the recording is too short for evaluation: {} frames in {} episodes; expected "
-                    "an episode of at least {} frames",
-                    frames, all_episodes.size(), kMinFrames));
-  }
+  refuse_if(episodes.empty(),
+            "the recording is too short for evaluation: {} frames in {} episodes; expected "
+            "an episode of at least {} frames",
+            frames, all_episodes.size(), kMinFrames);
   Evaluation result;
   result.command = no_load.no_load().command();
   result.frames = counted_frames(episodes);

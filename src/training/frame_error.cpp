@@ -32,7 +32,7 @@ Scalar FrameError<Scalar>::compute(int stride, const Scalar* state, const Scalar
                                    const Scalar* window_weight, Scalar* gradient) {
   const WindowKernels<Scalar>& kernels = window_kernels<Scalar>();
   assert(stride % kernels.lanes == 0);
-  const int size = static_cast<int>(weight_.size());
+  const int size = int(weight_.size());
   if (is_chained()) {
     const auto chained_error =
         dimension_ == Dimension::space ? kernels.space_chained_error : kernels.chained_error;

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "limber/arm/space_pose.hpp"
-#include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 
 namespace limber {
 
@@ -15,9 +15,9 @@ namespace {
 /// upper end: from, to.
 std::pair<double, double> widened_range(std::vector<float>& values, double min_margin,
                                         double min_share) {
-  const auto rare = static_cast<std::ptrdiff_t>(kRareShare * static_cast<double>(values.size()));
+  const auto rare = std::ptrdiff_t(kRareShare * double(values.size()));
   std::nth_element(values.begin(), values.begin() + rare, values.end());
-  const double low = values[static_cast<std::size_t>(rare)];
+  const double low = values[rare];
   std::nth_element(values.begin(), values.end() - 1 - rare, values.end());
   const double high = *(values.end() - 1 - rare);
   const double margin = std::max({kMargin * (high - low), min_share * high, min_margin});
@@ -27,9 +27,7 @@ std::pair<double, double> widened_range(std::vector<float>& values, double min_m
 }  // namespace
 
 GapBounds gap_bounds_of(const std::vector<Episode>& episodes) {
-  if (episodes.empty()) {
-    throw InputError("no episodes to take the bounds of gaps from; expected at least one");
-  }
+  refuse_if(episodes.empty(), "no episodes to take the bounds of gaps from; expected at least one");
   require_alike(episodes);
   const Eigen::Index gaps = episodes.front().point_count() - 1;
   const bool in_space = episodes.front().dimension == Dimension::space;
@@ -59,19 +57,16 @@ GapBounds gap_bounds_of(const std::vector<Episode>& episodes) {
         }
       }
     }
-    if (lengths.empty()) {
-      throw InputError("the arm was tracked in no frame of the recordings to learn from");
-    }
+    refuse_if(lengths.empty(), "the arm was tracked in no frame of the recordings to learn from");
     constexpr double kShortest_m = 1e-5;  // a gap keeps a direction, whatever was tracked
     const auto [shortest_m, longest_m] = widened_range(lengths, kShortest_m, kMinLengthMargin);
     const auto [least_rad, most_rad] = widened_range(turns, kMinTurnMargin_rad, 0.0);
-    bounds.min_length_m[g] = static_cast<float>(std::max(shortest_m, kShortest_m));
-    bounds.max_length_m[g] = static_cast<float>(std::max(longest_m, kShortest_m));
-    bounds.min_turn_rad[g] = static_cast<float>(least_rad);
-    bounds.max_turn_rad[g] = static_cast<float>(most_rad);
+    bounds.min_length_m[g] = float(std::max(shortest_m, kShortest_m));
+    bounds.max_length_m[g] = float(std::max(longest_m, kShortest_m));
+    bounds.min_turn_rad[g] = float(least_rad);
+    bounds.max_turn_rad[g] = float(most_rad);
     if (in_space) {
-      bounds.max_bend_rad[g] =
-          static_cast<float>(widened_range(bends, kMinTurnMargin_rad, 0.0).second);
+      bounds.max_bend_rad[g] = float(widened_range(bends, kMinTurnMargin_rad, 0.0).second);
     }
   }
   return bounds;

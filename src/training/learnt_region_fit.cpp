@@ -9,7 +9,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/network/backbone_layout.hpp"
 #include "limber/training/episode_slices.hpp"
@@ -91,9 +91,7 @@ Eigen::MatrixXd all_of(const std::vector<Episode>& episodes,
 /// @throws InputError if there is none.
 Eigen::MatrixXd joint_vectors(const std::vector<Episode>& episodes) {
   Eigen::MatrixXd joint = all_of(episodes, joint_vectors_of);
-  if (joint.cols() == 0) {
-    throw InputError("the arm was tracked in no frame of the recordings to learn from");
-  }
+  refuse_if(joint.cols() == 0, "the arm was tracked in no frame of the recordings to learn from");
   return joint;
 }
 
@@ -134,7 +132,7 @@ std::vector<double> changes_of(const std::vector<Episode>& episodes, Eigen::Inde
       continue;
     }
     const double period_s = (episode.time_s[last] - episode.time_s[0]) / last;
-    const int frames = std::clamp(static_cast<int>(std::lround(span_s / period_s)), 1, last);
+    const int frames = std::clamp(int(std::lround(span_s / period_s)), 1, last);
     const Eigen::VectorXf values = without_spikes(episode.pressure_kpa, segment);
     for (int t = frames; t <= last; ++t) {
       if (episode.was_tracked(t - frames) && episode.was_tracked(t)) {
@@ -192,7 +190,7 @@ void widen_axes(LearntRegion& region, const Eigen::MatrixXd& along, double widen
 double needed_widening(const Eigen::MatrixXd& along) {
   std::array<std::vector<Eigen::Index>, 2> halves;
   for (Eigen::Index t = 0; t < along.cols(); ++t) {
-    halves[static_cast<std::size_t>(t / kBlockFrames % 2)].push_back(t);
+    halves[t / kBlockFrames % 2].push_back(t);
   }
   std::vector<double> beyond;
   for (const std::size_t half : {0U, 1U}) {
@@ -249,10 +247,9 @@ void widen_changes(LearntRegion& region, const std::vector<Episode>& episodes, E
 /// Frames whose pressures lie beyond the region's count as not tracked.
 Episode within(const LearntRegion& region, Episode episode) {
   const int frames = episode.frame_count();
-  std::vector<std::uint8_t> known(static_cast<std::size_t>(frames));
+  std::vector<std::uint8_t> known(frames);
   for (int t = 0; t < frames; ++t) {
-    known[static_cast<std::size_t>(t)] =
-        episode.was_tracked(t) && region.holds(episode.pressure_kpa.row(t).transpose());
+    known[t] = episode.was_tracked(t) && region.holds(episode.pressure_kpa.row(t).transpose());
   }
   episode.tracked = std::move(known);
   return episode;
@@ -269,8 +266,7 @@ LearntRegion learnt_region_of(const std::vector<Episode>& episodes) {
   const Eigen::VectorXd spread =
       at_least_noise(standard.rowwise().norm() / std::sqrt(double(standard.cols())), segments);
   standard = spread.cwiseInverse().asDiagonal() * standard;
-  const Eigen::MatrixXd covariance =
-      standard * standard.transpose() / static_cast<double>(standard.cols());
+  const Eigen::MatrixXd covariance = standard * standard.transpose() / double(standard.cols());
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance);
   // Ascending variances: the axes that count are the last ones.
   const Eigen::VectorXd& variance = solver.eigenvalues();

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "limber/common/interrupt.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/network/backbone_layout.hpp"
 
 namespace limber {
@@ -21,11 +22,8 @@ int there_and_back(int step, int count) {
 }
 
 double arm_length_m(const ForwardModel& model) {
-  double length = 0.0;
-  for (int i = 0; i < model.segment_count(); ++i) {
-    length += model.no_load().segment(i).length_m;
-  }
-  return length;
+  return sum_of<double>(model.segment_count(),
+                        [&](int i) { return model.no_load().segment(i).length_m; });
 }
 
 /// Whether some gap of a predicted shape, by its gaps (NetworkLayout), lies on a bound.
@@ -117,7 +115,7 @@ LongRollout roll_out_long(const ForwardModel& model, const std::vector<Episode>&
   bool finite = true;
   for (std::size_t i = 0; i < walks.size() && finite; ++i) {
     const int left = frames - result.frames;
-    finite = walk(model, *walks[i], left / static_cast<int>(walks.size() - i), result, held);
+    finite = walk(model, *walks[i], left / int(walks.size() - i), result, held);
   }
   result.held_share = result.frames > 0 ? double(held) / result.frames : 0.0;
   result.bounded = finite && result.max_distance_m <= kFarthest * arm_length_m(model) &&

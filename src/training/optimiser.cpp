@@ -20,7 +20,7 @@ class Sgd final : public OptimiserSteps {
   void step(const Eigen::VectorXf& gradient, double learning_rate, OptimiserState& state,
             Eigen::VectorXf& parameters) override {
     ++state.step;
-    parameters -= static_cast<float>(learning_rate) * gradient;
+    parameters -= float(learning_rate) * gradient;
   }
 };
 
@@ -37,7 +37,7 @@ class Adam final : public OptimiserSteps {
   void step(const Eigen::VectorXf& gradient, double learning_rate, OptimiserState& state,
             Eigen::VectorXf& parameters) override {
     ++state.step;
-    adam_step(state.step, learning_rate, static_cast<int>(parameters.size()), gradient.data(),
+    adam_step(state.step, learning_rate, int(parameters.size()), gradient.data(),
               state.first_moment.data(), state.second_moment.data(), parameters.data());
   }
 
@@ -62,18 +62,17 @@ std::unique_ptr<OptimiserSteps> make_optimiser(Optimiser optimiser, const Parame
 
 void adam_step(std::int64_t step, double learning_rate, int count, const float* gradient,
                float* first_moment, float* second_moment, float* parameters) {
-  const double bias1 = 1.0 - std::pow(kBeta1, static_cast<double>(step));
-  const double bias2 = 1.0 - std::pow(kBeta2, static_cast<double>(step));
-  optimiser_kernels().adam(count, gradient, static_cast<float>(learning_rate / bias1),
-                           static_cast<float>(1.0 / std::sqrt(bias2)), first_moment, second_moment,
-                           parameters);
+  const double bias1 = 1.0 - std::pow(kBeta1, double(step));
+  const double bias2 = 1.0 - std::pow(kBeta2, double(step));
+  optimiser_kernels().adam(count, gradient, float(learning_rate / bias1),
+                           float(1.0 / std::sqrt(bias2)), first_moment, second_moment, parameters);
 }
 
 void limit_norm(Eigen::Ref<Eigen::VectorXf> gradient, double limit) {
   const double norm =
-      std::sqrt(optimiser_kernels().square_sum(static_cast<int>(gradient.size()), gradient.data()));
+      std::sqrt(optimiser_kernels().square_sum(int(gradient.size()), gradient.data()));
   if (limit > 0.0 && norm > limit) {
-    gradient *= static_cast<float>(limit / norm);
+    gradient *= float(limit / norm);
   }
 }
 

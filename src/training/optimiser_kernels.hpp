@@ -29,7 +29,7 @@ double square_sum(int count, const float* x) {
       part = multiply_add(load(x + i), load(x + i), part);
     }
     const Vector rest = load_part(x + i, end - i);
-    sum += static_cast<double>(lane_sum(multiply_add(rest, rest, part)));
+    sum += double(lane_sum(multiply_add(rest, rest, part)));
   }
   return sum;
 }

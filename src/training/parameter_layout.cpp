@@ -41,33 +41,32 @@ Eigen::VectorXf initial_parameters(const ParameterLayout& layout, std::uint64_t 
                                    std::uint64_t first_stream, FirstWeights kind) {
   Eigen::VectorXf parameters = Eigen::VectorXf::Zero(layout.size());
   for (int layer = 0; layer < layout.layer_count(); ++layer) {
-    RandomStream stream(seed, first_stream + static_cast<std::uint64_t>(layer));
+    RandomStream stream(seed, first_stream + std::uint64_t(layer));
     const bool last = layer + 1 == layout.layer_count();
-    const auto inputs = static_cast<float>(layout.inputs(layer));
+    const auto inputs = float(layout.inputs(layer));
     const bool he = kind == FirstWeights::he;
     const float limit =
         he ? std::sqrt(6.0F / inputs) * (last ? kLastLayerShare : 1.0F) : 1.0F / std::sqrt(inputs);
     const Eigen::Index end =
         he ? layout.bias_offset(layer) : layout.bias_offset(layer) + layout.outputs(layer);
     for (Eigen::Index i = layout.weight_offset(layer); i < end; ++i) {
-      parameters[i] = static_cast<float>(stream.uniform(-limit, limit));
+      parameters[i] = float(stream.uniform(-limit, limit));
     }
   }
-  const auto streams = static_cast<std::uint64_t>(layout.layer_count());
+  const auto streams = std::uint64_t(layout.layer_count());
   for (int layer = 0; layer + 1 < layout.layer_count() && layout.arms().size > 0; ++layer) {
-    RandomStream stream(seed, first_stream + streams + 1 + static_cast<std::uint64_t>(layer));
-    const float limit =
-        std::sqrt(6.0F / static_cast<float>(layout.inputs(layer) + layout.arms().size));
+    RandomStream stream(seed, first_stream + streams + 1 + std::uint64_t(layer));
+    const float limit = std::sqrt(6.0F / float(layout.inputs(layer) + layout.arms().size));
     const Eigen::Index units = layout.outputs(layer);
     for (Eigen::Index i = 0; i < 2 * units * layout.arms().size; ++i) {
       const bool is_shift = i % (2 * units) >= units;
       parameters[layout.modulation_offset(layer) + i] =
-          is_shift ? static_cast<float>(stream.uniform(-limit, limit)) : 0.0F;
+          is_shift ? float(stream.uniform(-limit, limit)) : 0.0F;
     }
   }
   RandomStream stream(seed, first_stream + streams);
   for (Eigen::Index i = layout.arm_offset(0); i < layout.size(); ++i) {
-    parameters[i] = static_cast<float>(kFirstArmSpread * stream.normal()) / kArmVectorScale;
+    parameters[i] = float(kFirstArmSpread * stream.normal()) / kArmVectorScale;
   }
   return parameters;
 }
@@ -76,7 +75,7 @@ void set_gate_biases(const ParameterLayout& layout, int gates, double bias,
                      Eigen::VectorXf& parameters) {
   const int last = layout.layer_count() - 1;
   parameters.segment(layout.bias_offset(last) + layout.outputs(last) - gates, gates)
-      .setConstant(static_cast<float>(bias));
+      .setConstant(float(bias));
 }
 
 std::vector<Layer> to_layers(const ParameterLayout& layout, const Eigen::VectorXf& parameters) {
@@ -94,7 +93,7 @@ std::vector<Layer> to_layers(const ParameterLayout& layout, const Eigen::VectorX
 Eigen::VectorXf to_parameters(const ParameterLayout& layout, const std::vector<Layer>& layers) {
   Eigen::VectorXf parameters(layout.size());
   for (int layer = 0; layer < layout.layer_count(); ++layer) {
-    const Layer& source = layers[static_cast<std::size_t>(layer)];
+    const Layer& source = layers[layer];
     assert(source.weight.rows() == layout.outputs(layer));
     assert(source.weight.cols() == layout.inputs(layer));
     parameters.segment(layout.weight_offset(layer), source.weight.size()) =
@@ -130,7 +129,7 @@ void make_family(const ParameterLayout& layout, const Eigen::VectorXf& parameter
     const auto shifts = share.bottomRows(units);
     const Eigen::VectorXd of_middle = log_gains * mean;
     const Eigen::VectorXd gain = of_middle.unaryExpr(&log_arm_gain<double>).array().exp();
-    auto& [weight, bias] = model.layers[static_cast<std::size_t>(layer)];
+    auto& [weight, bias] = model.layers[layer];
     weight = gain.cast<float>().asDiagonal() * weight;
     bias = (gain.array() * (bias.cast<double>() + shifts * mean).array()).cast<float>();
     append_rows(

@@ -129,7 +129,7 @@ void gather(int row_count, int stride, const double* columns, int ld, const int*
             double* rows) {
   for (int j = 0; j < stride; ++j) {
     for (int r = 0; r < row_count; ++r) {
-      rows[r * stride + j] = columns[static_cast<std::ptrdiff_t>(index[j]) * ld + r];
+      rows[r * stride + j] = columns[std::ptrdiff_t(index[j]) * ld + r];
     }
   }
 }

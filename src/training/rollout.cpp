@@ -8,6 +8,7 @@
 #include "kernels/job_arena.hpp"
 #include "limber/arm/space_pose.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/mapped.hpp"
 
 namespace limber {
 
@@ -17,12 +18,10 @@ constexpr std::size_t kPiecesPerBatch = 64;
 constexpr int kWindowFrames = 32;
 
 std::vector<FrameMatrix> nothing_predicted(const std::vector<Episode>& episodes) {
-  std::vector<FrameMatrix> predicted;
-  for (const Episode& episode : episodes) {
-    predicted.push_back(FrameMatrix::Constant(episode.backbone.rows(), episode.backbone.cols(),
-                                              std::numeric_limits<float>::quiet_NaN()));
-  }
-  return predicted;
+  return mapped<FrameMatrix>(episodes, [&](const Episode& episode) {
+    return FrameMatrix::Constant(episode.backbone.rows(), episode.backbone.cols(),
+                                 std::numeric_limits<float>::quiet_NaN());
+  });
 }
 
 /// Rolls out pieces of a batch; they are sorted, longest first, so that those still running are the
@@ -31,7 +30,7 @@ void roll_out_batch(const ForwardModel& model, const std::vector<Episode>& episo
                     const std::vector<Eigen::MatrixXf>& commands,
                     std::span<const RolloutPiece> pieces, OnInterrupt on_interrupt,
                     std::vector<FrameMatrix>& predicted) {
-  const auto columns = static_cast<Eigen::Index>(pieces.size());
+  const auto columns = Eigen::Index(pieces.size());
   const Eigen::Index size = pose_size(model.dimension()) * model.point_count();
   Eigen::MatrixXf previous_kpa(model.command_size(), columns);
   Eigen::MatrixXf current_kpa(model.command_size(), columns);
@@ -44,13 +43,13 @@ void roll_out_batch(const ForwardModel& model, const std::vector<Episode>& episo
     if (on_interrupt == OnInterrupt::stop) {
       throw_if_interrupted();
     }
-    while (pieces[static_cast<std::size_t>(active - 1)].frames <= k) {
+    while (pieces[active - 1].frames <= k) {
       --active;
     }
     for (Eigen::Index j = 0; j < active; ++j) {
-      const RolloutPiece& piece = pieces[static_cast<std::size_t>(j)];
-      const Episode& episode = episodes[static_cast<std::size_t>(piece.episode)];
-      const Eigen::MatrixXf& told = commands[static_cast<std::size_t>(piece.episode)];
+      const RolloutPiece& piece = pieces[j];
+      const Episode& episode = episodes[piece.episode];
+      const Eigen::MatrixXf& told = commands[piece.episode];
       previous_kpa.col(j) = told.col(piece.first + k);
       current_kpa.col(j) = told.col(piece.first + k + 1);
       if (k == 0) {
@@ -63,14 +62,14 @@ void roll_out_batch(const ForwardModel& model, const std::vector<Episode>& episo
                      workspace);
     state.leftCols(active).swap(before.leftCols(active));
     for (Eigen::Index j = 0; j < active; ++j) {
-      const auto at = static_cast<std::size_t>(j);
+      const auto at = std::size_t(j);
       if (!state.col(j).allFinite()) {
         ran_off[at] = 1;
         state.col(j).setZero();  // the model asks for finite numbers
       }
       if (ran_off[at] == 0) {
         const RolloutPiece& piece = pieces[at];
-        predicted[static_cast<std::size_t>(piece.episode)].row(piece.first + k + 1) = state.col(j);
+        predicted[piece.episode].row(piece.first + k + 1) = state.col(j);
       }
     }
   }
@@ -83,10 +82,9 @@ int before_start(const Episode& episode, int first) {
 }
 
 std::vector<RolloutPiece> pieces_of_length(const std::vector<Episode>& episodes, int frames) {
-  std::vector<RolloutPiece> whole;
-  for (const Episode& episode : episodes) {
-    whole.push_back({static_cast<int>(whole.size()), 0, episode.frame_count() - 1});
-  }
+  const auto whole = mapped<RolloutPiece>(episodes.size(), [&](std::size_t e) {
+    return RolloutPiece{int(e), 0, episodes[e].frame_count() - 1};
+  });
   return cut_pieces(whole, episodes, frames);
 }
 
@@ -94,7 +92,7 @@ std::vector<RolloutPiece> cut_pieces(const std::vector<RolloutPiece>& pieces,
                                      const std::vector<Episode>& episodes, int frames) {
   std::vector<RolloutPiece> parts;
   for (const RolloutPiece& piece : pieces) {
-    const Episode& episode = episodes[static_cast<std::size_t>(piece.episode)];
+    const Episode& episode = episodes[piece.episode];
     const int end = piece.first + piece.frames;
     int first = episode.next_tracked(piece.first, end);
     while (first < end) {
@@ -108,12 +106,12 @@ std::vector<RolloutPiece> cut_pieces(const std::vector<RolloutPiece>& pieces,
 
 std::vector<RolloutPiece> pieces_of_motions(const std::vector<Episode>& episodes) {
   std::vector<RolloutPiece> pieces;
-  for (int index = 0; index < static_cast<int>(episodes.size()); ++index) {
-    const Episode& episode = episodes[static_cast<std::size_t>(index)];
+  for (int index = 0; index < int(episodes.size()); ++index) {
+    const Episode& episode = episodes[index];
     const std::vector<int>& motion = episode.motion_index;
     int first = 0;
-    for (int t = 2; t <= static_cast<int>(motion.size()); ++t) {
-      const auto at = static_cast<std::size_t>(t);
+    for (int t = 2; t <= int(motion.size()); ++t) {
+      const auto at = std::size_t(t);
       if (at == motion.size() || motion[at] != motion[at - 1]) {
         const int start = episode.next_tracked(first, t - 1);
         if (start < t - 1) {
@@ -144,7 +142,7 @@ std::int64_t measured_frames(const std::vector<Episode>& episodes,
                              const std::vector<RolloutPiece>& pieces) {
   std::int64_t count = 0;
   for (const RolloutPiece& piece : pieces) {
-    const Episode& episode = episodes[static_cast<std::size_t>(piece.episode)];
+    const Episode& episode = episodes[piece.episode];
     for (int t = piece.first + 1; t <= piece.first + piece.frames; ++t) {
       count += episode.was_tracked(t) ? 1 : 0;
     }
@@ -180,7 +178,7 @@ std::vector<FrameMatrix> predict_pieces(const PiecePrediction& predict_piece,
   std::vector<FrameMatrix> predicted = nothing_predicted(episodes);
   for (const RolloutPiece& piece : pieces) {
     throw_if_interrupted();
-    const auto index = static_cast<std::size_t>(piece.episode);
+    const auto index = std::size_t(piece.episode);
     predict_piece(episodes[index], piece, predicted[index]);
   }
   return predicted;
@@ -233,7 +231,7 @@ std::vector<FrameMatrix> mean_of(const std::vector<std::vector<FrameMatrix>>& pr
     for (std::size_t member = 1; member < predicted.size(); ++member) {
       mean[episode] += predicted[member][episode];
     }
-    mean[episode] /= static_cast<float>(predicted.size());
+    mean[episode] /= float(predicted.size());
     if (dimension == Dimension::space) {
       normalise_rotations(mean[episode]);
     }
@@ -246,18 +244,18 @@ double mean_tip_error_m(const std::vector<FrameMatrix>& predicted,
                         const std::vector<RolloutPiece>& pieces) {
   double sum = 0.0;
   for (const RolloutPiece& piece : pieces) {
-    const auto index = static_cast<std::size_t>(piece.episode);
+    const auto index = std::size_t(piece.episode);
     const Episode& episode = episodes[index];
     for (int t = piece.first + 1; t <= piece.first + piece.frames; ++t) {
       if (episode.was_tracked(t)) {
         const auto error = tip_place(predicted[index], t, episode.dimension) -
                            tip_place(episode.backbone, t, episode.dimension);
-        sum += static_cast<double>(error.norm());
+        sum += double(error.norm());
       }
     }
   }
   const std::int64_t count = measured_frames(episodes, pieces);
-  return count > 0 ? sum / static_cast<double>(count) : std::numeric_limits<double>::quiet_NaN();
+  return count > 0 ? sum / double(count) : std::numeric_limits<double>::quiet_NaN();
 }
 
 double tip_error_m(const ForwardModel& model, const std::vector<Episode>& episodes, int frames,

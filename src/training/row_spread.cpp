@@ -49,8 +49,8 @@ Normalisation measure(const Eigen::MatrixXf& columns, Scaling scaling, LeastSpre
     float spread = range;
     if (scaling == Scaling::unit_spread) {
       const double mean = row.cast<double>().mean();
-      offset = static_cast<float>(mean);
-      spread = static_cast<float>(std::sqrt((row.cast<double>().array() - mean).square().mean()));
+      offset = float(mean);
+      spread = float(std::sqrt((row.cast<double>().array() - mean).square().mean()));
     }
     result.offset[i] = offset;
     result.scale[i] = range > kConstantSpread ? 1.0F / std::max(spread, least.of(i)) : 1.0F;

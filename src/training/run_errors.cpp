@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "limber/arm/names.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/common/units.hpp"
 
@@ -41,10 +42,8 @@ void RunErrors::add(double max_m, double off_path_m, const GrowingErrors& errors
 }
 
 std::optional<double> RunErrors::largest_at_end(double MotionErrors::*value, double tail) const {
-  std::vector<double> values;
-  for (const GrowingErrors& motion : motions_) {
-    values.push_back(motion.of.front().*value);
-  }
+  auto values = mapped<double>(
+      motions_, [&](const GrowingErrors& motion) { return motion.of.front().*value; });
   std::erase_if(values, [](double one) { return std::isnan(one); });  // headings of lifted poses
   return values.empty() ? std::nullopt : std::optional(largest_expected(values, tail));
 }
@@ -54,7 +53,7 @@ std::optional<PredictionError> RunErrors::result(double frame_period_s) const {
     return std::nullopt;
   }
   PredictionError result;
-  result.runs = static_cast<int>(max_m_.size());
+  result.runs = int(max_m_.size());
   result.run_s = frames_ / result.runs * frame_period_s;
   result.max_position_m = largest_expected(max_m_, kPathTail);
   result.off_path_m = largest_expected(off_path_m_, kPathTail);

@@ -32,13 +32,13 @@ std::string in_words(const std::vector<TrainingStage>& stages) {
 std::string run_identity(const ArmDescription& arm, const TrainingData& data,
                          const TrainingSettings& settings, const EpochTrainer& trainer) {
   const TrainingSettings& s = settings;
-  std::string text = fmt::format(
-      "{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", arm.hash(), s.preset,
-      fmt::join(s.hidden_units, "-"), static_cast<int>(s.layout), to_string(s.form),
-      s.reads_velocity, s.growth_limit, kFirstGateBias, static_cast<int>(s.scaling),
-      s.error_in_base_poses, s.error_in_user_units, s.bounded, static_cast<int>(s.reduction),
-      static_cast<int>(s.optimiser), s.learning_rate, s.cosine_decay, s.gradient_norm_limit,
-      s.weight_decay, s.shift_windows, s.validation_interval, s.ensemble, s.seed);
+  std::string text =
+      fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", arm.hash(),
+                  s.preset, fmt::join(s.hidden_units, "-"), int(s.layout), to_string(s.form),
+                  s.reads_velocity, s.growth_limit, kFirstGateBias, int(s.scaling),
+                  s.error_in_base_poses, s.error_in_user_units, s.bounded, int(s.reduction),
+                  int(s.optimiser), s.learning_rate, s.cosine_decay, s.gradient_norm_limit,
+                  s.weight_decay, s.shift_windows, s.validation_interval, s.ensemble, s.seed);
   if (s.family_size > 0) {
     text += fmt::format(" family {} {}", s.family_size, fmt::join(data.arms, " "));
   }

@@ -11,7 +11,7 @@ namespace limber {
 template <class Number>
 void shuffle(RandomStream& random, std::vector<Number>& values) {
   for (std::size_t i = values.size(); i > 1; --i) {
-    std::swap(values[i - 1], values[random.index(static_cast<std::uint32_t>(i))]);
+    std::swap(values[i - 1], values[random.index(std::uint32_t(i))]);
   }
 }
 

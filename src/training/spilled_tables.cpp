@@ -8,6 +8,7 @@
 #include <string>
 
 #include "limber/common/file_error.hpp"
+#include "limber/common/filesystem.hpp"
 
 namespace limber {
 
@@ -21,14 +22,13 @@ auto matrices_of(Frames& frames) {
 }
 
 std::size_t bytes_of(Eigen::Index rows, int frames) {
-  return static_cast<std::size_t>(rows) * static_cast<std::size_t>(frames) * sizeof(float);
+  return std::size_t(rows) * std::size_t(frames) * sizeof(float);
 }
 
 }  // namespace
 
-SpilledTables::SpilledTables(const std::filesystem::path& beside)
-    : folder_(beside.empty() ? std::filesystem::temp_directory_path()
-                             : std::filesystem::absolute(beside).parent_path()) {
+SpilledTables::SpilledTables(const fs::path& beside)
+    : folder_(beside.empty() ? fs::temp_directory_path() : fs::absolute(beside).parent_path()) {
   std::string path = (folder_ / ".limber-slices-XXXXXX").string();
   file_ = ::mkstemp(path.data());
   if (file_ < 0) {
@@ -48,10 +48,10 @@ void SpilledTables::append(const void* data, std::size_t size) {
     if (count < 0 && errno != EINTR) {
       throw_fault(folder_, "the slices can't be written there", errno);
     }
-    const auto written = static_cast<std::size_t>(std::max<ssize_t>(count, 0));
+    const auto written = std::size_t(std::max<ssize_t>(count, 0));
     next += written;
     size -= written;
-    end_ += static_cast<std::int64_t>(written);
+    end_ += std::int64_t(written);
   }
 }
 
@@ -62,10 +62,10 @@ std::int64_t SpilledTables::read_at(std::int64_t first, void* data, std::size_t 
     if (count == 0 || (count < 0 && errno != EINTR)) {
       throw_fault(folder_, "the slices can't be read there", count == 0 ? EIO : errno);
     }
-    const auto read = static_cast<std::size_t>(std::max<ssize_t>(count, 0));
+    const auto read = std::size_t(std::max<ssize_t>(count, 0));
     next += read;
     size -= read;
-    first += static_cast<std::int64_t>(read);
+    first += std::int64_t(read);
   }
   return first;
 }
@@ -81,7 +81,7 @@ void SpilledTables::add(const TrainingTables& tables, std::span<const int> episo
       rows_[k] = matrices[k]->rows();
       append(matrices[k]->data() + rows_[k] * first, bytes_of(rows_[k], count));
     }
-    std::vector<std::uint8_t> tracked(static_cast<std::size_t>(count), 1);
+    std::vector<std::uint8_t> tracked(count, 1);
     if (!frames.tracked.empty()) {
       tracked.assign(frames.tracked.begin() + first, frames.tracked.begin() + first + count);
     }
@@ -101,14 +101,14 @@ TrainingTables SpilledTables::read(std::span<const int> episodes) const {
   for (std::size_t k = 0; k < matrices.size(); ++k) {
     matrices[k]->resize(rows_[k], rows_[k] > 0 ? total : 0);
   }
-  tables.frames.tracked.resize(static_cast<std::size_t>(total));
+  tables.frames.tracked.resize(total);
   for (std::size_t i = 0; i < episodes.size(); ++i) {
     const auto [first, count] = tables.episodes[i];
     std::int64_t at = places_.at(episodes[i]).first;
     for (std::size_t k = 0; k < matrices.size(); ++k) {
       at = read_at(at, matrices[k]->data() + rows_[k] * first, bytes_of(rows_[k], count));
     }
-    read_at(at, tables.frames.tracked.data() + first, static_cast<std::size_t>(count));
+    read_at(at, tables.frames.tracked.data() + first, std::size_t(count));
   }
   return tables;
 }

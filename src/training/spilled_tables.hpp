@@ -6,6 +6,7 @@
 #include <map>
 #include <span>
 
+#include "limber/common/filesystem.hpp"
 #include "training_tables.hpp"
 
 namespace limber {
@@ -15,7 +16,7 @@ namespace limber {
 class SpilledTables {
  public:
   /// @param beside  a file in whose folder they go; empty: the system's for temporary files
-  explicit SpilledTables(const std::filesystem::path& beside);
+  explicit SpilledTables(const fs::path& beside);
   ~SpilledTables();
   SpilledTables(const SpilledTables&) = delete;
   SpilledTables& operator=(const SpilledTables&) = delete;
@@ -37,7 +38,7 @@ class SpilledTables {
   /// @return the byte behind
   std::int64_t read_at(std::int64_t first, void* data, std::size_t size) const;
 
-  std::filesystem::path folder_;
+  fs::path folder_;
   int file_ = -1;
   std::int64_t end_ = 0;
   std::array<Eigen::Index, 6> rows_{};

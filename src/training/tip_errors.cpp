@@ -93,7 +93,7 @@ TipErrorSeries tip_errors(const FrameMatrix& predicted, const Episode& episode) 
     errors.position_cm.push_back(tracked ? kCmPerM * difference.norm() : nan);
     errors.orientation_rad.push_back(tracked ? heading_apart_rad(predicted, episode, t) : nan);
     errors.plates_cm.push_back(tracked ? kCmPerM * plates_m(predicted, episode, t) : nan);
-    errors.motion.push_back(episode.motion_index[static_cast<std::size_t>(t)]);
+    errors.motion.push_back(episode.motion_index[t]);
     const auto step =
         (tip_place(recorded, t, dimension) - tip_place(recorded, t - 1, dimension)).cast<double>();
     errors.moving.push_back(episode.was_tracked(t - 1) && step.norm() >= kMovingTip_m);

@@ -11,7 +11,10 @@
 #include "learnt_kind.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/random_stream.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/data/episode_slice.hpp"
 #include "limber/data/mirrored_episode.hpp"
 #include "rollout.hpp"
@@ -51,11 +54,8 @@ int telling_frames(const Episode& episode) {
 }
 
 std::int64_t telling_frames(const std::vector<Episode>& episodes) {
-  std::int64_t frames = 0;
-  for (const Episode& episode : episodes) {
-    frames += telling_frames(episode);
-  }
-  return frames;
+  return sum_of<std::int64_t>(episodes,
+                              [&](const Episode& episode) { return telling_frames(episode); });
 }
 
 std::vector<Episode>::iterator longest_telling(std::vector<Episode>& episodes) {
@@ -76,7 +76,7 @@ std::vector<int> hold_back(std::vector<Episode>& from, std::vector<Episode>& to,
   std::vector<bool> is_held(from.size(), false);
   for (std::size_t i = 0; i + 1 < order.size(); ++i) {
     const int count = from[order[i]].frame_count();
-    if (held > 0 && static_cast<double>(held + count) > frames) {
+    if (held > 0 && double(held + count) > frames) {
       break;
     }
     is_held[order[i]] = true;
@@ -87,7 +87,7 @@ std::vector<int> hold_back(std::vector<Episode>& from, std::vector<Episode>& to,
   for (std::size_t i = 0; i < from.size(); ++i) {
     (is_held[i] ? to : kept).push_back(std::move(from[i]));
     if (is_held[i]) {
-      numbers.push_back(static_cast<int>(i));
+      numbers.push_back(int(i));
     }
   }
   from = std::move(kept);
@@ -108,24 +108,21 @@ void hold_back_end(Episode& from, int frames, std::vector<Episode>& to) {
 
 TrainingData hold_back_validation(std::vector<Episode> episodes, double fraction,
                                   std::uint64_t seed) {
-  if (!(fraction > 0.0 && fraction < 1.0) || episodes.empty()) {
-    throw InputError(
-        fmt::format("{} of {} episodes can't be held back for validation; expected a "
-                    "share of the frames above 0 and below 1, and an episode",
-                    fraction, episodes.size()));
-  }
+  refuse_if(!(fraction > 0.0 && fraction < 1.0) || episodes.empty(),
+            "{} of {} episodes can't be held back for validation; expected a "
+            "share of the frames above 0 and below 1, and an episode",
+            fraction, episodes.size());
   TrainingData data;
   data.training = std::move(episodes);
   const auto telling = std::ranges::count_if(data.training, tells_an_error);
-  if (telling == 0) {
-    throw InputError(fmt::format(
-        "no frame of {} episodes was tracked behind another: no error can be measured to choose "
-        "the best epoch by; look at them with limber inspect, or give others with --validation",
-        data.training.size()));
-  }
-  const double all = static_cast<double>(telling_frames(data.training));
+  refuse_if(
+      telling == 0,
+      "no frame of {} episodes was tracked behind another: no error can be measured to choose "
+      "the best epoch by; look at them with limber inspect, or give others with --validation",
+      data.training.size());
+  const double all = double(telling_frames(data.training));
   const double frames = fraction * all;
-  const int wanted = static_cast<int>(std::lround(frames));
+  const int wanted = int(std::lround(frames));
   const auto longest = longest_telling(data.training);
   const bool is_alone = telling == 1;
   if (is_alone && (wanted < 1 || wanted >= longest->frame_count())) {
@@ -136,7 +133,7 @@ TrainingData hold_back_validation(std::vector<Episode> episodes, double fraction
   }
   const double too_much = std::max(2.0 * frames, kTooMuch * all);
   if (is_alone || (wanted > 0 && longest->frame_count() > too_much)) {
-    data.held_back = {static_cast<int>(longest - data.training.begin())};
+    data.held_back = {int(longest - data.training.begin())};
     hold_back_end(*longest, wanted, data.validation);
     return data;
   }
@@ -145,18 +142,16 @@ TrainingData hold_back_validation(std::vector<Episode> episodes, double fraction
 }
 
 void hold_back_unseen(TrainingData& data, double fraction, std::uint64_t seed) {
-  if (!(fraction >= 0.0 && fraction < 1.0)) {
-    throw InputError(
-        fmt::format("a share of {} can't be held back as unseen; expected a share of "
-                    "the frames from 0 to below 1",
-                    fraction));
-  }
+  refuse_if(!(fraction >= 0.0 && fraction < 1.0),
+            "a share of {} can't be held back as unseen; expected a share of "
+            "the frames from 0 to below 1",
+            fraction);
   if (fraction == 0.0) {
     return;
   }
   const std::int64_t all = telling_frames(data.training) + telling_frames(data.validation);
-  const double frames = fraction * static_cast<double>(all);
-  const int wanted = static_cast<int>(std::lround(frames));
+  const double frames = fraction * double(all);
+  const int wanted = int(std::lround(frames));
   const auto telling = std::ranges::count_if(data.training, tells_an_error);
   if (telling == 0) {
     return;
@@ -174,32 +169,30 @@ void hold_back_unseen(TrainingData& data, double fraction, std::uint64_t seed) {
 
 TrainingData hold_back_arms(std::vector<Episode> episodes, const std::vector<int>& arms,
                             double fraction, std::uint64_t seed) {
-  if (arms.size() != episodes.size() || !(fraction >= 0.0 && fraction < 1.0)) {
-    throw InputError(fmt::format(
-        "{} arms for {} episodes, of which a share of {} is to be held back; expected an arm for "
-        "each episode, and a share from 0 to below 1",
-        arms.size(), episodes.size(), fraction));
-  }
+  refuse_if(
+      arms.size() != episodes.size() || !(fraction >= 0.0 && fraction < 1.0),
+      "{} arms for {} episodes, of which a share of {} is to be held back; expected an arm for "
+      "each episode, and a share from 0 to below 1",
+      arms.size(), episodes.size(), fraction);
   std::vector<int> order = arms;
   std::ranges::sort(order);
   order.erase(std::unique(order.begin(), order.end()), order.end());
   RandomStream random(seed, kValidationStream);
   shuffle(random, order);
-  const std::size_t held =
-      order.size() < kMinArmsToHoldBack
-          ? 0
-          : static_cast<std::size_t>(std::lround(fraction * static_cast<double>(order.size())));
+  const std::size_t held = order.size() < kMinArmsToHoldBack
+                               ? 0
+                               : std::size_t(std::lround(fraction * double(order.size())));
   TrainingData data;
   data.physics.resize(order.size() - held);
   for (std::size_t i = 0; i < episodes.size(); ++i) {
-    const auto place = static_cast<std::size_t>(std::ranges::find(order, arms[i]) - order.begin());
+    const auto place = std::size_t(std::ranges::find(order, arms[i]) - order.begin());
     if (place < held) {
       data.validation.push_back(std::move(episodes[i]));
-      data.held_back.push_back(static_cast<int>(i));
+      data.held_back.push_back(int(i));
     } else {
       data.physics[place - held] = episodes[i].physics;
       data.training.push_back(std::move(episodes[i]));
-      data.arms.push_back(static_cast<int>(place - held));
+      data.arms.push_back(int(place - held));
     }
   }
   return data;
@@ -209,7 +202,7 @@ void add_arms_of(const Recording& recording, std::vector<int>& arms) {
   const int first = arms.empty() ? 0 : 1 + std::ranges::max(arms);
   std::map<std::string, int> numbers;
   for (const Episode& episode : recording.episodes) {
-    const int next = first + static_cast<int>(numbers.size());
+    const int next = first + int(numbers.size());
     arms.push_back(numbers.try_emplace(episode.physics, next).first->second);
   }
 }
@@ -244,8 +237,7 @@ TrainingResult fine_tune(const ArmDescription& arm, const TrainingData& data,
   return TrainingRun(arm, data, settings, &start, hooks).run();
 }
 
-void write_learning_curve_csv(const std::filesystem::path& path,
-                              const std::vector<LearningCurvePoint>& curve) {
+void write_learning_curve_csv(const fs::path& path, const std::vector<LearningCurvePoint>& curve) {
   std::string text =
       "epoch,window_frames,learning_rate,loss,validation_position_error_cm,elapsed_s\n";
   for (const LearningCurvePoint& point : curve) {

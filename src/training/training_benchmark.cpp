@@ -12,7 +12,9 @@
 
 #include "epoch_trainer.hpp"
 #include "limber/common/atomic_file.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/safetensors.hpp"
 #include "limber/common/seconds_since.hpp"
 #include "limber/common/statistics.hpp"
@@ -30,7 +32,7 @@ constexpr double kPeakSeconds = 0.03;  // a few of a scheduler's slices
 /// Multiply-adds per second of all threads together, each in registers only.
 double peak_gmac_per_s(int threads) {
   const GemmKernels& kernels = gemm_kernels();
-  std::vector<double> rates(static_cast<std::size_t>(threads));
+  std::vector<double> rates(threads);
   std::vector<std::thread> running;
   for (double& rate : rates) {
     running.emplace_back([&rate, &kernels] {
@@ -41,8 +43,8 @@ double peak_gmac_per_s(int threads) {
         keep = keep + kernels.multiply_add(kPeakRounds);
         ++passes;
       }
-      rate = static_cast<double>(passes * kPeakRounds) * kernels.multiply_adds_per_round /
-             seconds_since(begin) / 1e9;
+      rate = double(passes * kPeakRounds) * kernels.multiply_adds_per_round / seconds_since(begin) /
+             1e9;
     });
   }
   for (std::thread& thread : running) {
@@ -63,16 +65,15 @@ TrainingSettings of_stage(TrainingSettings settings, const TrainingStage& stage)
 double useful_multiply_adds(const EpochTrainer& trainer, const TrainingStage& stage,
                             std::size_t windows) {
   const ParameterLayout& layout = trainer.layout();
-  double all = 0.0;
-  for (int layer = 0; layer < layout.layer_count(); ++layer) {
-    all += static_cast<double>(layout.inputs(layer)) * layout.outputs(layer);
-  }
-  const double first = static_cast<double>(layout.inputs(0)) * layout.outputs(0);
+  const auto all = sum_of<double>(layout.layer_count(), [&](int layer) {
+    return double(layout.inputs(layer)) * layout.outputs(layer);
+  });
+  const double first = double(layout.inputs(0)) * layout.outputs(0);
   // Back in time lead the columns that read B_{t−1}, and those that read its change.
   const int read_twice = trainer.tables().map.reads_velocity() ? 2 : 1;
-  const double carried = static_cast<double>(read_twice * trainer.tables().frames.state.rows()) *
+  const double carried = double(read_twice * trainer.tables().frames.state.rows()) *
                          layout.outputs(0) * (stage.window_frames - 1) / stage.window_frames;
-  return (3.0 * all - first + carried) * stage.window_frames * static_cast<double>(windows) *
+  return (3.0 * all - first + carried) * stage.window_frames * double(windows) *
          trainer.member_count();
 }
 
@@ -85,7 +86,7 @@ StageSpeed measure_stage(const ArmDescription& arm, const TrainingData& data,
   speed.window_frames = stage.window_frames;
   speed.windows_per_batch = stage.windows_per_batch;
   const std::size_t windows = trainer.shuffled_starts(stage).size();
-  speed.windows = static_cast<std::int64_t>(windows);
+  speed.windows = std::int64_t(windows);
   speed.multiply_adds = useful_multiply_adds(trainer, stage, windows);
   speed.first_epoch_loss = trainer.train_epoch(stage).mean;
   std::vector<double> seconds;
@@ -111,7 +112,7 @@ StageSpeed measure_stage(const ArmDescription& arm, const TrainingData& data,
 }
 
 Tensor tensor_of(const Eigen::MatrixXf& columns) {
-  return {{static_cast<std::size_t>(columns.cols()), static_cast<std::size_t>(columns.rows())},
+  return {{std::size_t(columns.cols()), std::size_t(columns.rows())},
           {columns.data(), columns.data() + columns.size()}};
 }
 
@@ -137,7 +138,7 @@ TrainingSpeed measure_training_speed(const ArmDescription& arm, const TrainingDa
   return speed;
 }
 
-void write_training_tables(const std::filesystem::path& path, const ArmDescription& arm,
+void write_training_tables(const fs::path& path, const ArmDescription& arm,
                            const TrainingData& data, const TrainingSettings& settings) {
   Safetensors content;
   for (std::size_t k = 0; k < settings.stages.size(); ++k) {

@@ -92,7 +92,7 @@ void gather(int row_count, int stride, const float* columns, int ld, const int* 
   // Windows lie anywhere in memory: all of it is asked for before the first is waited for.
   constexpr int kLine = 64 / sizeof(float);
   for (int j = 0; j < stride; ++j) {
-    const float* column = columns + static_cast<std::ptrdiff_t>(index[j]) * ld;
+    const float* column = columns + std::ptrdiff_t(index[j]) * ld;
     for (int r = 0; r < row_count; r += kLine) {
       __builtin_prefetch(column + r);
     }
@@ -103,7 +103,7 @@ void gather(int row_count, int stride, const float* columns, int ld, const int* 
       Vector v[kLanes];
 #pragma GCC unroll 16
       for (int i = 0; i < kLanes; ++i) {
-        v[i] = load_part(columns + static_cast<std::ptrdiff_t>(index[q + i]) * ld + r, count);
+        v[i] = load_part(columns + std::ptrdiff_t(index[q + i]) * ld + r, count);
       }
       transpose(v);
       for (int i = 0; i < count; ++i) {

@@ -12,6 +12,8 @@
 #include "checkpoint.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/mapped.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/seconds_since.hpp"
 #include "limber/common/units.hpp"
 #include "limber/training/arm_fit.hpp"
@@ -27,16 +29,13 @@ constexpr int kRivals = 10;  // epochs that are kept to choose from
 
 TrainingSettings usable(TrainingSettings settings, const CompensationModel* start, bool validates) {
   require_usable(settings);
-  if (settings.keep_epoch > 0 && validates) {
-    throw InputError(
-        "keep_epoch says which epoch is kept, and so would validation; give one of them");
-  }
-  if (start != nullptr && settings.family_size > 0) {
-    throw InputError(fmt::format(
-        "training setting family_size = {}; expected 0: a family is trained from the start, and "
-        "what is fine-tuned stays one arm's",
-        settings.family_size));
-  }
+  refuse_if(settings.keep_epoch > 0 && validates,
+            "keep_epoch says which epoch is kept, and so would validation; give one of them");
+  refuse_if(
+      start != nullptr && settings.family_size > 0,
+      "training setting family_size = {}; expected 0: a family is trained from the start, and "
+      "what is fine-tuned stays one arm's",
+      settings.family_size);
   return start != nullptr ? in_form_of(*start, std::move(settings)) : settings;
 }
 
@@ -114,8 +113,7 @@ double TrainingRun::seconds_per_epoch(const TrainingStage& stage) {
   trainer_.load(0);
   const double load_s = 0.5 * (elapsed_s() - load_begin);
   const std::vector<int> starts = trainer_.shuffled_starts(stage);
-  const std::size_t batch =
-      std::min(static_cast<std::size_t>(stage.windows_per_batch), starts.size());
+  const std::size_t batch = std::min(std::size_t(stage.windows_per_batch), starts.size());
   const std::span<const int> first_batch = std::span(starts).first(batch);
   const TrainingState before = trainer_.state();
   trainer_.rehearse(stage, first_batch);  // the first touches every page
@@ -132,26 +130,24 @@ double TrainingRun::seconds_per_epoch(const TrainingStage& stage) {
   const double validation_s =
       (elapsed_s() - validation_begin) / std::min(settings_.validation_interval, stage.epochs);
   trainer_.state() = before;
-  return trainer_.slice_count() *
-             (load_s + seconds * static_cast<double>(starts.size()) / static_cast<double>(batch)) +
+  return trainer_.slice_count() * (load_s + seconds * double(starts.size()) / double(batch)) +
          validation_s;
 }
 
 void TrainingRun::fit_epochs_to_time_limit() {
   constexpr double kMargin = 0.95;
-  double seconds = 0.0;
-  for (const TrainingStage& stage : settings_.stages) {
-    seconds += stage.epochs * seconds_per_epoch(stage);
-  }
+  const auto seconds = sum_of<double>(settings_.stages, [&](const TrainingStage& stage) {
+    return stage.epochs * seconds_per_epoch(stage);
+  });
   const double left = kMargin * settings_.time_limit_s - elapsed_s();
   constexpr double kMaxEpochsInTime = 1e6;
   const int epochs =
-      static_cast<int>(std::clamp(settings_.epoch_count() * left / seconds, 0.0, kMaxEpochsInTime));
-  set_epoch_count(settings_, std::max(epochs, static_cast<int>(settings_.stages.size())));
+      int(std::clamp(settings_.epoch_count() * left / seconds, 0.0, kMaxEpochsInTime));
+  set_epoch_count(settings_, std::max(epochs, int(settings_.stages.size())));
 }
 
 std::string TrainingRun::divergence_message(int epoch, const EpochLoss& loss) const {
-  const auto member = static_cast<std::size_t>(loss.diverged);
+  const auto member = std::size_t(loss.diverged);
   return fmt::format(
       "training diverged in epoch {} at learning rate {:.3g}{}: loss {:.4g}, {:.4g} at the start "
       "of this stage. Try --learning-rate {:.1g}",
@@ -177,10 +173,8 @@ LongRollout TrainingRun::roll_out_long_each(const Eigen::VectorXf& weights) cons
 }
 
 TrainingResult TrainingRun::chosen_result() const {
-  std::vector<const ValidatedEpoch*> order;
-  for (const ValidatedEpoch& rival : trainer_.state().rivals) {
-    order.push_back(&rival);
-  }
+  auto order = mapped<const ValidatedEpoch*>(trainer_.state().rivals,
+                                             [&](const ValidatedEpoch& rival) { return &rival; });
   std::ranges::stable_sort(order, {}, [](const ValidatedEpoch* rival) { return rival->error_m; });
   const ValidatedEpoch* choice = order.front();
   std::vector<int> passed_over;
@@ -223,15 +217,13 @@ TrainingResult TrainingRun::result(TrainingStatus status, std::string message,
     return result;
   }
   result.best_epoch = choice->epoch;
-  std::vector<int> order(static_cast<std::size_t>(trainer_.member_count()));
+  std::vector<int> order(std::size_t(trainer_.member_count()));
   std::iota(order.begin(), order.end(), 0);
   if (!data_.validation.empty()) {
     result.best_validation_position_error_cm = kCmPerM * choice->error_m;
-    std::ranges::stable_sort(
-        order, {}, [&](int member) { return choice->members_m[static_cast<std::size_t>(member)]; });
+    std::ranges::stable_sort(order, {}, [&](int member) { return choice->members_m[member]; });
     for (const int member : order) {
-      result.member_validation_position_error_cm.push_back(
-          kCmPerM * choice->members_m[static_cast<std::size_t>(member)]);
+      result.member_validation_position_error_cm.push_back(kCmPerM * choice->members_m[member]);
     }
   }
   result.model = trainer_.model_of(choice->weights, order);
@@ -301,7 +293,7 @@ void TrainingRun::finish_epoch(Progress& progress) {
   }
   point.elapsed_s = elapsed_s();
   trainer_.state().curve.back() = point;
-  progress.update(static_cast<std::uint64_t>(point.epoch), progress_note(point));
+  progress.update(std::uint64_t(point.epoch), progress_note(point));
   store(false);
   if (hooks_.on_epoch) {
     hooks_.on_epoch(point);
@@ -365,7 +357,7 @@ TrainingResult TrainingRun::run() {
 }
 
 TrainingResult TrainingRun::run_stages() {
-  Progress progress("train", "epochs", static_cast<std::uint64_t>(end()), settings_.progress);
+  Progress progress("train", "epochs", std::uint64_t(end()), settings_.progress);
   const std::vector<LearningCurvePoint>& curve = trainer_.state().curve;
   if (!data_.validation.empty() && !curve.empty() && is_validated(curve.back().epoch) &&
       std::isnan(curve.back().validation_position_error_cm)) {

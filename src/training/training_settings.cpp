@@ -7,15 +7,15 @@
 
 #include "limber/common/error.hpp"
 #include "limber/common/jobs.hpp"
+#include "limber/common/mapped.hpp"
+#include "limber/common/refuse_if.hpp"
 
 namespace limber {
 
 namespace {
 
 void require(bool usable, const char* name, double found, const char* allowed) {
-  if (!usable) {
-    throw InputError(fmt::format("training setting {} = {}; expected {}", name, found, allowed));
-  }
+  refuse_if(!usable, "training setting {} = {}; expected {}", name, found, allowed);
 }
 
 }  // namespace
@@ -33,11 +33,7 @@ const char* to_string(Optimiser optimiser) {
 }
 
 int TrainingSettings::epoch_count() const {
-  int count = 0;
-  for (const TrainingStage& stage : stages) {
-    count += stage.epochs;
-  }
-  return count;
+  return sum_of<int>(stages, [&](const TrainingStage& stage) { return stage.epochs; });
 }
 
 TrainingSettings paper_preset() {
@@ -84,19 +80,17 @@ TrainingSettings training_preset(const std::string& name) {
 }
 
 void set_epoch_count(TrainingSettings& settings, int epochs) {
-  const int stages = static_cast<int>(settings.stages.size());
-  if (epochs < stages) {
-    throw InputError(
-        fmt::format("{} epochs; preset '{}' has {} stages (windows of "
-                    "growing length) and needs at least one epoch each",
-                    epochs, settings.preset, stages));
-  }
+  const int stages = int(settings.stages.size());
+  refuse_if(epochs < stages,
+            "{} epochs; preset '{}' has {} stages (windows of "
+            "growing length) and needs at least one epoch each",
+            epochs, settings.preset, stages);
   const int before = settings.epoch_count();
   int left = epochs;
   int left_before = before;
   for (int k = 0; k < stages; ++k) {
-    TrainingStage& stage = settings.stages[static_cast<std::size_t>(k)];
-    const int share = static_cast<int>(std::lround(double(left) * stage.epochs / left_before));
+    TrainingStage& stage = settings.stages[k];
+    const int share = int(std::lround(double(left) * stage.epochs / left_before));
     left_before -= stage.epochs;
     stage.epochs = std::clamp(share, 1, left - (stages - 1 - k));
     left -= stage.epochs;
@@ -146,7 +140,7 @@ TrainingSettings in_form_of(const CompensationModel& model, TrainingSettings set
   settings.ensemble = model.member_count();
   settings.hidden_units.clear();
   for (std::size_t layer = 0; layer + 1 < model.layers.size(); ++layer) {
-    settings.hidden_units.push_back(static_cast<int>(model.layers[layer].bias.size()));
+    settings.hidden_units.push_back(int(model.layers[layer].bias.size()));
   }
   return settings;
 }

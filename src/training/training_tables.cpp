@@ -8,6 +8,8 @@
 #include "limber/arm/names.hpp"
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/mapped.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/data/episode_slice.hpp"
 #include "limber/network/backbone_layout.hpp"
 #include "limber/network/past_commands.hpp"
@@ -39,19 +41,16 @@ void mark_untracked(const std::vector<Episode>& episodes, RawFrames& raw) {
   }
   for (const Episode& episode : episodes) {
     for (int t = 0; t < episode.frame_count(); ++t) {
-      raw.tracked.push_back(episode.tracked.empty() ? 1
-                                                    : episode.tracked[static_cast<std::size_t>(t)]);
+      raw.tracked.push_back(episode.tracked.empty() ? 1 : episode.tracked[t]);
       if (raw.tracked.back() != 0) {
-        raw.tracked_columns.push_back(static_cast<int>(raw.tracked.size()) - 1);
+        raw.tracked_columns.push_back(int(raw.tracked.size()) - 1);
       }
     }
   }
-  if (raw.tracked_columns.empty()) {
-    throw InputError(
-        fmt::format("the arm was tracked in none of the training "
-                    "data's {} frames: there is nothing to learn from",
-                    raw.tracked.size()));
-  }
+  refuse_if(raw.tracked_columns.empty(),
+            "the arm was tracked in none of the training "
+            "data's {} frames: there is nothing to learn from",
+            raw.tracked.size());
 }
 
 RawFrames gather(const ArmDescription& arm, const std::vector<Episode>& episodes,
@@ -65,12 +64,10 @@ RawFrames gather(const ArmDescription& arm, const std::vector<Episode>& episodes
     ranges.push_back({count, episode.frame_count()});
     count += episode.frame_count();
   }
-  if (count == 0) {
-    throw InputError(
-        fmt::format("the training data hold no frame in {} episodes; expected at least one "
-                    "episode to learn from",
-                    episodes.size()));
-  }
+  refuse_if(count == 0,
+            "the training data hold no frame in {} episodes; expected at least one "
+            "episode to learn from",
+            episodes.size());
   const int poses = pose_size(arm.dimension) * arm.point_count();
   RawFrames raw;
   raw.pressure_kpa.resize(layout.command_size(), count);
@@ -106,10 +103,8 @@ Eigen::MatrixXf tracked_only(Eigen::MatrixXf columns, const RawFrames& raw) {
 }
 
 Normalisation stack(const std::vector<Normalisation>& parts) {
-  Eigen::Index size = 0;
-  for (const Normalisation& part : parts) {
-    size += part.offset.size();
-  }
+  const auto size =
+      sum_of<Eigen::Index>(parts, [&](const Normalisation& part) { return part.offset.size(); });
   Normalisation result{Eigen::VectorXf(size), Eigen::VectorXf(size)};
   Eigen::Index at = 0;
   for (const Normalisation& part : parts) {
@@ -139,7 +134,7 @@ Normalisation measure_changes(const RawFrames& raw, const std::vector<EpisodeRan
   std::vector<Eigen::Index> known;
   for (std::size_t t = 0; t < raw.tracked.size(); ++t) {
     if (raw.tracked[t] != 0 && (t == 0 || raw.tracked[t - 1] != 0)) {
-      known.push_back(static_cast<Eigen::Index>(t));
+      known.push_back(Eigen::Index(t));
     }
   }
   if (!known.empty()) {
@@ -225,7 +220,7 @@ void set_map(const RawFrames& raw, const NetworkLayout& layout, const TrainingSe
             : tables.output;
     tables.map.error = FrameError<float>(error_weights(spread, settings).array() / state_scale);
   }
-  tables.map.growth_limit = static_cast<float>(settings.growth_limit);
+  tables.map.growth_limit = float(settings.growth_limit);
   tables.map.first_frames_power = settings.first_frames_power;
   if (settings.reads_velocity) {
     tables.map.change_scale =
@@ -321,9 +316,7 @@ void set_bounds(TrainingTables& tables, const TrainingSettings& settings, const 
 std::vector<int> window_starts(std::span<const EpisodeRange> episodes,
                                std::span<const std::uint8_t> tracked, int window_frames,
                                int shift) {
-  const auto is_tracked = [&](int frame) {
-    return tracked.empty() || tracked[static_cast<std::size_t>(frame)] != 0;
-  };
+  const auto is_tracked = [&](int frame) { return tracked.empty() || tracked[frame] != 0; };
   std::vector<int> starts;
   for (const EpisodeRange& episode : episodes) {
     const int last = episode.first + episode.count - 1 - window_frames;

@@ -7,6 +7,7 @@
 #include "error_runs.hpp"
 #include "learnt_kind.hpp"
 #include "limber/arm/plate_distance.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/data/episode_slice.hpp"
 #include "limber/data/valve_identification.hpp"
 #include "limber/data/valve_simulation.hpp"
@@ -35,13 +36,13 @@ std::vector<Episode> runs_of(const ArmDescription& arm, const CompensationModel&
   }
   std::vector<Episode> runs;
   for (const RolloutPiece& piece : pieces) {
-    const Episode& episode = unseen[static_cast<std::size_t>(piece.episode)];
+    const Episode& episode = unseen[piece.episode];
     const int past = model.past_commands.empty() ? 0 : model.past_commands.back();
     const int first = std::max(std::min(before_start(episode, piece.first), piece.first - past), 0);
     leads.push_back(piece.first - first);
     const int count = leads.back() + piece.frames + 1;
     Episode run = slice(episode, first, count);
-    if (!measured[static_cast<std::size_t>(piece.episode)]) {
+    if (!measured[piece.episode]) {
       run.pressure_kpa = simulate_valves(valves, arm.frame_rate_hz, episode, first, count);
     }
     runs.push_back(std::move(run));
@@ -82,12 +83,12 @@ void add_plates(const FrameMatrix& predicted, const Places& seen, const Places& 
   for (std::size_t g = 0; g < kStartShares.size(); ++g) {
     const RoomGrowth growth = growth_of(g, arm_length_m);
     std::vector<double>& largest_m = errors.of[g].plate_m;
-    largest_m.resize(static_cast<std::size_t>(predicted.rows()), 0.0);
+    largest_m.resize(std::size_t(predicted.rows()), 0.0);
     double share = 1.0;
     for (Eigen::Index plate = 0; plate < predicted.rows(); ++plate) {
       const auto place = predicted.row(plate);
       share = growth.share_after(double((place - start.row(plate)).norm()));
-      double& largest = largest_m[static_cast<std::size_t>(plate)];
+      double& largest = largest_m[plate];
       largest = std::max(largest, double((place - seen.row(plate)).norm()) / share);
     }
     errors.tip_share[g] += share;
@@ -144,10 +145,9 @@ PredictedRuns predict_runs(const ArmDescription& arm, const CompensationModel& m
   require_kind_learnt(model, asked);
   std::vector<int> leads;
   PredictedRuns result{runs_of(arm, model, asked, pieces_to_run(asked), leads), {}};
-  std::vector<RolloutPiece> pieces;
-  for (std::size_t i = 0; i < leads.size(); ++i) {
-    pieces.push_back({static_cast<int>(i), leads[i], result.runs[i].frame_count() - 1 - leads[i]});
-  }
+  const auto pieces = mapped<RolloutPiece>(leads.size(), [&](std::size_t i) {
+    return RolloutPiece{int(i), leads[i], result.runs[i].frame_count() - 1 - leads[i]};
+  });
   result.predicted = roll_out(ForwardModel(arm, model), result.runs, pieces, jobs);
   for (std::size_t i = 0; i < leads.size(); ++i) {
     Episode& run = result.runs[i];
@@ -166,7 +166,7 @@ PredictedRuns predict_error_runs(const ArmDescription& arm, const CompensationMo
     std::erase_if(runs, [&](const RolloutPiece& run) {
       int start = run.first;
       for (int i = 0; i < run.episode; ++i) {
-        start += asked[static_cast<std::size_t>(i)].frame_count();
+        start += asked[i].frame_count();
       }
       return start < first;
     });

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "limber/common/mapped.hpp"
 #include "training_kernels.hpp"
 
 namespace limber {
@@ -20,7 +21,7 @@ int group_stride(int window_limit, int lanes) {
 
 template <class Scalar>
 StateBoundsView<Scalar> view_of(const StateBounds<Scalar>& bounds) {
-  return {static_cast<int>(bounds.gaps.size()),
+  return {int(bounds.gaps.size()),
           gap_size(bounds.dimension),
           bounds.layout == BackboneLayout::base_poses,
           bounds.lead_back,
@@ -38,7 +39,7 @@ WindowGradient<Scalar>::WindowGradient(const ParameterLayout& layout, const Stat
       layout_(layout),
       map_(map),
       segments_(segment_count),
-      size_(static_cast<int>(map.output_scale.size())),
+      size_(int(map.output_scale.size())),
       frames_(window_frames),
       window_limit_(window_limit),
       stride_(group_stride(window_limit, kernels_.lanes)),
@@ -49,13 +50,13 @@ WindowGradient<Scalar>::WindowGradient(const ParameterLayout& layout, const Stat
   assert(layout.outputs(layout.layer_count() - 1) == map.output_count());
   const int groups = (window_limit + stride_ - 1) / stride_;
   const auto numbers = [&](int blocks, int rows) {
-    return static_cast<std::size_t>(blocks) * static_cast<std::size_t>(rows * stride_);
+    return std::size_t(blocks) * std::size_t(rows * stride_);
   };
   const int blocks = groups * window_frames;
   for (int k = 0; k < window_frames; ++k) {
     frame_counts_.push_back(std::pow(k + 1.0, -map.first_frames_power));
   }
-  index_.resize(static_cast<std::size_t>(groups * stride_));
+  index_.resize(groups * stride_);
   input_.resize(numbers(blocks, layout.inputs(0)));
   for (int layer = 0; layer < layout.layer_count(); ++layer) {
     delta_.emplace_back(numbers(slots_, layout.outputs(layer)));
@@ -63,7 +64,7 @@ WindowGradient<Scalar>::WindowGradient(const ParameterLayout& layout, const Stat
       hidden_.emplace_back(numbers(blocks, layout.outputs(layer)));
     }
   }
-  target_size_ = static_cast<int>(map.error.weight().size());
+  target_size_ = int(map.error.weight().size());
   target_.resize(numbers(blocks, target_size_));
   uncompensated_.resize(numbers(blocks, size_));
   error_gradient_.resize(numbers(blocks, size_));
@@ -80,8 +81,8 @@ WindowGradient<Scalar>::WindowGradient(const ParameterLayout& layout, const Stat
 
 template <class Scalar>
 void WindowGradient<Scalar>::load(const FrameTable<Scalar>& frames, std::span<const int> starts) {
-  assert(!starts.empty() && static_cast<int>(starts.size()) <= window_limit_);
-  windows_ = static_cast<int>(starts.size());
+  assert(!starts.empty() && int(starts.size()) <= window_limit_);
+  windows_ = int(starts.size());
   groups_ = (windows_ + stride_ - 1) / stride_;
   std::copy(starts.begin(), starts.end(), index_.begin());
   std::fill(index_.begin() + windows_, index_.begin() + groups_ * stride_, starts.back());
@@ -102,7 +103,7 @@ void WindowGradient<Scalar>::load_block(const FrameTable<Scalar>& frames, int gr
   const int block = block_of(group, frame);
   int* index = index_.data() + group * stride_;
   const auto gather = [&](const Matrix& table, Scalar* rows) {
-    const int count = static_cast<int>(table.rows());
+    const int count = int(table.rows());
     kernels_.gather(count, stride_, table.data(), count, index, rows);
   };
   Scalar* input = at(input_, layout_.inputs(0), block);
@@ -124,27 +125,23 @@ template <class Scalar>
 void WindowGradient<Scalar>::weigh(const FrameTable<Scalar>& frames, std::span<const int> starts) {
   std::fill(weight_.begin(), weight_.end(), Scalar(0));
   for (int j = 0; j < windows_; ++j) {
-    const int first = starts[static_cast<std::size_t>(j)] + 1;
+    const int first = starts[j] + 1;
     const auto is_tracked = [&](int k) {
-      return frames.tracked.empty() || frames.tracked[static_cast<std::size_t>(first + k)] != 0;
+      return frames.tracked.empty() || frames.tracked[first + k] != 0;
     };
-    double sum = 0.0;
-    for (int k = 0; k < frames_; ++k) {
-      sum += is_tracked(k) ? frame_counts_[static_cast<std::size_t>(k)] : 0.0;
-    }
+    const auto sum =
+        sum_of<double>(frames_, [&](int k) { return is_tracked(k) ? frame_counts_[k] : 0.0; });
     for (int k = 0; k < frames_; ++k) {
       at(weight_, 1, block_of(j / stride_, k))[j % stride_] =
-          is_tracked(k) ? static_cast<Scalar>(frame_counts_[static_cast<std::size_t>(k)] / sum)
-                        : Scalar(0);
+          is_tracked(k) ? static_cast<Scalar>(frame_counts_[k] / sum) : Scalar(0);
     }
   }
 }
 
 template <class Scalar>
 Scalar* WindowGradient<Scalar>::layer_input(int layer, int block) {
-  return layer == 0
-             ? at(input_, layout_.inputs(0), block)
-             : at(hidden_[static_cast<std::size_t>(layer) - 1], layout_.inputs(layer), block);
+  return layer == 0 ? at(input_, layout_.inputs(0), block)
+                    : at(hidden_[std::size_t(layer) - 1], layout_.inputs(layer), block);
 }
 
 template <class Scalar>
@@ -175,9 +172,8 @@ double WindowGradient<Scalar>::forward(const Scalar* parameters) {
       if (map_.reads_velocity() && k + 1 < frames_) {
         note_change(block, state, change(block_of(group, k + 1)));
       }
-      loss += static_cast<double>(
-          map_.error.compute(stride_, state, at(target_, target_size_, block),
-                             at(weight_, 1, block), at(error_gradient_, size_, block)));
+      loss += double(map_.error.compute(stride_, state, at(target_, target_size_, block),
+                                        at(weight_, 1, block), at(error_gradient_, size_, block)));
     }
   }
   return loss;
@@ -237,9 +233,7 @@ void WindowGradient<Scalar>::carry_back(int block, Scalar* delta) {
 
 template <class Scalar>
 void WindowGradient<Scalar>::backward_block(const Scalar* parameters, int block, int slot) {
-  const auto delta = [&](int layer) {
-    return at(delta_[static_cast<std::size_t>(layer)], layout_.outputs(layer), slot);
-  };
+  const auto delta = [&](int layer) { return at(delta_[layer], layout_.outputs(layer), slot); };
   const int last = layout_.layer_count() - 1;
   if (growth_.is_on()) {
     growth_.put_in(at(error_gradient_, size_, block), size_);
@@ -298,7 +292,7 @@ void WindowGradient<Scalar>::add_weight_gradients(int first_block, int count, Sc
   for (int layer = 0; layer < layout_.layer_count(); ++layer) {
     const int outputs = layout_.outputs(layer);
     const int inputs = layout_.inputs(layer);
-    const Scalar* delta = delta_[static_cast<std::size_t>(layer)].data();
+    const Scalar* delta = delta_[layer].data();
     kernels_.weight_gradient(count, stride_, outputs, inputs, delta,
                              layer_input(layer, first_block), inputs * stride_,
                              gradient + layout_.weight_offset(layer));

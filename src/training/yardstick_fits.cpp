@@ -16,8 +16,7 @@ constexpr double kRidge = 1e-6;  // of the mean square of the terms: neighbourin
 Eigen::VectorXd command_terms(const ArmDescription& arm, const Episode& episode, int t) {
   Eigen::VectorXd terms(arm.channel_count());
   for (Eigen::Index i = 0; i < terms.size(); ++i) {
-    terms[i] = double(episode.pressure_kpa(t, i)) /
-               arm.limits_of_channel(static_cast<int>(i)).largest_kpa();
+    terms[i] = double(episode.pressure_kpa(t, i)) / arm.limits_of_channel(int(i)).largest_kpa();
   }
   return terms;
 }
@@ -32,14 +31,14 @@ Folds::Folds(const std::vector<Episode>& episodes, bool elsewhere)
                        : std::min(kYardstickFolds, int(episodes.size()))) {}
 
 int Folds::of(int episode, int frame) const {
-  return single_ ? static_cast<int>(std::int64_t(frame) * count_ / frames_) : episode % count_;
+  return single_ ? int(std::int64_t(frame) * count_ / frames_) : episode % count_;
 }
 
 std::vector<Episode> Folds::training(const std::vector<Episode>& episodes, int fold) const {
   std::vector<Episode> others;
   if (!single_) {
     for (std::size_t e = 0; e < episodes.size(); ++e) {
-      if (of(static_cast<int>(e), 0) != fold) {
+      if (of(int(e), 0) != fold) {
         others.push_back(episodes[e]);
       }
     }

@@ -11,6 +11,7 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/data/episode_slice.hpp"
 #include "limber/data/space_fit.hpp"
@@ -31,11 +32,9 @@ double mean_of_known(std::vector<double> values) {
 
 std::vector<double> episode_means(const std::vector<FrameMatrix>& predicted,
                                   const std::vector<Episode>& episodes) {
-  std::vector<double> means;
-  for (std::size_t e = 0; e < episodes.size(); ++e) {
-    means.push_back(mean_of_known(tip_errors(predicted[e], episodes[e]).position_cm));
-  }
-  return means;
+  return mapped<double>(episodes.size(), [&](std::size_t e) {
+    return mean_of_known(tip_errors(predicted[e], episodes[e]).position_cm);
+  });
 }
 
 /// Everything that is fitted, one for each fold.
@@ -45,18 +44,15 @@ struct Fits {
   std::vector<std::vector<FrameMatrix>> simple;  // predictions of every episode by every fold
 
   std::size_t of(const RolloutPiece& piece, int t) const {
-    return static_cast<std::size_t>(folds.of(piece.episode, t));
+    return std::size_t(folds.of(piece.episode, t));
   }
 };
 
 template <class Model>
 std::vector<FrameMatrix> predict_all(const Model& model, const ArmDescription& arm,
                                      const std::vector<Episode>& episodes) {
-  std::vector<FrameMatrix> predicted;
-  for (const Episode& episode : episodes) {
-    predicted.push_back(predict(model, arm, episode));
-  }
-  return predicted;
+  return mapped<FrameMatrix>(episodes,
+                             [&](const Episode& episode) { return predict(model, arm, episode); });
 }
 
 Fits fit_all(const ArmDescription& arm, const std::vector<Episode>& episodes,
@@ -198,7 +194,7 @@ YardstickReport measure_yardsticks(const ArmDescription& arm, const ForwardModel
                   [&](const Episode&, const RolloutPiece& piece, FrameMatrix& predicted) {
                     for (int t = piece.first + 1; t <= piece.first + piece.frames; ++t) {
                       const auto& of_fold = fits.simple[fits.of(piece, t)];
-                      predicted.row(t) = of_fold[static_cast<std::size_t>(piece.episode)].row(t);
+                      predicted.row(t) = of_fold[piece.episode].row(t);
                     }
                   });
   return report;

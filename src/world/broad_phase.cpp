@@ -31,13 +31,13 @@ BroadPhase::BroadPhase(const std::vector<ObstacleShape>& obstacles,
     obstacles_.push_back({low.x(), low.y(), high.x(), high.y()});
   }
   for (const double radius : radius_m) {
-    radius_m_.push_back(static_cast<float>(radius) + kRoundingM);
+    radius_m_.push_back(float(radius) + kRoundingM);
   }
 }
 
 std::uint32_t BroadPhase::may_touch(const Eigen::Ref<const Backbone>& from,
                                     const Eigen::Ref<const Backbone>& to, int first) const {
-  const int count = std::min(kGaps, static_cast<int>(radius_m_.size()) - first);
+  const int count = std::min(kGaps, int(radius_m_.size()) - first);
   std::array<FloatBox, kGaps> gaps;
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   FloatBox all{kInfinity, kInfinity, -kInfinity, -kInfinity};
@@ -54,9 +54,8 @@ std::uint32_t BroadPhase::may_touch(const Eigen::Ref<const Backbone>& from,
                                  std::abs(d[0] - b[0]) + std::abs(d[1] - b[1]));
     // Chords lie in the hull of the four points of their ends, arcs no farther than their bulge
     // beside their chords.
-    const float reach =
-        radius_m_[static_cast<std::size_t>(first + i)] + 0.5F * chord * bulge_over_half_chord(turn);
-    FloatBox& box = gaps[static_cast<std::size_t>(i)];
+    const float reach = radius_m_[first + i] + 0.5F * chord * bulge_over_half_chord(turn);
+    FloatBox& box = gaps[i];
     box.low_x = std::min(std::min(a[0], c[0]), std::min(b[0], d[0])) - reach;
     box.high_x = std::max(std::max(a[0], c[0]), std::max(b[0], d[0])) + reach;
     box.low_y = std::min(std::min(a[1], c[1]), std::min(b[1], d[1])) - reach;
@@ -78,7 +77,7 @@ std::uint32_t BroadPhase::may_touch(const Eigen::Ref<const Backbone>& from,
       continue;
     }
     for (int i = 0; i < count; ++i) {
-      touching |= std::uint32_t{!apart(obstacle, gaps[static_cast<std::size_t>(i)])} << i;
+      touching |= std::uint32_t{!apart(obstacle, gaps[i])} << i;
     }
   }
   return touching;

@@ -8,10 +8,9 @@
 #include <numbers>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "broad_phase.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 
 namespace limber {
 
@@ -91,8 +90,7 @@ struct GapMotion {
 /// kArcToleranceM, until it returns false.
 template <class Visit>
 void visit_pieces(const GapArc& arc, double bulge, Visit&& visit) {
-  const int pieces =
-      std::clamp(static_cast<int>(std::ceil(std::sqrt(bulge / kArcToleranceM))), 1, kMaxPieces);
+  const int pieces = std::clamp(int(std::ceil(std::sqrt(bulge / kArcToleranceM))), 1, kMaxPieces);
   const double half = 0.5 * arc.turn_rad;
   const Vector2d chord = arc.end - arc.start;
   const Vector2d beside(-chord.y(), chord.x());
@@ -237,22 +235,20 @@ CollisionChecker::CollisionChecker(const ArmDescription& arm,
                                    const std::vector<Obstacle>& obstacles, double margin_m,
                                    PlateRoom room)
     : room_(std::move(room)) {
-  if (!(margin_m >= 0.0 && std::isfinite(margin_m))) {
-    throw InputError(
-        fmt::format("margin_m = {}; expected a distance in metres, at least 0", margin_m));
-  }
+  refuse_if(!(margin_m >= 0.0 && std::isfinite(margin_m)),
+            "margin_m = {}; expected a distance in metres, at least 0", margin_m);
   if (const std::string why = why_not_solid(obstacles); !why.empty()) {
     throw InputError(why);
   }
   for (std::size_t i = 0; i < obstacles.size(); ++i) {
-    obstacles_.push_back(make_obstacle_shape(obstacles[i], static_cast<int>(i)));
+    obstacles_.push_back(make_obstacle_shape(obstacles[i], int(i)));
   }
   std::stable_sort(obstacles_.begin(), obstacles_.end(),
                    [](const ObstacleShape& a, const ObstacleShape& b) {
                      return a.base_distance_m < b.base_distance_m;
                    });
   for (const Segment& segment : arm.segments) {
-    radius_m_.insert(radius_m_.end(), static_cast<std::size_t>(segment.gaps),
+    radius_m_.insert(radius_m_.end(), std::size_t(segment.gaps),
                      0.5 * segment.width_m + arm.actuator_radius_m + margin_m);
   }
   add_room();
@@ -265,21 +261,15 @@ void CollisionChecker::add_room() {
     room_.growth = {};
     return;
   }
-  if (full_m.size() != radius_m_.size() + 1) {
-    throw InputError(fmt::format("{} numbers of room; the arm has {} plates", full_m.size(),
-                                 radius_m_.size() + 1));
-  }
+  refuse_if(full_m.size() != radius_m_.size() + 1, "{} numbers of room; the arm has {} plates",
+            full_m.size(), radius_m_.size() + 1);
   for (const double room : full_m) {
-    if (!(room >= 0.0 && std::isfinite(room))) {
-      throw InputError(
-          fmt::format("room of {} m at a plate; expected a distance in metres, at least 0", room));
-    }
+    refuse_if(!(room >= 0.0 && std::isfinite(room)),
+              "room of {} m at a plate; expected a distance in metres, at least 0", room);
   }
-  if (!room_.growth.is_constant() &&
-      room_.start.rows() != static_cast<Eigen::Index>(full_m.size())) {
-    throw InputError(fmt::format("room grows from a start of {} plates; the arm has {}",
-                                 room_.start.rows(), full_m.size()));
-  }
+  refuse_if(!room_.growth.is_constant() && room_.start.rows() != Eigen::Index(full_m.size()),
+            "room grows from a start of {} plates; the arm has {}", room_.start.rows(),
+            full_m.size());
   for (std::size_t gap = 0; gap < radius_m_.size(); ++gap) {
     radius_m_[gap] += std::max(full_m[gap], full_m[gap + 1]);
   }
@@ -294,7 +284,7 @@ double CollisionChecker::grown_room_m(int plate,
                                       const Eigen::Ref<const BackboneOf<Scalar>>& backbone) const {
   const double moved_m = std::hypot(double(backbone(plate, 0)) - double(room_.start(plate, 0)),
                                     double(backbone(plate, 1)) - double(room_.start(plate, 1)));
-  return room_.full_m[static_cast<std::size_t>(plate)] * room_.growth.share_after(moved_m);
+  return room_.full_m[plate] * room_.growth.share_after(moved_m);
 }
 
 /// The larger room of the gap's plates. A plate that moves straight is farthest from where it
@@ -306,7 +296,7 @@ double CollisionChecker::radius_between_m(int gap, const Eigen::Ref<const Backbo
   if (room_.growth.is_constant()) {
     return full_m;
   }
-  const auto i = static_cast<std::size_t>(gap);
+  const auto i = std::size_t(gap);
   const double grown_m =
       std::max({grown_room_m<Scalar>(gap, from), grown_room_m<Scalar>(gap + 1, from),
                 grown_room_m<Scalar>(gap, to), grown_room_m<Scalar>(gap + 1, to)});

@@ -7,7 +7,8 @@
 #include <fmt/ranges.h>
 
 #include "limber/common/content_hash.hpp"
-#include "limber/common/error.hpp"
+#include "limber/common/mapped.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/yaml_reader.hpp"
 
 namespace limber {
@@ -24,18 +25,16 @@ std::string to_yaml(const Rectangle& r) {
 }
 
 std::string to_yaml(const Polygon& polygon) {
-  std::vector<std::string> points;
-  for (const Eigen::Vector2d& p : polygon.points_m) {
-    points.push_back(fmt::format("[{}, {}]", p.x(), p.y()));
-  }
+  const auto points = mapped<std::string>(polygon.points_m, [&](const Eigen::Vector2d& p) {
+    return fmt::format("[{}, {}]", p.x(), p.y());
+  });
   return fmt::format("polygon: [{}]", fmt::join(points, ", "));
 }
 
 std::string to_yaml(const Backbone& backbone) {
-  std::vector<std::string> rows;
-  for (Eigen::Index i = 0; i < backbone.rows(); ++i) {
-    rows.push_back(fmt::format("[{}, {}, {}]", backbone(i, 0), backbone(i, 1), backbone(i, 2)));
-  }
+  const auto rows = mapped<std::string>(backbone.rows(), [&](Eigen::Index i) {
+    return fmt::format("[{}, {}, {}]", backbone(i, 0), backbone(i, 1), backbone(i, 2));
+  });
   return fmt::format("[{}]", fmt::join(rows, ", "));
 }
 
@@ -49,10 +48,8 @@ std::string to_yaml(const ArmStart& start) {
     text += "\n  backbone_before: " + to_yaml(start.before);
   }
   if (!start.setpoints_kpa.empty()) {
-    std::vector<std::string> setpoints;
-    for (const Pressures& kpa : start.setpoints_kpa) {
-      setpoints.push_back(numbers(kpa));
-    }
+    const auto setpoints = mapped<std::string>(start.setpoints_kpa,
+                                               [&](const Pressures& kpa) { return numbers(kpa); });
     text += fmt::format("\n  setpoints_kpa: [{}]", fmt::join(setpoints, ", "));
   }
   return text;
@@ -112,8 +109,7 @@ const char* obstacle_kind(const Obstacle& obstacle) {
 }
 
 std::string obstacle_name(const Environment& environment, int obstacle) {
-  return fmt::format("obstacle {} ({})", obstacle,
-                     obstacle_kind(environment.obstacles[static_cast<std::size_t>(obstacle)]));
+  return fmt::format("obstacle {} ({})", obstacle, obstacle_kind(environment.obstacles[obstacle]));
 }
 
 std::vector<Eigen::Vector2d> rectangle_corners(const Rectangle& rectangle) {
@@ -139,10 +135,8 @@ void require_start_of(const ArmDescription& arm, const Environment& environment)
   }
   const ArmStart& start = *environment.start;
   const auto require = [&](const char* what, Eigen::Index found, int expected) {
-    if (found != expected) {
-      throw InputError(fmt::format("environment '{}': start.{}: {} found; expected {}, of arm '{}'",
-                                   environment.name, what, found, expected, arm.name));
-    }
+    refuse_if(found != expected, "environment '{}': start.{}: {} found; expected {}, of arm '{}'",
+              environment.name, what, found, expected, arm.name);
   };
   require("pressures_kpa", start.pressures_kpa.size(), arm.channel_count());
   for (const Pressures& setpoint_kpa : start.setpoints_kpa) {
@@ -163,9 +157,8 @@ ArmStart start_state(const Environment& environment, const ArmDescription& arm) 
   rest.pressures_kpa = Pressures::Zero(arm.channel_count());
   rest.backbone = Backbone::Zero(arm.point_count(), kPoseSize);
   for (int gap = 0; gap + 1 < arm.point_count(); ++gap) {
-    const Segment& segment = arm.segments[static_cast<std::size_t>(arm.segment_of_gap(gap))];
-    rest.backbone(gap + 1, 0) =
-        rest.backbone(gap, 0) + static_cast<float>(segment.length_m / segment.gaps);
+    const Segment& segment = arm.segments[arm.segment_of_gap(gap)];
+    rest.backbone(gap + 1, 0) = rest.backbone(gap, 0) + float(segment.length_m / segment.gaps);
   }
   return rest;
 }

@@ -7,6 +7,7 @@
 #include "cross.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/arm/pressure_limits.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "limber/world/environment.hpp"
 #include "limber/world/start_shape.hpp"
@@ -100,26 +101,23 @@ void require_simple(const YamlReader& node, const std::vector<Eigen::Vector2d>& 
     }
     for (std::size_t j = i + 2; j < n; ++j) {
       const bool neighbours = i == 0 && j == n - 1;
-      if (!neighbours && segments_meet(p[i], p[i + 1], p[j], p[(j + 1) % n])) {
-        node.refuse(fmt::format("edges {}–{} and {}–{} cross or touch; expected a simple polygon",
-                                i, i + 1, j, (j + 1) % n));
-      }
+      node.refuse_if(!neighbours && segments_meet(p[i], p[i + 1], p[j], p[(j + 1) % n]),
+                     "edges {}–{} and {}–{} cross or touch; expected a simple polygon", i, i + 1, j,
+                     (j + 1) % n);
     }
   }
 }
 
 Polygon read_polygon(const YamlReader& node) {
   const std::vector<YamlReader> points = node.elements();
-  if (points.size() < 3 || points.size() > kMaxPolygonPoints) {
-    node.refuse(fmt::format("{} points found; expected 3 to {} points [x, y]", points.size(),
-                            kMaxPolygonPoints));
-  }
+  node.refuse_if(points.size() < 3 || points.size() > kMaxPolygonPoints,
+                 "{} points found; expected 3 to {} points [x, y]", points.size(),
+                 kMaxPolygonPoints);
   Polygon result;
   for (const YamlReader& point : points) {
     const std::vector<YamlReader> xy = point.elements();
-    if (xy.size() != 2) {
-      point.refuse(fmt::format("{} numbers found; expected a point [x, y] in metres", xy.size()));
-    }
+    point.refuse_if(xy.size() != 2, "{} numbers found; expected a point [x, y] in metres",
+                    xy.size());
     result.points_m.emplace_back(coordinate(xy[0]), coordinate(xy[1]));
   }
   require_simple(node, result.points_m);
@@ -144,8 +142,7 @@ Obstacle read_obstacle(const YamlReader& node) {
 Pressures read_pressures(const YamlReader& node) {
   const std::vector<double> pressures =
       node.numbers("a signed command, in the unit and with the sign of the arm file");
-  return Eigen::Map<const Eigen::VectorXd>(pressures.data(),
-                                           static_cast<Eigen::Index>(pressures.size()))
+  return Eigen::Map<const Eigen::VectorXd>(pressures.data(), Eigen::Index(pressures.size()))
       .cast<float>();
 }
 
@@ -168,7 +165,7 @@ std::vector<YamlReader> setpoints_of(const YamlReader& start) {
 
 Backbone read_backbone(const YamlReader& node) {
   const std::vector<YamlReader> rows = node.elements();
-  Backbone backbone(static_cast<Eigen::Index>(rows.size()), kPoseSize);
+  Backbone backbone(Eigen::Index(rows.size()), kPoseSize);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::vector<YamlReader> pose = rows[i].elements();
     if (pose.size() != kPoseSize) {
@@ -177,7 +174,7 @@ Backbone read_backbone(const YamlReader& node) {
     }
     // All three first: a row that is begun and left by an exception is an error to Eigen.
     const Eigen::RowVector3d row(coordinate(pose[0]), coordinate(pose[1]), angle(pose[2]));
-    backbone.row(static_cast<Eigen::Index>(i)) = row.cast<float>();
+    backbone.row(Eigen::Index(i)) = row.cast<float>();
   }
   return backbone;
 }
@@ -225,9 +222,7 @@ PoseGoal read_goal(const YamlReader& node) {
   if (node.has("orientation_tolerance_rad")) {
     const YamlReader tolerance = node.at("orientation_tolerance_rad");
     goal.orientation_tolerance_rad = tolerance.positive("an angle in radians");
-    if (!goal.theta_rad) {
-      tolerance.refuse("set without theta_rad; expected both or neither");
-    }
+    tolerance.refuse_if(!goal.theta_rad, "set without theta_rad; expected both or neither");
   }
   return goal;
 }
@@ -236,18 +231,17 @@ PoseGoal read_goal(const YamlReader& node) {
 void require_pressures_fit(const YamlReader& node, const Pressures& kpa, const ArmDescription& arm,
                            bool are_measured = false) {
   require_planar(arm, "an environment");
-  if (kpa.size() != arm.channel_count()) {
-    node.refuse(fmt::format("{} {}s found; expected {}, one per segment of arm '{}'", kpa.size(),
-                            arm.command.name, arm.channel_count(), arm.name));
-  }
+  node.refuse_if(kpa.size() != arm.channel_count(),
+                 "{} {}s found; expected {}, one per segment of arm '{}'", kpa.size(),
+                 arm.command.name, arm.channel_count(), arm.name);
   const std::string more = are_measured ? fmt::format(" and {:g} % of their range for overshoot",
                                                       100.0 * kOvershootOfRange)
                                         : "";
   for (int i = 0; i < arm.channel_count(); ++i) {
-    const PressureLimits& limits = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+    const PressureLimits& limits = arm.segments[i].pressure_limit_kpa;
     const PressureLimits allowed = are_measured ? measured_limits(limits) : limits;
     if (!allowed.contains(kpa[i])) {
-      node.elements()[static_cast<std::size_t>(i)].refuse(
+      node.elements()[i].refuse(
           fmt::format("{} {unit} found; expected {} {unit}, the limits of that segment{}", kpa[i],
                       to_string(allowed), more, fmt::arg("unit", arm.command.unit)));
     }
@@ -256,12 +250,11 @@ void require_pressures_fit(const YamlReader& node, const Pressures& kpa, const A
 
 /// That the arm can have: one pose per plate, near enough to each other.
 void require_shape(const YamlReader& node, const Backbone& backbone, const ArmDescription& arm) {
-  if (backbone.rows() != arm.point_count()) {
-    node.refuse(fmt::format("{} poses found; expected {}, one per plate of arm '{}'",
-                            backbone.rows(), arm.point_count(), arm.name));
-  }
+  node.refuse_if(backbone.rows() != arm.point_count(),
+                 "{} poses found; expected {}, one per plate of arm '{}'", backbone.rows(),
+                 arm.point_count(), arm.name);
   if (const std::optional<StartFault> fault = find_start_fault(backbone, arm)) {
-    node.elements()[static_cast<std::size_t>(fault->row)].refuse(fault->message);
+    node.elements()[fault->row].refuse(fault->message);
   }
 }
 
@@ -298,21 +291,17 @@ void tidy_memory([[maybe_unused]] const Environment& environment) {
 
 void read_obstacles(const YamlReader& node, std::vector<Obstacle>& obstacles) {
   const std::vector<YamlReader> found = node.elements();
-  if (found.size() > kMaxObstacles) {
-    node.refuse(
-        fmt::format("{} obstacles found; expected at most {}", found.size(), kMaxObstacles));
-  }
+  node.refuse_if(found.size() > kMaxObstacles, "{} obstacles found; expected at most {}",
+                 found.size(), kMaxObstacles);
   std::size_t corners = 0;
   for (const YamlReader& one : found) {
     obstacles.push_back(read_obstacle(one));
     const auto* polygon = std::get_if<Polygon>(&obstacles.back());
     corners += polygon != nullptr ? polygon->points_m.size() : 0;
-    if (corners > kMaxCorners) {
-      one.refuse(
-          fmt::format("more than {} corners up to here; expected at most that many in all "
-                      "polygons together",
-                      kMaxCorners));
-    }
+    one.refuse_if(corners > kMaxCorners,
+                  "more than {} corners up to here; expected at most that many in all "
+                  "polygons together",
+                  kMaxCorners);
   }
 }
 
@@ -337,13 +326,13 @@ Environment read_environment(const YamlReader& root, const ArmDescription& arm) 
   return environment;
 }
 
-Environment load_environment(const std::filesystem::path& path) {
+Environment load_environment(const fs::path& path) {
   Environment environment = read_environment(YamlReader::from_file(path));
   tidy_memory(environment);
   return environment;
 }
 
-Environment load_environment(const std::filesystem::path& path, const ArmDescription& arm) {
+Environment load_environment(const fs::path& path, const ArmDescription& arm) {
   Environment environment = read_environment(YamlReader::from_file(path), arm);
   tidy_memory(environment);
   return environment;

@@ -23,9 +23,9 @@ int hold_frame_count(const ArmDescription& arm, const ValveModel& valves,
   const Pressures limits_kpa = pressure_limits_kpa(arm);
   Pressures tolerance_kpa = kSettledShare * limits_kpa;
   for (Eigen::Index i = 0; i < tolerance_kpa.size(); ++i) {
-    const SegmentValves& segment = valves.parameters().segments[static_cast<std::size_t>(i)];
-    tolerance_kpa[i] = std::max(tolerance_kpa[i], static_cast<float>(segment.dead_band_kpa) +
-                                                      kDeadBandRounding * limits_kpa[i]);
+    const SegmentValves& segment = valves.parameters().segments[i];
+    tolerance_kpa[i] = std::max(tolerance_kpa[i],
+                                float(segment.dead_band_kpa) + kDeadBandRounding * limits_kpa[i]);
   }
   return std::max(min_frames,
                   valves.frames_to_settle(state, tolerance_kpa, arm.frames_in(kLongestHoldS)));

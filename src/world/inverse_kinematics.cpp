@@ -11,6 +11,7 @@
 #include "limber/arm/jacobian.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
+#include "limber/common/refuse_if.hpp"
 
 namespace limber {
 
@@ -41,8 +42,7 @@ class Descent {
         low_(SegmentVector::Constant(model.segment_count(), -1.0)),
         high_(SegmentVector::Constant(model.segment_count(), 1.0)) {
     for (int i = 0; i < model.segment_count(); ++i) {
-      bound(i, limits.empty() ? model.segment(i).pressure_limit_kpa
-                              : limits[static_cast<std::size_t>(i)]);
+      bound(i, limits.empty() ? model.segment(i).pressure_limit_kpa : limits[i]);
       arm_length_m_ += model.segment(i).length_m;
     }
   }
@@ -148,7 +148,7 @@ Eigen::VectorXd pressures_at(const NoLoadModel& model, const SegmentVector& curv
   for (int i = 0; i < model.segment_count(); ++i) {
     pressures[i] = model.pressure_for_curvature(i, curvatures[i]).pressure_kpa;
     if (!limits.empty()) {
-      pressures[i] = limits[static_cast<std::size_t>(i)].clamped(pressures[i]);
+      pressures[i] = limits[i].clamped(pressures[i]);
     }
   }
   return pressures;
@@ -167,19 +167,17 @@ void require_valid(const PoseGoal& goal, const InverseKinematicsSettings& settin
     throw InputError(fmt::format("goal ({}, {}, {}); expected finite metres and radians", goal.x_m,
                                  goal.y_m, goal.theta_rad.value_or(0.0)));
   }
-  if (!(goal.position_tolerance_m > 0.0) || !(goal.orientation_tolerance_rad > 0.0)) {
-    throw InputError(fmt::format("goal tolerances {} m and {} rad; expected both > 0",
-                                 goal.position_tolerance_m, goal.orientation_tolerance_rad));
-  }
-  if (settings.starts < 1 || settings.starts > kMaxStarts || settings.max_solutions < 1 ||
-      settings.iterations < 1 || settings.iterations > kMaxIterations ||
-      !(settings.convergence_m > 0.0) || !(settings.distinct_pressure >= 0.0)) {
-    throw InputError(fmt::format(
-        "inverse kinematics: {} starts, {} solutions, {} iterations, convergence of {} m, distinct "
-        "by {} of the largest command; all must be positive, at most {} starts and {} iterations",
-        settings.starts, settings.max_solutions, settings.iterations, settings.convergence_m,
-        settings.distinct_pressure, kMaxStarts, kMaxIterations));
-  }
+  refuse_if(!(goal.position_tolerance_m > 0.0) || !(goal.orientation_tolerance_rad > 0.0),
+            "goal tolerances {} m and {} rad; expected both > 0", goal.position_tolerance_m,
+            goal.orientation_tolerance_rad);
+  refuse_if(
+      settings.starts < 1 || settings.starts > kMaxStarts || settings.max_solutions < 1 ||
+          settings.iterations < 1 || settings.iterations > kMaxIterations ||
+          !(settings.convergence_m > 0.0) || !(settings.distinct_pressure >= 0.0),
+      "inverse kinematics: {} starts, {} solutions, {} iterations, convergence of {} m, distinct "
+      "by {} of the largest command; all must be positive, at most {} starts and {} iterations",
+      settings.starts, settings.max_solutions, settings.iterations, settings.convergence_m,
+      settings.distinct_pressure, kMaxStarts, kMaxIterations);
 }
 
 std::string describe_failure(const PoseGoal& goal, const InverseKinematicsResult& result,

@@ -9,6 +9,8 @@
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/world/environment.hpp"
 
 namespace limber {
@@ -20,10 +22,9 @@ constexpr double kRoundingShare = 1e-5;  // of the largest command: float32, wit
 /// The plan's own limits have to be narrower than the arm's.
 void require_limits_of(const Plan& plan, const ArmDescription& arm, const std::string& file) {
   const std::string key = quantity_key(arm.command, "limits");
-  if (!plan.limits.empty() && int(plan.limits.size()) != arm.channel_count()) {
-    throw InputError(fmt::format("{}: {}: {} pairs found; arm '{}' has {} segments", file, key,
-                                 plan.limits.size(), arm.name, arm.channel_count()));
-  }
+  refuse_if(!plan.limits.empty() && int(plan.limits.size()) != arm.channel_count(),
+            "{}: {}: {} pairs found; arm '{}' has {} segments", file, key, plan.limits.size(),
+            arm.name, arm.channel_count());
   for (std::size_t i = 0; i < plan.limits.size(); ++i) {
     const PressureLimits& own = arm.segments[i].pressure_limit_kpa;
     if (!own.contains(plan.limits[i])) {
@@ -37,16 +38,14 @@ void require_limits_of(const Plan& plan, const ArmDescription& arm, const std::s
 }  // namespace
 
 double Plan::duration_s() const {
-  return frames.empty() ? 0.0 : static_cast<double>(frames.size() - 1) / frame_rate_hz;
+  return frames.empty() ? 0.0 : double(frames.size() - 1) / frame_rate_hz;
 }
 
 void require_plan_in(const Plan& plan, const Environment& environment, const std::string& file) {
   const std::string hash = environment_hash(environment);
-  if (plan.environment_hash != hash) {
-    throw InputError(
-        fmt::format("{}: made for environment '{}' (hash {}); this one is '{}' (hash {})", file,
-                    plan.environment_name, plan.environment_hash, environment.name, hash));
-  }
+  refuse_if(plan.environment_hash != hash,
+            "{}: made for environment '{}' (hash {}); this one is '{}' (hash {})", file,
+            plan.environment_name, plan.environment_hash, environment.name, hash);
 }
 
 void require_plan_of(const Plan& plan, const ArmDescription& arm, const std::string& file) {
@@ -57,27 +56,24 @@ void require_plan_of(const Plan& plan, const ArmDescription& arm, const std::str
         "or give the plan's own (--arm)",
         file, plan.arm_name, plan.arm_hash, arm.name, arm.hash(), why));
   }
-  if (plan.frame_rate_hz != arm.frame_rate_hz) {
-    throw InputError(fmt::format("{}: frame_rate_hz: {} found; arm '{}' takes {} frames per second",
-                                 file, plan.frame_rate_hz, arm.name, arm.frame_rate_hz));
-  }
+  refuse_if(plan.frame_rate_hz != arm.frame_rate_hz,
+            "{}: frame_rate_hz: {} found; arm '{}' takes {} frames per second", file,
+            plan.frame_rate_hz, arm.name, arm.frame_rate_hz);
   const int n = arm.channel_count();
   require_limits_of(plan, arm, file);
   const std::vector<PressureLimits> allowed = plan.limits.empty() ? limits_of(arm) : plan.limits;
   const double step_limit = arm.pressure_step_limit_kpa();
   for (std::size_t k = 0; k < plan.frames.size(); ++k) {
     const PlanFrame& frame = plan.frames[k];
-    if (frame.setpoint_kpa.size() != n || frame.pressure_kpa.size() != n ||
-        frame.backbone.rows() != arm.point_count()) {
-      throw InputError(fmt::format(
-          "{}: frames[{}]: {} set points and {} poses found; arm '{}' has {} segments and {} "
-          "plates",
-          file, k, frame.setpoint_kpa.size(), frame.backbone.rows(), arm.name, n,
-          arm.point_count()));
-    }
+    refuse_if(frame.setpoint_kpa.size() != n || frame.pressure_kpa.size() != n ||
+                  frame.backbone.rows() != arm.point_count(),
+              "{}: frames[{}]: {} set points and {} poses found; arm '{}' has {} segments and {} "
+              "plates",
+              file, k, frame.setpoint_kpa.size(), frame.backbone.rows(), arm.name, n,
+              arm.point_count());
     for (int i = 0; i < n; ++i) {
       const double pressure = frame.setpoint_kpa[i];
-      const PressureLimits& limits = allowed[static_cast<std::size_t>(i)];
+      const PressureLimits& limits = allowed[i];
       if (!limits.contains(pressure)) {
         throw InputError(fmt::format(
             "{}: frames[{}].{setpoint}[{}]: {} {unit} found; expected {} {unit}{}", file, k, i,
@@ -99,7 +95,7 @@ void require_plan_of(const Plan& plan, const ArmDescription& arm, const std::str
   }
 }
 
-void write_setpoints_csv(const std::filesystem::path& path, const Plan& plan) {
+void write_setpoints_csv(const fs::path& path, const Plan& plan) {
   std::string text = "time_s";
   const Eigen::Index n = plan.frames.empty() ? 0 : plan.frames.front().setpoint_kpa.size();
   for (const std::string& what : {std::string("setpoint"), followed_name(plan.command)}) {
@@ -109,7 +105,7 @@ void write_setpoints_csv(const std::filesystem::path& path, const Plan& plan) {
   }
   text += '\n';
   for (std::size_t k = 1; k < plan.frames.size(); ++k) {
-    text += fmt::format("{}", static_cast<double>(k - 1) / plan.frame_rate_hz);
+    text += fmt::format("{}", double(k - 1) / plan.frame_rate_hz);
     for (const Pressures& row : {plan.frames[k].setpoint_kpa, plan.frames[k].pressure_kpa}) {
       for (const float pressure : row) {
         text += fmt::format(",{}", pressure);
@@ -120,17 +116,16 @@ void write_setpoints_csv(const std::filesystem::path& path, const Plan& plan) {
   write_file_atomically(path, text);
 }
 
-void write_commands_csv(const std::filesystem::path& path, const Plan& plan,
-                        const ArmDescription& arm) {
+void write_commands_csv(const fs::path& path, const Plan& plan, const ArmDescription& arm) {
   std::string text = "time_s";
   for (const ArmCommand& command : arm.commands) {
     text += "," + command.name;
   }
   text += '\n';
   for (std::size_t k = 1; k < plan.frames.size(); ++k) {
-    text += fmt::format("{}", static_cast<double>(k - 1) / plan.frame_rate_hz);
+    text += fmt::format("{}", double(k - 1) / plan.frame_rate_hz);
     for (const double value : commands_for(arm, plan.frames[k].setpoint_kpa.cast<double>())) {
-      text += fmt::format(",{}", static_cast<float>(value));
+      text += fmt::format(",{}", float(value));
     }
     text += '\n';
   }

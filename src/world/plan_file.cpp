@@ -8,7 +8,10 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/json_reader.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/number_text.hpp"
 #include "limber/common/version.hpp"
 #include "limber/world/plan.hpp"
@@ -18,8 +21,6 @@ namespace limber {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr const char* kPlanSchema = "limber/plan/2";
 constexpr double kCostToleranceKpa = 1e-6;
 constexpr double kMax = 1e8;       // of a number in a plan; nothing real comes near, in Pa neither
@@ -27,19 +28,12 @@ constexpr double kMaxCost = 1e12;  // a sum over all frames
 
 Json numbers(const Pressures& q) {
   // As the shortest decimal that reads back to the same float, not as a float widened to double.
-  Json list = Json::array();
-  for (const float value : q) {
-    list.push_back(*number_in(fmt::format("{}", value)));
-  }
-  return list;
+  return mapped<Json>(q, [&](const float value) { return *number_in(fmt::format("{}", value)); });
 }
 
 Json poses(const Backbone& backbone) {
-  Json rows = Json::array();
-  for (Eigen::Index i = 0; i < backbone.rows(); ++i) {
-    rows.push_back(numbers(backbone.row(i).transpose()));
-  }
-  return rows;
+  return mapped<Json>(backbone.rows(),
+                      [&](Eigen::Index i) { return numbers(backbone.row(i).transpose()); });
 }
 
 std::string lines(const Json& list) {
@@ -68,20 +62,18 @@ double number_at(const JsonReader& root, const char* key, double low = -kMax) {
 constexpr Eigen::Index kAnySize = -1;
 
 Eigen::VectorXf read_vector(const JsonReader& field, Eigen::Index size, const std::string& what) {
-  const std::vector<double> values =
-      field.numbers(static_cast<std::size_t>(size), what.c_str(), -kMax, kMax);
-  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()))
+  const std::vector<double> values = field.numbers(std::size_t(size), what.c_str(), -kMax, kMax);
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), Eigen::Index(values.size()))
       .cast<float>();
 }
 
 Backbone read_backbone(const JsonReader& field, std::size_t point_count) {
   const std::vector<JsonReader> rows = field.elements("a list of poses [x_m, y_m, theta_rad]");
-  if (rows.size() != point_count) {
-    field.refuse(fmt::format("{} poses found; expected {}", rows.size(), point_count));
-  }
-  Backbone backbone(static_cast<Eigen::Index>(rows.size()), kPoseSize);
+  field.refuse_if(rows.size() != point_count, "{} poses found; expected {}", rows.size(),
+                  point_count);
+  Backbone backbone(Eigen::Index(rows.size()), kPoseSize);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    backbone.row(static_cast<Eigen::Index>(i)) =
+    backbone.row(Eigen::Index(i)) =
         read_vector(rows[i], kPoseSize, "numbers [x_m, y_m, theta_rad]").transpose();
   }
   return backbone;
@@ -118,9 +110,7 @@ std::vector<PressureLimits> read_limits(const JsonReader& root, const Command& c
 
 std::vector<PlanFrame> read_frames(const JsonReader& field, const Command& command) {
   const std::vector<JsonReader> items = field.elements("a list of frames");
-  if (items.empty()) {
-    field.refuse("no frame found; expected at least the start");
-  }
+  field.refuse_if(items.empty(), "no frame found; expected at least the start");
   const std::string setpoint = quantity_key(command, "setpoint");
   const std::string followed = followed_key(command);
   const std::size_t segments =
@@ -134,8 +124,7 @@ std::vector<PlanFrame> read_frames(const JsonReader& field, const Command& comma
   for (const JsonReader& item : items) {
     item.refuse_unknown_keys({setpoint, followed, "backbone"});
     const auto commands = [&](const std::string& key) {
-      return read_vector(item.at(key.c_str()), static_cast<Eigen::Index>(segments),
-                         numbers_of(command));
+      return read_vector(item.at(key.c_str()), Eigen::Index(segments), numbers_of(command));
     };
     frames.push_back(
         {commands(setpoint), commands(followed), read_backbone(item.at("backbone"), points)});
@@ -149,7 +138,7 @@ void require_consistent(const JsonReader& root, const Plan& plan) {
     root.at(quantity_key(plan.command, "cost").c_str())
         .refuse(fmt::format("{} found; its frames add up to {}", plan.cost_kpa, cost));
   }
-  const std::size_t held = static_cast<std::size_t>(plan.hold_frame_count);
+  const std::size_t held = std::size_t(plan.hold_frame_count);
   if (held >= plan.frames.size()) {
     root.at("hold_frame_count")
         .refuse(
@@ -195,8 +184,7 @@ std::optional<PlanTube> read_tube(const JsonReader& root, Eigen::Index plates) {
   PlanTube tube;
   tube.level = field.at("level").number(0.0, 1.0);
   tube.plate_radius_m =
-      field.at("plate_radius_m")
-          .numbers(static_cast<std::size_t>(plates), "lengths in metres", 0.0, kMax);
+      field.at("plate_radius_m").numbers(std::size_t(plates), "lengths in metres", 0.0, kMax);
   tube.growth.start_share = field.at("start_share").number(0.0, 1.0);
   if (tube.growth.start_share == 0.0) {
     field.at("start_share").refuse_found("expected more than 0, and at most 1");
@@ -286,7 +274,7 @@ Plan read_fields(const JsonReader& root) {
   plan.goal_distance_m = number_at(root, "goal_distance_m", 0.0);
   plan.goal_orientation_rad = number_at(root, "goal_orientation_rad", 0.0);
   plan.limits = read_limits(root, plan.command);
-  plan.hold_frame_count = static_cast<int>(root.at("hold_frame_count").count(1000000));
+  plan.hold_frame_count = int(root.at("hold_frame_count").count(1000000));
   plan.frames = read_frames(root.at("frames"), plan.command);
   plan.tube = read_tube(root, plan.frames.front().backbone.rows());
   const Eigen::Index segments = plan.frames.front().setpoint_kpa.size();
@@ -306,7 +294,7 @@ Plan read_root(const JsonReader& root) {
 
 }  // namespace
 
-void write_plan(const std::filesystem::path& path, const Plan& plan) {
+void write_plan(const fs::path& path, const Plan& plan) {
   Json root;
   root["schema"] = kPlanSchema;
   root["program_version"] = plan.program_version.empty() ? version() : plan.program_version;
@@ -338,16 +326,13 @@ void write_plan(const std::filesystem::path& path, const Plan& plan) {
   root["goal_distance_m"] = plan.goal_distance_m;
   root["goal_orientation_rad"] = plan.goal_orientation_rad;
   root["hold_frame_count"] = plan.hold_frame_count;
-  Json waypoints = Json::array();
-  for (const Pressures& q : plan.waypoints_kpa) {
-    waypoints.push_back(numbers(q));
-  }
-  Json frames = Json::array();
-  for (const PlanFrame& frame : plan.frames) {
-    frames.push_back({{quantity_key(plan.command, "setpoint"), numbers(frame.setpoint_kpa)},
-                      {followed_key(plan.command), numbers(frame.pressure_kpa)},
-                      {"backbone", poses(frame.backbone)}});
-  }
+  const Json waypoints =
+      mapped<Json>(plan.waypoints_kpa, [&](const Pressures& q) { return numbers(q); });
+  const Json frames = mapped<Json>(plan.frames, [&](const PlanFrame& frame) {
+    return Json{{quantity_key(plan.command, "setpoint"), numbers(frame.setpoint_kpa)},
+                {followed_key(plan.command), numbers(frame.pressure_kpa)},
+                {"backbone", poses(frame.backbone)}};
+  });
   const std::string waypoints_key = quantity_key(plan.command, "waypoints");
   if (plan.certified) {
     Json sealed = root;
@@ -360,7 +345,7 @@ void write_plan(const std::filesystem::path& path, const Plan& plan) {
   write_file_atomically(path, one_line_an_entry(root, waypoints_key, waypoints, frames));
 }
 
-Plan read_plan(const std::filesystem::path& path) {
+Plan read_plan(const fs::path& path) {
   const nlohmann::json root = read_json_object(path);
   const JsonReader fields(root, path.string());
   Plan plan = read_root(fields);
@@ -374,12 +359,12 @@ Plan read_plan(const std::filesystem::path& path) {
   return plan;
 }
 
-Plan read_plan_unchecked(const std::filesystem::path& path) {
+Plan read_plan_unchecked(const fs::path& path) {
   const nlohmann::json root = read_json_object(path);
   return read_root(JsonReader(root, path.string()));
 }
 
-void write_backbones_csv(const std::filesystem::path& path, const Plan& plan) {
+void write_backbones_csv(const fs::path& path, const Plan& plan) {
   std::string text = "time_s";
   const Eigen::Index m = plan.frames.empty() ? 0 : plan.frames.front().backbone.rows();
   for (Eigen::Index p = 0; p < m; ++p) {
@@ -387,7 +372,7 @@ void write_backbones_csv(const std::filesystem::path& path, const Plan& plan) {
   }
   text += '\n';
   for (std::size_t k = 0; k < plan.frames.size(); ++k) {
-    text += fmt::format("{}", static_cast<double>(k) / plan.frame_rate_hz);
+    text += fmt::format("{}", double(k) / plan.frame_rate_hz);
     for (const auto& pose : plan.frames[k].backbone.rowwise()) {
       text += fmt::format(",{},{},{}", pose[0], pose[1], pose[2]);
     }

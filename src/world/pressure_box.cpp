@@ -17,7 +17,7 @@ template <class Number>
 Pressures of_each(const std::vector<PressureLimits>& limits, Number number) {
   Pressures result(std::ssize(limits));
   std::ranges::transform(limits, result.begin(), [&](const PressureLimits& one) {
-    return static_cast<float>(std::invoke(number, one));
+    return float(std::invoke(number, one));
   });
   return result;
 }
@@ -27,7 +27,7 @@ Pressures of_each(const std::vector<PressureLimits>& limits, Number number) {
 Pressures PressureBox::sample(RandomStream& random) const {
   Pressures kpa(low_kpa.size());
   for (Eigen::Index i = 0; i < kpa.size(); ++i) {
-    kpa[i] = static_cast<float>(random.uniform(double(low_kpa[i]), double(high_kpa[i])));
+    kpa[i] = float(random.uniform(double(low_kpa[i]), double(high_kpa[i])));
   }
   return kpa;
 }

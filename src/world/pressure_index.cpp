@@ -3,17 +3,15 @@
 #include <algorithm>
 #include <limits>
 
+#include "limber/common/mapped.hpp"
+
 namespace limber {
 
 PressureIndex::PressureIndex(int dimension) : dimension_(dimension), cells_(1) {}
 
 float PressureIndex::squared_distance(int i, const float* query) const {
   const float* p = point(i);
-  float sum = 0.0F;
-  for (int k = 0; k < dimension_; ++k) {
-    sum += (p[k] - query[k]) * (p[k] - query[k]);
-  }
-  return sum;
+  return sum_of<float>(dimension_, [&](int k) { return (p[k] - query[k]) * (p[k] - query[k]); });
 }
 
 void PressureIndex::add(const Eigen::Ref<const Eigen::VectorXf>& new_point) {
@@ -22,7 +20,7 @@ void PressureIndex::add(const Eigen::Ref<const Eigen::VectorXf>& new_point) {
   std::size_t cell = 0;
   while (cells_[cell].axis >= 0) {
     const Cell& c = cells_[cell];
-    cell = static_cast<std::size_t>(new_point[c.axis] < c.split ? c.low : c.high);
+    cell = std::size_t(new_point[c.axis] < c.split ? c.low : c.high);
   }
   cells_[cell].members.push_back(number);
   if (cells_[cell].members.size() > kLeafSize) {
@@ -47,7 +45,7 @@ void PressureIndex::split(std::size_t cell) {
   if (axis < 0) {
     return;
   }
-  const auto middle = members.begin() + static_cast<std::ptrdiff_t>(members.size() / 2);
+  const auto middle = members.begin() + std::ptrdiff_t(members.size() / 2);
   std::nth_element(members.begin(), middle, members.end(),
                    [&](int a, int b) { return point(a)[axis] < point(b)[axis]; });
   float value = point(*middle)[axis];
@@ -59,17 +57,17 @@ void PressureIndex::split(std::size_t cell) {
     }
     value = above;
   }
-  const int first = static_cast<int>(cells_.size());
+  const int first = int(cells_.size());
   cells_.resize(cells_.size() + 2);
   for (const int i : members) {
     const int side = point(i)[axis] < value ? 0 : 1;
-    cells_[static_cast<std::size_t>(first + side)].members.push_back(i);
+    cells_[first + side].members.push_back(i);
   }
   cells_[cell] = {axis, value, first, first + 1, {}};
 }
 
 void PressureIndex::nearest_in(int cell, const float* query, int& best, float& best_squared) const {
-  const Cell& c = cells_[static_cast<std::size_t>(cell)];
+  const Cell& c = cells_[cell];
   if (c.axis < 0) {
     for (const int i : c.members) {
       const float squared = squared_distance(i, query);
@@ -96,7 +94,7 @@ int PressureIndex::nearest(const Eigen::Ref<const Eigen::VectorXf>& query) const
 
 void PressureIndex::within_in(int cell, const float* query, float squared, float radius,
                               std::vector<int>& found) const {
-  const Cell& c = cells_[static_cast<std::size_t>(cell)];
+  const Cell& c = cells_[cell];
   if (c.axis < 0) {
     for (const int i : c.members) {
       if (squared_distance(i, query) <= squared) {

@@ -29,7 +29,7 @@ double turn_limit_rad(const ArmDescription& arm, const NoLoadModel& model, int s
   if (arm.no_load == NoLoadKind::straight) {
     return kMaxTurn_rad;  // the arm file does not say how far it bends
   }
-  const Segment& s = arm.segments[static_cast<std::size_t>(segment)];
+  const Segment& s = arm.segments[segment];
   const SegmentShape full = model.segment_shape(segment, s.pressure_limit_kpa.largest_kpa());
   return std::clamp(kMaxOfFullBend * std::abs(full.curvature_per_m) * full.length_m / s.gaps,
                     kUnevenTurn_rad, kMaxTurn_rad);
@@ -54,7 +54,7 @@ std::string base_fault(const BackboneD& b) {
 std::string gap_fault(const ArmDescription& arm, const NoLoadModel& model, const BackboneD& b,
                       int row) {
   const int segment = arm.segment_of_gap(row - 1);
-  const Segment& s = arm.segments[static_cast<std::size_t>(segment)];
+  const Segment& s = arm.segments[segment];
   const double rest_m = s.length_m / s.gaps;
   const double x_m = b(row, 0) - b(row - 1, 0);
   const double y_m = b(row, 1) - b(row - 1, 1);

@@ -18,7 +18,7 @@ double motion_cost_kpa(const PressuresRef& from_kpa, const PressuresRef& to_kpa)
 int motion_frame_count(const PressuresRef& from_kpa, const PressuresRef& to_kpa,
                        double step_limit_kpa) {
   const double largest = double((to_kpa - from_kpa).lpNorm<Eigen::Infinity>());
-  return std::max(1, static_cast<int>(std::ceil(largest / step_limit_kpa - kRoundingFrames)));
+  return std::max(1, int(std::ceil(largest / step_limit_kpa - kRoundingFrames)));
 }
 
 void motion_setpoint(const PressuresRef& from_kpa, const PressuresRef& to_kpa, int k, int count,
@@ -26,16 +26,16 @@ void motion_setpoint(const PressuresRef& from_kpa, const PressuresRef& to_kpa, i
   if (k == count) {
     setpoint_kpa = to_kpa;
   } else {
-    setpoint_kpa = from_kpa + (to_kpa - from_kpa) * (static_cast<float>(k) / float(count));
+    setpoint_kpa = from_kpa + (to_kpa - from_kpa) * (float(k) / float(count));
   }
 }
 
 std::vector<Pressures> straight_setpoints(const PressuresRef& from_kpa, const PressuresRef& to_kpa,
                                           double step_limit_kpa) {
   const int count = motion_frame_count(from_kpa, to_kpa, step_limit_kpa);
-  std::vector<Pressures> setpoints_kpa(static_cast<std::size_t>(count), Pressures(to_kpa.size()));
+  std::vector<Pressures> setpoints_kpa(count, Pressures(to_kpa.size()));
   for (int k = 1; k <= count; ++k) {
-    motion_setpoint(from_kpa, to_kpa, k, count, setpoints_kpa[static_cast<std::size_t>(k) - 1]);
+    motion_setpoint(from_kpa, to_kpa, k, count, setpoints_kpa[std::size_t(k) - 1]);
   }
   return setpoints_kpa;
 }

@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "limber/arm/plate_distance.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/statistics.hpp"
 
 namespace limber {
@@ -77,8 +78,7 @@ class BaseFrameFit {
     Eigen::Vector2d direction = Eigen::Vector2d::Zero();
     const double middle_m = mean(along_m_);
     for (Eigen::Index i = 0; i < bodies(); ++i) {
-      direction += (along_m_[static_cast<std::size_t>(i)] - middle_m) *
-                   (rest_.row(i).head<2>() - centre).transpose();
+      direction += (along_m_[i] - middle_m) * (rest_.row(i).head<2>() - centre).transpose();
     }
     direction.normalize();
     unknowns.head<2>() = centre.transpose() - middle_m * direction;
@@ -94,8 +94,7 @@ class BaseFrameFit {
   }
 
   Eigen::Vector2d offset(const Eigen::VectorXd& unknowns, Eigen::Index body) const {
-    return in_B(unknowns, rest_, body) -
-           Eigen::Vector2d(along_m_[static_cast<std::size_t>(body)], 0.0);
+    return in_B(unknowns, rest_, body) - Eigen::Vector2d(along_m_[body], 0.0);
   }
 
   /// Turn of a body since rest.
@@ -116,7 +115,7 @@ class BaseFrameFit {
     Eigen::MatrixX2d result(bodies() - 1, 2);
     Eigen::Vector2d before = plate(unknowns, shape, 0);
     for (Eigen::Index g = 0; g + 1 < bodies(); ++g) {
-      const auto at = static_cast<std::size_t>(g);
+      const auto at = std::size_t(g);
       const Eigen::Vector2d after = plate(unknowns, shape, g + 1);
       const double half_rad = 0.5 * (turn_rad(shape, g + 1) - turn_rad(shape, g));
       const double middle_rad = turn_rad(shape, g) + half_rad;
@@ -140,11 +139,9 @@ class BaseFrameFit {
     for (const HeldShape& shape : shapes_) {
       if (!shape.vented) {
         const Eigen::MatrixX2d seen = gaps(unknowns, shape);
-        Eigen::Index first = 0;
-        for (int s = 0; s < shape.segment; ++s) {
-          first += arm_.segments[static_cast<std::size_t>(s)].gaps;
-        }
-        const auto s = static_cast<std::size_t>(shape.segment);
+        const auto first =
+            sum_of<Eigen::Index>(shape.segment, [&](int s) { return arm_.segments[s].gaps; });
+        const auto s = std::size_t(shape.segment);
         const double mean_m = seen.col(0).segment(first, arm_.segments[s].gaps).mean();
         unlike_m_[s] = std::max({unlike_m_[s], kAlikeShare * std::abs(mean_m), kMinUnlikeM});
       }
@@ -153,22 +150,20 @@ class BaseFrameFit {
 
   /// Over what they may be: gaps of each shape, then what is known of offsets beforehand.
   Eigen::VectorXd residuals(const Eigen::VectorXd& unknowns) const {
-    Eigen::VectorXd result(static_cast<Eigen::Index>(shapes_.size()) * 2 * (bodies() - 1) +
-                           2 * bodies());
+    Eigen::VectorXd result(Eigen::Index(shapes_.size()) * 2 * (bodies() - 1) + 2 * bodies());
     Eigen::Index row = 0;
     for (const HeldShape& shape : shapes_) {
       const Eigen::MatrixX2d seen = gaps(unknowns, shape);
       Eigen::Index first = 0;
       for (int s = 0; s < arm_.segment_count(); ++s) {
-        const auto at = static_cast<std::size_t>(s);
+        const auto at = std::size_t(s);
         const Eigen::Index count = arm_.segments[at].gaps;
         const Eigen::Index unknown = shortening(shape, s);
         Eigen::VectorXd along = seen.col(0).segment(first, count);
         along.array() += unknown < 0 ? 0.0 : unknowns[unknown];
         // Gaps go together by `unlike_m_`: their mean weighs less than their differences.
         const double ratio = unlike_m_[at] / along_gap_m_;
-        const double mean_weight =
-            1.0 / std::sqrt(1.0 + static_cast<double>(count) * ratio * ratio);
+        const double mean_weight = 1.0 / std::sqrt(1.0 + double(count) * ratio * ratio);
         const double mean_m = along.mean();
         along.array() += (mean_weight - 1.0) * mean_m;
         result.segment(row, count) = along / along_gap_m_;
@@ -199,8 +194,8 @@ class BaseFrameFit {
 
   void finish(const Eigen::VectorXd& unknowns, const Eigen::MatrixXd& normal,
               const Eigen::VectorXd& residual, TrackerCalibration& tracker) const {
-    const double scatter = std::max(
-        1.0, residual.squaredNorm() / static_cast<double>(residual.size() - unknowns.size()));
+    const double scatter =
+        std::max(1.0, residual.squaredNorm() / double(residual.size() - unknowns.size()));
     const Eigen::MatrixXd covariance =
         scatter * normal.ldlt().solve(Eigen::MatrixXd::Identity(normal.rows(), normal.cols()));
     const Eigen::Matrix2d of_position = covariance.topLeftCorner<2, 2>();

@@ -10,6 +10,7 @@
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/driver/calibration_log.hpp"
 #include "limber/run/safety_gate.hpp"
 #include "limber/run/safety_settings.hpp"
@@ -56,16 +57,16 @@ class CalibrationRecorder {
   void hold(int channel, double kpa, double seconds) {
     for (int k = 0; k < arm_.frames_in(seconds); ++k) {
       Pressures setpoint_kpa = Pressures::Zero(arm_.channel_count());
-      setpoint_kpa[channel] = static_cast<float>(kpa);
+      setpoint_kpa[channel] = float(kpa);
       log_.frames.push_back(rig_.command(setpoint_kpa));
     }
   }
 
   /// In `seconds`, or longer where the arm's rate limit asks for it; the end is reached.
   void ramp(int channel, double from_kpa, double to_kpa, double seconds) {
-    const int count = std::max(
-        arm_.frames_in(seconds),
-        static_cast<int>(std::ceil(std::abs(to_kpa - from_kpa) / arm_.pressure_step_limit_kpa())));
+    const int count =
+        std::max(arm_.frames_in(seconds),
+                 int(std::ceil(std::abs(to_kpa - from_kpa) / arm_.pressure_step_limit_kpa())));
     for (int k = 1; k <= count; ++k) {
       hold(channel, from_kpa + (to_kpa - from_kpa) * k / count, arm_.frame_period_s());
     }
@@ -203,7 +204,7 @@ std::optional<Eigen::MatrixX3d> seen_positions(const CalibrationFrame& frame) {
 
 double calibration_pulse_kpa(const ArmDescription& arm) {
   for (int s = 0; s < arm.segment_count(); ++s) {
-    const PressureLimits& limits = arm.segments[static_cast<std::size_t>(s)].pressure_limit_kpa;
+    const PressureLimits& limits = arm.segments[s].pressure_limit_kpa;
     if (limits.lower_kpa == 0.0 || limits.upper_kpa == 0.0) {
       throw InputError(
           fmt::format("{} has one side only; a calibration moves each "
@@ -251,11 +252,9 @@ DriverCalibration calibrate_driver(const ArmDescription& arm,
   DriverCalibration result;
   result.hello = driver.hello();
   const double pulse_kpa = smallest_side_kpa(driver.limits_kpa());
-  if (!(pulse_kpa > 0.0)) {
-    throw InputError(
-        "the driver allows nothing on one side of a "
-        "channel; a calibration moves each to either side");
-  }
+  refuse_if(!(pulse_kpa > 0.0),
+            "the driver allows nothing on one side of a "
+            "channel; a calibration moves each to either side");
   result.log = record_calibration(arm, pulse_kpa, rig);
   result.log.real_time = driver.is_real_time();
   result.estimate = estimate_calibration(

@@ -51,8 +51,8 @@ struct Branch {
   /// @param level  of the range, from kRampLow to kRampHigh
   void add(double level, double value) {
     const double at = (level - kRampLow) / (kRampHigh - kRampLow) * double(kKnots - 1);
-    const auto knot = std::clamp<Eigen::Index>(static_cast<Eigen::Index>(at), 0, kKnots - 2);
-    const double share = at - static_cast<double>(knot);
+    const auto knot = std::clamp<Eigen::Index>(Eigen::Index(at), 0, kKnots - 2);
+    const double share = at - double(knot);
     const Eigen::Vector2d hat(1.0 - share, share);
     normal.block<2, 2>(knot, knot) += hat * hat.transpose();
     right.segment<2>(knot) += value * hat;
@@ -138,8 +138,7 @@ DelayFit fit_delay(const Signal& pressure, const Signal& shape, double valve_sha
                                          : std::numeric_limits<double>::infinity());
     samples = std::max(samples, misfit.samples);
   }
-  const auto best =
-      static_cast<std::size_t>(std::min_element(squares.begin(), squares.end()) - squares.begin());
+  const auto best = std::size_t(std::min_element(squares.begin(), squares.end()) - squares.begin());
   const double freedom = std::max(1.0, samples - 2.0 * kKnots);
   const double limit = squares[best] * (1.0 + kTwoSigmaSquared / freedom);
   std::size_t first = best;
@@ -172,14 +171,13 @@ Eigen::VectorXd turned_rad(const CalibrationLog& log, const SeenPoses& poses, st
 Signal turn_signal(const CalibrationLog& log, const SeenPoses& poses, double frame_period_s,
                    const std::vector<double>& time_s) {
   const CalibrationTiming& timing = log.timing;
-  const auto frames = static_cast<std::size_t>(std::lround(0.5 / frame_period_s));
+  const auto frames = std::size_t(std::lround(0.5 / frame_period_s));
   const Eigen::VectorXd turned = turned_rad(log, poses, frames);
   Signal signal;
   for (std::size_t k = timing.first; k < timing.end; ++k) {
     if (poses.seen(k)) {
       signal.time_s.push_back(time_s[k]);
-      signal.value.push_back(poses.theta.row(static_cast<Eigen::Index>(k)).dot(turned) /
-                             turned.squaredNorm());
+      signal.value.push_back(poses.theta.row(Eigen::Index(k)).dot(turned) / turned.squaredNorm());
     }
   }
   return signal;
@@ -250,7 +248,7 @@ void fit_driver_clock(const CalibrationLog& log, double frame_period_s, ClockCal
   }
   double mean_t = 0.0;
   double mean_offset = 0.0;
-  const auto count = static_cast<double>(log.frames.size());
+  const auto count = double(log.frames.size());
   const auto middle = [](const CalibrationFrame& f) {
     return 0.5 * (f.sent_s + f.received_s) - f.state.time_s;
   };
@@ -285,7 +283,7 @@ bool is_mirrored(const CalibrationLog& log, const SeenPoses& poses, const Operat
   if (answer.mirrored) {
     return *answer.mirrored;
   }
-  const auto frames = static_cast<std::size_t>(std::max(1.0, 0.5 / frame_period_s));
+  const auto frames = std::size_t(std::max(1.0, 0.5 / frame_period_s));
   const Eigen::VectorXd turned = turned_rad(log, poses, frames);
   Eigen::Index most = 0;
   turned.cwiseAbs().maxCoeff(&most);
@@ -315,10 +313,10 @@ WireCalibration estimate(const ArmDescription& arm, const CalibrationLog& log,
   }
   result.tracker = tracker;
   fit_driver_clock(log, arm.frame_period_s(), result.clocks);
-  const auto segment = static_cast<std::size_t>(segment_on(result.valves, log.timing.channel));
+  const auto segment = std::size_t(segment_on(result.valves, log.timing.channel));
   const WireChannel& sensor = result.sensors[segment];
-  fit_shape_delay(arm, log, poses, result.valves[segment], sensor,
-                  result.zero_kpa[static_cast<std::size_t>(sensor.channel)], result.clocks);
+  fit_shape_delay(arm, log, poses, result.valves[segment], sensor, result.zero_kpa[sensor.channel],
+                  result.clocks);
   return result;
 }
 

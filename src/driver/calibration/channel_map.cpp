@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "limber/arm/names.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/data/assignment.hpp"
 #include "limber/driver/driver_check.hpp"
 
@@ -53,7 +54,7 @@ int clear_largest(const std::vector<double>& values) {
       return -1;
     }
   }
-  return static_cast<int>(largest - values.begin());
+  return int(largest - values.begin());
 }
 
 /// Throws where a pulse turned no segment.
@@ -75,14 +76,14 @@ void require_motion(const CalibrationPulse& pulse, const PulsePoses& poses,
 std::vector<SideMoved> sides_moved(const ArmDescription& arm, const CalibrationLog& log,
                                    const std::vector<PulsePoses>& pulses, double noise_rad) {
   constexpr double kFloorRad = 1e-4;  // a turn to the other side, or none
-  const auto count = static_cast<Eigen::Index>(pulses.size());
+  const auto count = Eigen::Index(pulses.size());
   Eigen::MatrixXd gain(count, count);  // columns: right and left of each segment
   for (Eigen::Index k = 0; k < count; ++k) {
-    const auto at = static_cast<std::size_t>(k);
+    const auto at = std::size_t(k);
     const std::vector<double> turns = turns_of(arm, pulses[at]);
     require_motion(log.pulses[at], pulses[at], turns, noise_rad);
     for (int s = 0; s < arm.segment_count(); ++s) {
-      const double turn = turns[static_cast<std::size_t>(s)];
+      const double turn = turns[s];
       gain(k, 2 * s) = std::log(std::max(kFloorRad, -turn));
       gain(k, 2 * s + 1) = std::log(std::max(kFloorRad, turn));
     }
@@ -95,28 +96,27 @@ std::vector<SideMoved> sides_moved(const ArmDescription& arm, const CalibrationL
   }
   std::vector<SideMoved> moved;
   for (Eigen::Index k = 0; k < count; ++k) {
-    const Eigen::Index column = columns[static_cast<std::size_t>(k)];
+    const Eigen::Index column = columns[k];
     if (gain(k, column) <= std::log(kFloorRad)) {
-      const CalibrationPulse& pulse = log.pulses[static_cast<std::size_t>(k)];
+      const CalibrationPulse& pulse = log.pulses[k];
       throw CalibrationRefused(fmt::format(
           "the {} of {} never moved, and channel {} at {:.3g} kPa moves what another channel does: "
           "two channels move the same side",
           side_name(column % 2 == 0 ? 1.0 : -1.0), segment_name(column / 2), pulse.channel,
           pulse.setpoint_kpa));
     }
-    moved.push_back({static_cast<int>(column / 2), column % 2 == 0 ? 1.0 : -1.0});
+    moved.push_back({int(column / 2), column % 2 == 0 ? 1.0 : -1.0});
   }
   return moved;
 }
 
 /// Every side that is on another channel than its other one, and where its hose is.
 std::string hoses(const CalibrationLog& log, const std::vector<SideMoved>& moved) {
-  std::vector<std::string> parts;
-  for (std::size_t k = 0; k < moved.size(); ++k) {
-    parts.push_back(fmt::format("the {} of {} is on channel {}'s {} side", side_name(moved[k].side),
-                                segment_name(moved[k].segment), log.pulses[k].channel,
-                                log.pulses[k].setpoint_kpa > 0.0 ? "positive" : "negative"));
-  }
+  auto parts = mapped<std::string>(moved.size(), [&](std::size_t k) {
+    return fmt::format("the {} of {} is on channel {}'s {} side", side_name(moved[k].side),
+                       segment_name(moved[k].segment), log.pulses[k].channel,
+                       log.pulses[k].setpoint_kpa > 0.0 ? "positive" : "negative");
+  });
   std::sort(parts.begin(), parts.end());
   return fmt::format("{}", fmt::join(parts, "; "));
 }
@@ -141,13 +141,13 @@ std::vector<WireChannel> by_segment(const std::vector<int>& segments,
                                     const std::vector<double>& signs, const char* what) {
   std::vector<WireChannel> result(segments.size(), {-1, 1.0});
   for (std::size_t c = 0; c < segments.size(); ++c) {
-    WireChannel& one = result[static_cast<std::size_t>(segments[c])];
+    WireChannel& one = result[segments[c]];
     if (one.channel >= 0) {
       throw CalibrationRefused(
           fmt::format("{} {} and {} both belong to {}; none is left for another segment", what,
                       one.channel, c, segment_name(segments[c])));
     }
-    one = {static_cast<int>(c), signs[c]};
+    one = {int(c), signs[c]};
   }
   return result;
 }
@@ -158,7 +158,7 @@ Eigen::VectorXd mean_readings(const CalibrationLog& log, std::size_t first, std:
   for (std::size_t k = first; k < end; ++k) {
     mean += log.frames[k].state.pressure_kpa.cast<double>();
   }
-  return mean / static_cast<double>(end - first);
+  return mean / double(end - first);
 }
 
 }  // namespace
@@ -169,7 +169,7 @@ void take_rest_pressures(const CalibrationLog& log, WireCalibration& calibration
   for (std::size_t k = 0; k < log.rest_end; ++k) {
     squares += (log.frames[k].state.pressure_kpa.cast<double>() - zero).cwiseAbs2();
   }
-  const Eigen::VectorXd noise = (squares / static_cast<double>(log.rest_end)).cwiseSqrt();
+  const Eigen::VectorXd noise = (squares / double(log.rest_end)).cwiseSqrt();
   calibration.zero_kpa.assign(zero.begin(), zero.end());
   calibration.noise_kpa.assign(noise.begin(), noise.end());
 }
@@ -192,7 +192,7 @@ std::vector<WireChannel> valve_channels(const ArmDescription& arm, const Calibra
 std::vector<WireChannel> sensor_channels(const ArmDescription& arm, const CalibrationLog& log,
                                          const std::vector<WireChannel>& valves,
                                          const std::vector<double>& zero_kpa) {
-  const auto frames = static_cast<std::size_t>(std::lround(kReadingMeanS * arm.frame_rate_hz));
+  const auto frames = std::size_t(std::lround(kReadingMeanS * arm.frame_rate_hz));
   const Eigen::Map<const Eigen::VectorXd> zero(zero_kpa.data(), std::ssize(zero_kpa));
   std::vector<int> segments(valves.size(), -1);
   std::vector<double> signs(valves.size(), 0.0);
@@ -214,8 +214,8 @@ std::vector<WireChannel> sensor_channels(const ArmDescription& arm, const Calibr
     if (!wrong.empty()) {
       throw CalibrationRefused(fmt::format("channel {}: {}", pulse.channel, wrong));
     }
-    const auto r = static_cast<std::size_t>(reading);
-    const double sign = valves[static_cast<std::size_t>(segment)].sign * direction;
+    const auto r = std::size_t(reading);
+    const double sign = valves[segment].sign * direction;
     if (segments[r] >= 0 && (segments[r] != segment || signs[r] != sign)) {
       throw CalibrationRefused(fmt::format(
           "reading {} belongs to {} in one pulse and to {} in another, or turns its sign between "

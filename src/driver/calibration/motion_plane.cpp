@@ -54,12 +54,12 @@ MeanBodies mean_bodies(const CalibrationLog& log, std::size_t first, std::size_t
     }
     if (mean.count == 0) {
       mean.position.setZero(bodies->rows(), 3);
-      squares.assign(static_cast<std::size_t>(bodies->rows()), Eigen::Matrix4d::Zero());
+      squares.assign(std::size_t(bodies->rows()), Eigen::Matrix4d::Zero());
     }
     mean.position += bodies->leftCols<3>();
     for (Eigen::Index i = 0; i < bodies->rows(); ++i) {
       const Eigen::Vector4d q = bodies->row(i).tail<4>();
-      squares[static_cast<std::size_t>(i)] += q * q.transpose();
+      squares[i] += q * q.transpose();
     }
     ++mean.count;
   }
@@ -142,7 +142,7 @@ class MotionPlaneFit {
       const Eigen::MatrixX3d moved = pulse.held.position - pulse.before.position;
       for (std::size_t i = 0; i < rest_.rotation.size(); ++i) {
         motions.push_back({turn_between(pulse.before.rotation[i], pulse.held.rotation[i]),
-                           moved.row(static_cast<Eigen::Index>(i)).transpose()});
+                           moved.row(Eigen::Index(i)).transpose()});
       }
       motions_.push_back(std::move(motions));
     }

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 
 namespace limber {
 
@@ -39,11 +39,9 @@ double squared(double value) {
 }  // namespace
 
 void require_rate_to_be_seen(const ArmDescription& arm) {
-  if (arm.frames_in(kBeforeMeanS) < kMinSeenFrames) {
-    throw InputError(fmt::format(
-        "arm '{}' runs at {:g} Hz; a calibration takes means over {:g} s of at least {} frames",
-        arm.name, arm.frame_rate_hz, kBeforeMeanS, kMinSeenFrames));
-  }
+  refuse_if(arm.frames_in(kBeforeMeanS) < kMinSeenFrames,
+            "arm '{}' runs at {:g} Hz; a calibration takes means over {:g} s of at least {} frames",
+            arm.name, arm.frame_rate_hz, kBeforeMeanS, kMinSeenFrames);
 }
 
 SeenPoses seen_poses(const CalibrationLog& log) {
@@ -54,14 +52,14 @@ SeenPoses seen_poses(const CalibrationLog& log) {
         "no state has a backbone or bodies: nothing tracks the "
         "arm, so which channel moves what can't be seen");
   }
-  const auto frames = static_cast<Eigen::Index>(log.frames.size());
+  const auto frames = Eigen::Index(log.frames.size());
   const double unseen = std::numeric_limits<double>::quiet_NaN();
   SeenPoses poses;
   poses.x.setConstant(frames, first->state.backbone->rows(), unseen);
   poses.y = poses.x;
   poses.theta = poses.x;
   for (Eigen::Index k = 0; k < frames; ++k) {
-    const auto& backbone = log.frames[static_cast<std::size_t>(k)].state.backbone;
+    const auto& backbone = log.frames[k].state.backbone;
     if (backbone) {
       poses.x.row(k) = backbone->col(0).cast<double>().transpose();
       poses.y.row(k) = backbone->col(1).cast<double>().transpose();
@@ -96,7 +94,7 @@ MeanPose mean_pose(const SeenPoses& poses, std::size_t first, std::size_t end, c
   mean.pose.setZero(poses.bodies(), kPoseSize);
   for (std::size_t frame = first; frame < end; ++frame) {
     if (poses.seen(frame)) {
-      const auto k = static_cast<Eigen::Index>(frame);
+      const auto k = Eigen::Index(frame);
       mean.pose.col(0) += poses.x.row(k).transpose();
       mean.pose.col(1) += poses.y.row(k).transpose();
       mean.pose.col(2) += poses.theta.row(k).transpose();
@@ -116,7 +114,7 @@ PoseNoise pose_noise(const SeenPoses& poses, std::size_t first, std::size_t end)
     if (!poses.seen(frame) || !poses.seen(frame - 1)) {
       continue;
     }
-    const auto k = static_cast<Eigen::Index>(frame);
+    const auto k = Eigen::Index(frame);
     for (Eigen::Index body = 0; body < poses.bodies(); ++body) {
       positions += squared(poses.x(k, body) - poses.x(k - 1, body)) +
                    squared(poses.y(k, body) - poses.y(k - 1, body));
@@ -130,8 +128,8 @@ PoseNoise pose_noise(const SeenPoses& poses, std::size_t first, std::size_t end)
 }
 
 PulseWindows pulse_windows(const CalibrationPulse& pulse, double frame_period_s) {
-  const auto before = static_cast<std::size_t>(std::lround(kBeforeMeanS / frame_period_s));
-  const auto frames = static_cast<std::size_t>(std::lround(kPoseMeanS / frame_period_s));
+  const auto before = std::size_t(std::lround(kBeforeMeanS / frame_period_s));
+  const auto frames = std::size_t(std::lround(kPoseMeanS / frame_period_s));
   return {{pulse.first, pulse.first + before, "before a pulse"},
           {pulse.hold_end - frames, pulse.hold_end, "of a held pulse"},
           {pulse.end - frames, pulse.end, "after a pulse"}};

@@ -24,9 +24,7 @@ struct SeenPoses {
   Eigen::MatrixXd theta;
 
   Eigen::Index bodies() const { return x.cols(); }
-  bool seen(std::size_t frame) const {
-    return std::isfinite(x(static_cast<Eigen::Index>(frame), 0));
-  }
+  bool seen(std::size_t frame) const { return std::isfinite(x(Eigen::Index(frame), 0)); }
 };
 
 /// One mean pose of every body: m×3, and how many frames it is of.

@@ -35,7 +35,7 @@ struct LineFit {
 
 LineFit line_fit(const std::vector<double>& along_m, const Eigen::MatrixX3d& bodies,
                  const std::vector<int>& order) {
-  const auto count = static_cast<double>(along_m.size());
+  const auto count = double(along_m.size());
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();
   const double centre_m = mean(along_m);
   for (std::size_t i = 0; i < along_m.size(); ++i) {
@@ -67,7 +67,7 @@ std::vector<int> order_along(const Eigen::MatrixX3d& bodies, const Eigen::Vector
   const Eigen::Vector2d axis =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvectors().col(1);
   const Eigen::VectorXd along = centred * axis;
-  std::vector<int> order(static_cast<std::size_t>(bodies.rows()));
+  std::vector<int> order(std::size_t(bodies.rows()));
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](int a, int b) { return along[a] < along[b]; });
   if (moved[order.front()] > moved[order.back()]) {
@@ -127,7 +127,7 @@ double turn_ratio(const SeenPoses& poses, const CalibrationLog& log,
     const Eigen::MatrixX3d& a = pulse.before.pose;
     const Eigen::MatrixX3d& b = pulse.held.pose;
     // Lines over about a fifth of the arm: shorter ones turn by what noise moves their ends.
-    const auto apart = static_cast<Eigen::Index>(std::max<std::size_t>(1, along_m.size() / 5));
+    const auto apart = Eigen::Index(std::max<std::size_t>(1, along_m.size() / 5));
     for (Eigen::Index i = 0; i + apart < a.rows(); ++i) {
       const Eigen::Vector2d was = (a.row(i + apart) - a.row(i)).head<2>();
       const Eigen::Vector2d is = (b.row(i + apart) - b.row(i)).head<2>();

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include "limber/common/error.hpp"
+#include "limber/common/mapped.hpp"
+#include "limber/common/refuse_if.hpp"
 
 namespace limber {
 
@@ -17,25 +19,23 @@ namespace {
 Eigen::Quaterniond turn_in_plane(const TrackerPlane& plane, const BodyPoses& bodies,
                                  Eigen::Index body) {
   return plane.axes().conjugate() * rotation_of(bodies, body) *
-         plane.body_rotations[static_cast<std::size_t>(body)].conjugate();
+         plane.body_rotations[body].conjugate();
 }
 
 Pressures gathered(const std::vector<WireChannel>& channels,
                    const Eigen::Ref<const Pressures>& on_wire) {
-  Pressures result(static_cast<Eigen::Index>(channels.size()));
+  Pressures result(Eigen::Index(channels.size()));
   for (std::size_t s = 0; s < channels.size(); ++s) {
-    result[static_cast<Eigen::Index>(s)] =
-        static_cast<float>(channels[s].sign) * on_wire[channels[s].channel];
+    result[Eigen::Index(s)] = float(channels[s].sign) * on_wire[channels[s].channel];
   }
   return result;
 }
 
 Pressures scattered(const std::vector<WireChannel>& channels,
                     const Eigen::Ref<const Pressures>& of_segments) {
-  Pressures result(static_cast<Eigen::Index>(channels.size()));
+  Pressures result(Eigen::Index(channels.size()));
   for (std::size_t s = 0; s < channels.size(); ++s) {
-    result[channels[s].channel] =
-        static_cast<float>(channels[s].sign) * of_segments[static_cast<Eigen::Index>(s)];
+    result[channels[s].channel] = float(channels[s].sign) * of_segments[Eigen::Index(s)];
   }
   return result;
 }
@@ -53,7 +53,7 @@ Backbone plates_of(const TrackerCalibration& tracker, const Backbone& bodies) {
   Backbone plates(bodies.rows(), kPoseSize);
   double before_rad = 0.0;
   for (Eigen::Index i = 0; i < bodies.rows(); ++i) {
-    const Pose& offset = tracker.marker_offsets[static_cast<std::size_t>(i)];
+    const Pose& offset = tracker.marker_offsets[i];
     const Pose in_T{tracker.metres_per_unit * bodies(i, 0),
                     y_sign(tracker) * tracker.metres_per_unit * bodies(i, 1),
                     y_sign(tracker) * tracker.radians_per_unit * bodies(i, 2)};
@@ -68,12 +68,12 @@ Backbone plates_of(const TrackerCalibration& tracker, const Backbone& bodies) {
 Backbone bodies_of(const TrackerCalibration& tracker, const Backbone& plates) {
   Backbone bodies(plates.rows(), kPoseSize);
   for (Eigen::Index i = 0; i < plates.rows(); ++i) {
-    const Pose& offset = tracker.marker_offsets[static_cast<std::size_t>(i)];
+    const Pose& offset = tracker.marker_offsets[i];
     const Pose plate = pose_of(plates.row(i).cast<double>());
     const Pose in_T = compose(tracker.base, compose(plate, offset));
-    bodies.row(i) << static_cast<float>(in_T.x_m / tracker.metres_per_unit),
-        static_cast<float>(y_sign(tracker) * in_T.y_m / tracker.metres_per_unit),
-        static_cast<float>(y_sign(tracker) * in_T.theta_rad / tracker.radians_per_unit);
+    bodies.row(i) << float(in_T.x_m / tracker.metres_per_unit),
+        float(y_sign(tracker) * in_T.y_m / tracker.metres_per_unit),
+        float(y_sign(tracker) * in_T.theta_rad / tracker.radians_per_unit);
   }
   return bodies;
 }
@@ -82,7 +82,7 @@ Backbone bodies_of(const TrackerCalibration& tracker, const Backbone& plates) {
 
 int segment_on(const std::vector<WireChannel>& channels, int channel) {
   const auto found = std::ranges::find(channels, channel, &WireChannel::channel);
-  return static_cast<int>(found - channels.begin());
+  return int(found - channels.begin());
 }
 
 Eigen::Quaterniond rotation_of(const BodyPoses& bodies, Eigen::Index body) {
@@ -96,7 +96,7 @@ Eigen::Quaterniond TrackerPlane::axes() const {
 }
 
 Backbone poses_in_plane(const TrackerPlane& plane, const BodyPoses& bodies) {
-  assert(bodies.rows() == static_cast<Eigen::Index>(plane.body_rotations.size()));
+  assert(bodies.rows() == Eigen::Index(plane.body_rotations.size()));
   Backbone poses(bodies.rows(), kPoseSize);
   for (Eigen::Index i = 0; i < bodies.rows(); ++i) {
     const Eigen::Vector3d from_origin = bodies.row(i).head<3>().transpose() - plane.origin;
@@ -104,8 +104,8 @@ Backbone poses_in_plane(const TrackerPlane& plane, const BodyPoses& bodies) {
     const Eigen::Quaterniond turn = turn_in_plane(plane, bodies, i);
     const double theta_rad =
         std::remainder(2.0 * std::atan2(turn.z(), turn.w()), 2.0 * std::numbers::pi);
-    poses.row(i) << static_cast<float>(from_origin.dot(plane.x_axis)),
-        static_cast<float>(from_origin.dot(plane.y_axis)), static_cast<float>(theta_rad);
+    poses.row(i) << float(from_origin.dot(plane.x_axis)), float(from_origin.dot(plane.y_axis)),
+        float(theta_rad);
   }
   return poses;
 }
@@ -121,15 +121,14 @@ Eigen::VectorXd tilts_rad(const TrackerPlane& plane, const BodyPoses& bodies) {
 
 BodyPoses bodies_in_space(const TrackerPlane& plane, const Backbone& poses,
                           const Eigen::VectorXd& heights) {
-  assert(poses.rows() == static_cast<Eigen::Index>(plane.body_rotations.size()));
+  assert(poses.rows() == Eigen::Index(plane.body_rotations.size()));
   BodyPoses bodies(poses.rows(), 7);
   for (Eigen::Index i = 0; i < poses.rows(); ++i) {
     const Eigen::Vector3d position = plane.origin + double(poses(i, 0)) * plane.x_axis +
                                      double(poses(i, 1)) * plane.y_axis +
                                      heights[i] * plane.normal();
     const Eigen::Quaterniond turn(Eigen::AngleAxisd(double(poses(i, 2)), Eigen::Vector3d::UnitZ()));
-    const Eigen::Quaterniond rotation =
-        plane.axes() * turn * plane.body_rotations[static_cast<std::size_t>(i)];
+    const Eigen::Quaterniond rotation = plane.axes() * turn * plane.body_rotations[i];
     bodies.row(i) << position.transpose(), rotation.coeffs().transpose();  // x, y, z, w
   }
   return bodies;
@@ -173,18 +172,16 @@ ArmState WireCalibration::to_wire(ArmState state) const {
 
 std::vector<PressureLimits> WireCalibration::from_wire(
     const std::vector<PressureLimits>& limits_kpa) const {
-  std::vector<PressureLimits> result;
-  for (const WireChannel& valve : valves) {
-    result.push_back(turned(limits_kpa[static_cast<std::size_t>(valve.channel)], valve.sign));
-  }
-  return result;
+  return mapped<PressureLimits>(valves, [&](const WireChannel& valve) {
+    return turned(limits_kpa[valve.channel], valve.sign);
+  });
 }
 
 std::vector<PressureLimits> WireCalibration::to_wire(
     const std::vector<PressureLimits>& limits_kpa) const {
   std::vector<PressureLimits> result(limits_kpa.size());
   for (std::size_t s = 0; s < valves.size(); ++s) {
-    result[static_cast<std::size_t>(valves[s].channel)] = turned(limits_kpa[s], valves[s].sign);
+    result[valves[s].channel] = turned(limits_kpa[s], valves[s].sign);
   }
   return result;
 }
@@ -210,12 +207,11 @@ void require_calibration_of(const WireCalibration& calibration, const ArmDescrip
         fmt::format("{}: calibration of arm '{}', {}; calibrate again: limber driver calibrate",
                     file, calibration.arm, what));
   };
-  if (arm.is_spatial()) {
-    throw InputError(fmt::format(
-        "{}: a calibration is of an arm in the plane; '{}' is in space, and its driver speaks of "
-        "the arm's own channels and frame",
-        file, arm.name));
-  }
+  refuse_if(
+      arm.is_spatial(),
+      "{}: a calibration is of an arm in the plane; '{}' is in space, and its driver speaks of "
+      "the arm's own channels and frame",
+      file, arm.name);
   if (calibration.valves.size() != arm.segments.size()) {
     refuse(fmt::format("with {} segments; arm '{}' has {}", calibration.valves.size(), arm.name,
                        arm.segment_count()));
@@ -224,7 +220,7 @@ void require_calibration_of(const WireCalibration& calibration, const ArmDescrip
     refuse(fmt::format("{:.4g} m long; arm '{}' is {:.4g} m long", calibration.length_m, arm.name,
                        arm.length_m()));
   }
-  const auto points = static_cast<std::size_t>(arm.point_count());
+  const auto points = std::size_t(arm.point_count());
   if (calibration.tracker && calibration.tracker->marker_offsets.size() != points) {
     refuse(fmt::format("with {} marker bodies; arm '{}' has {} plates",
                        calibration.tracker->marker_offsets.size(), arm.name, points));

@@ -7,6 +7,8 @@
 #include <fmt/ranges.h>
 
 #include "limber/arm/names.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "limber/driver/wire_calibration.hpp"
 
@@ -25,10 +27,8 @@ std::string numbers(const Vector& vector) {
 /// `size` finite numbers.
 Eigen::VectorXd read_vector(const YamlReader& node, const char* what, std::size_t size) {
   const std::vector<double> found = node.numbers(what);
-  if (found.size() != size) {
-    node.refuse(fmt::format("{} numbers; expected {}", found.size(), size));
-  }
-  return Eigen::Map<const Eigen::VectorXd>(found.data(), static_cast<Eigen::Index>(size));
+  node.refuse_if(found.size() != size, "{} numbers; expected {}", found.size(), size);
+  return Eigen::Map<const Eigen::VectorXd>(found.data(), Eigen::Index(size));
 }
 
 Eigen::VectorXd read_unit_vector(const YamlReader& node, const char* what, std::size_t size) {
@@ -98,10 +98,9 @@ constexpr double kMaxClockS = 1e12;
 constexpr double kMaxZeroKpa = 1e4;
 
 std::string to_yaml(const std::vector<WireChannel>& channels) {
-  std::vector<std::string> parts;
-  for (const WireChannel& one : channels) {
-    parts.push_back(fmt::format("{{channel: {}, sign: {}}}", one.channel, one.sign > 0.0 ? 1 : -1));
-  }
+  const auto parts = mapped<std::string>(channels, [&](const WireChannel& one) {
+    return fmt::format("{{channel: {}, sign: {}}}", one.channel, one.sign > 0.0 ? 1 : -1);
+  });
   return fmt::format("[{}]", fmt::join(parts, ", "));
 }
 
@@ -147,10 +146,9 @@ std::string to_yaml(const ClockCalibration& clocks) {
 std::vector<WireChannel> read_channels(const YamlReader& node) {
   std::vector<WireChannel> channels;
   const std::vector<YamlReader> elements = node.elements();
-  const auto count = static_cast<int>(elements.size());
-  if (count < 1 || count > kMaxSegments) {
-    node.refuse(fmt::format("{} channels; expected one of each segment", count));
-  }
+  const auto count = int(elements.size());
+  node.refuse_if(count < 1 || count > kMaxSegments, "{} channels; expected one of each segment",
+                 count);
   std::vector<bool> taken(elements.size());
   for (const YamlReader& element : elements) {
     element.refuse_unknown_keys({"channel", "sign"});
@@ -160,10 +158,10 @@ std::vector<WireChannel> read_channels(const YamlReader& node) {
     if (one.sign == 0.0) {
       element.at("sign").refuse("0; expected 1 or -1");
     }
-    if (taken[static_cast<std::size_t>(one.channel)]) {
+    if (taken[one.channel]) {
       element.at("channel").refuse(fmt::format("{} is another segment's too", one.channel));
     }
-    taken[static_cast<std::size_t>(one.channel)] = true;
+    taken[one.channel] = true;
     channels.push_back(one);
   }
   return channels;
@@ -171,13 +169,11 @@ std::vector<WireChannel> read_channels(const YamlReader& node) {
 
 std::vector<double> read_kpa(const YamlReader& node, std::size_t count, double low) {
   std::vector<double> values = node.numbers("pressures in kPa");
-  if (values.size() != count) {
-    node.refuse(fmt::format("{} numbers; expected {}, one of each channel", values.size(), count));
-  }
+  node.refuse_if(values.size() != count, "{} numbers; expected {}, one of each channel",
+                 values.size(), count);
   for (const double value : values) {
-    if (!(value >= low && value <= kMaxZeroKpa)) {
-      node.refuse(fmt::format("{} kPa; expected {} to {}", value, low, kMaxZeroKpa));
-    }
+    node.refuse_if(!(value >= low && value <= kMaxZeroKpa), "{} kPa; expected {} to {}", value, low,
+                   kMaxZeroKpa);
   }
   return values;
 }
@@ -275,7 +271,7 @@ std::string in_words(const TimeInterval& time) {
 
 }  // namespace
 
-WireCalibration read_wire_calibration(const std::filesystem::path& file) {
+WireCalibration read_wire_calibration(const fs::path& file) {
   return read_root(YamlReader::from_file(file));
 }
 
@@ -303,9 +299,9 @@ std::string to_yaml(const WireCalibration& calibration) {
 std::string in_words(const WireCalibration& calibration) {
   std::string text;
   for (std::size_t s = 0; s < calibration.valves.size(); ++s) {
-    text += fmt::format(
-        "{}: valve channel {}, sensor channel {}\n", segment_name(static_cast<Eigen::Index>(s)),
-        channel_in_words(calibration.valves[s]), channel_in_words(calibration.sensors[s]));
+    text += fmt::format("{}: valve channel {}, sensor channel {}\n", segment_name(Eigen::Index(s)),
+                        channel_in_words(calibration.valves[s]),
+                        channel_in_words(calibration.sensors[s]));
   }
   text +=
       fmt::format("zero of each reading: {:.2f} kPa, noise {:.2f} kPa",

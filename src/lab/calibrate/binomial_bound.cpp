@@ -60,7 +60,7 @@ double share_at_least(int outside, int runs, double confidence) {
 
 int min_runs(double level, double confidence) {
   constexpr double kRounding = 1e-9;
-  return static_cast<int>(std::ceil(std::log(1.0 - confidence) / std::log(level) - kRounding));
+  return int(std::ceil(std::log(1.0 - confidence) / std::log(level) - kRounding));
 }
 
 double share_that_passes(int runs, double level, double confidence, double probability) {

@@ -13,6 +13,9 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/mapped.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/lab/tube_calibration.hpp"
 #include "limber/lab/tube_score.hpp"
 #include "limber/world/pressure_box.hpp"
@@ -47,7 +50,7 @@ void require_run_of(const Plan& plan, const Episode& run, double same_kpa,
                     const std::string& plan_file, const std::string& file) {
   const std::vector<int> shown = shown_frames(plan, run);
   for (int k = 1; k < std::min(plan.frame_count(), int(run.frame_count())); ++k) {
-    const auto frame = static_cast<std::size_t>(shown[static_cast<std::size_t>(k)]);
+    const auto frame = std::size_t(shown[k]);
     const Pressures& planned = plan.frames[frame].setpoint_kpa;
     const double apart = (run.setpoint_kpa.row(k).transpose() - planned).cwiseAbs().maxCoeff();
     if (!(apart <= same_kpa)) {
@@ -57,10 +60,9 @@ void require_run_of(const Plan& plan, const Episode& run, double same_kpa,
           file, frame_name(k), apart, plan_file));
     }
   }
-  if (run.frame_count() < plan.frame_count()) {
-    throw InputError(fmt::format("{}: {} frames; {} has {}: give runs that ended, open loop", file,
-                                 run.frame_count(), plan_file, plan.frame_count()));
-  }
+  refuse_if(run.frame_count() < plan.frame_count(),
+            "{}: {} frames; {} has {}: give runs that ended, open loop", file, run.frame_count(),
+            plan_file, plan.frame_count());
 }
 
 double score_of(const RecordedCalibration& settings, std::size_t i, const Tube& shape,
@@ -74,10 +76,9 @@ double score_of(const RecordedCalibration& settings, std::size_t i, const Tube& 
   }
   const Recording recording = read_recording(file);
   require_sizes_of(recording, settings.arm, file);
-  if (recording.episodes.size() != 1) {
-    throw InputError(fmt::format("{}: {} episodes; expected 1, as limber execute --out writes it",
-                                 file, recording.episodes.size()));
-  }
+  refuse_if(recording.episodes.size() != 1,
+            "{}: {} episodes; expected 1, as limber execute --out writes it", file,
+            recording.episodes.size());
   const Episode& run = recording.episodes.front();
   require_run_of(plan, run, kSameSetpointKpa * command_per_kpa(settings.arm),
                  settings.plans[i].string(), file);
@@ -88,11 +89,11 @@ double score_of(const RecordedCalibration& settings, std::size_t i, const Tube& 
 /// The smallest of `scores` that at least `level` of all runs stay below, with that confidence; its
 /// coverage has the distribution Beta(rank, n − rank + 1).
 TubeLevel level_of(const std::vector<double>& scores, double level, double confidence) {
-  const int runs = static_cast<int>(scores.size());
+  const int runs = int(scores.size());
   for (int outside = runs - 1; outside >= 0; --outside) {
     if (share_at_most(outside, runs, confidence) <= 1.0 - level) {
       return {.level = level,
-              .factor = scores[static_cast<std::size_t>(runs - 1 - outside)],
+              .factor = scores[runs - 1 - outside],
               .runs = runs,
               .outside = outside,
               .confidence = confidence};
@@ -108,37 +109,32 @@ TubeLevel level_of(const std::vector<double>& scores, double level, double confi
 }  // namespace
 
 void require_usable_levels(const std::vector<double>& levels, double confidence) {
-  if (levels.empty() ||
-      std::adjacent_find(levels.begin(), levels.end(), std::greater_equal<>()) != levels.end()) {
-    throw InputError("--levels: expected rising shares, such as 0.9 0.95");
-  }
+  refuse_if(levels.empty() || std::adjacent_find(levels.begin(), levels.end(),
+                                                 std::greater_equal<>()) != levels.end(),
+            "--levels: expected rising shares, such as 0.9 0.95");
   for (const auto& [flag, share] :
        {std::pair{"--levels", levels.front()}, std::pair{"--levels", levels.back()},
         std::pair{"--confidence", confidence}}) {
-    if (!(share > 0.0 && share < 1.0)) {
-      throw InputError(
-          fmt::format("{}: a share of {}: expected more than 0 and less than 1", flag, share));
-    }
+    refuse_if(!(share > 0.0 && share < 1.0),
+              "{}: a share of {}: expected more than 0 and less than 1", flag, share);
   }
 }
 
 Tube tube_from_recordings(const RecordedCalibration& settings) {
-  if (settings.recordings.empty() || settings.plans.size() != settings.recordings.size()) {
-    throw InputError(fmt::format("{} recordings and {} plans; expected one plan per recording",
-                                 settings.recordings.size(), settings.plans.size()));
-  }
+  refuse_if(settings.recordings.empty() || settings.plans.size() != settings.recordings.size(),
+            "{} recordings and {} plans; expected one plan per recording",
+            settings.recordings.size(), settings.plans.size());
   require_usable_levels(settings.levels, settings.confidence);
   std::map<std::string, std::string> path_of_hash;
-  for (const std::filesystem::path& path : settings.recordings) {
+  for (const fs::path& path : settings.recordings) {
     add_different(path_of_hash, path);  // a run counts once
   }
   Tube tube =
       settings.model.tube ? *settings.model.tube : plain_shape(settings.arm, settings.model);
   tube.levels.clear();
-  std::vector<double> scores;
-  for (std::size_t i = 0; i < settings.recordings.size(); ++i) {
-    scores.push_back(score_of(settings, i, tube, tube.source));
-  }
+  auto scores = mapped<double>(settings.recordings.size(), [&](std::size_t i) {
+    return score_of(settings, i, tube, tube.source);
+  });
   std::sort(scores.begin(), scores.end());
   for (const double level : settings.levels) {
     tube.levels.push_back(level_of(scores, level, settings.confidence));

@@ -14,8 +14,11 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/json_number.hpp"
 #include "limber/common/json_reader.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/version.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/network/tube_shape.hpp"
@@ -25,8 +28,6 @@
 namespace limber {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string percent(const Json& share) {
   return fmt::format("{:.2f} %", 100.0 * share.get<double>());
@@ -66,7 +67,7 @@ void add_levels(const Json& tube, ReportPage& page) {
 }
 
 /// Page about a tube's calibration. @param evidence  as evidence.json holds it (docs/tube.md)
-std::string evidence_page(const nlohmann::ordered_json& evidence) {
+std::string evidence_page(const Json& evidence) {
   ReportPage page(
       "limber calibrate",
       fmt::format("arm {}, seed {}, confidence {}", evidence["arm"]["name"].get<std::string>(),
@@ -91,8 +92,6 @@ std::string evidence_page(const nlohmann::ordered_json& evidence) {
   page.heading("Evidence").table(table);
   return page.html();
 }
-
-namespace fs = std::filesystem;
 
 constexpr const char* kCalibrationFile = "calibration.json";
 constexpr double kScreenConfidence = 0.5;  // a screen only says what is worth testing
@@ -281,9 +280,7 @@ class Calibration {
 };
 
 void require_runs(const char* flag, int runs, int min, int max = 1'000'000) {
-  if (runs < min || runs > max) {
-    throw InputError(fmt::format("{} {}: expected {} to {}", flag, runs, min, max));
-  }
+  refuse_if(runs < min || runs > max, "{} {}: expected {} to {}", flag, runs, min, max);
 }
 
 }  // namespace
@@ -300,11 +297,9 @@ void require_usable(const CalibrationSettings& settings) {
   for (const auto& [flag, runs, needed] :
        {std::tuple{"--screen-runs", settings.screen_runs, min_runs(highest, kScreenConfidence)},
         std::tuple{"--test-runs", settings.test_runs, min_test_runs(settings)}}) {
-    if (runs < needed) {
-      throw InputError(
-          fmt::format("{} {}: so few can't show a level of {}: at least {}, or lower --levels",
-                      flag, runs, highest, needed));
-    }
+    refuse_if(runs < needed,
+              "{} {}: so few can't show a level of {}: at least {}, or lower --levels", flag, runs,
+              highest, needed);
   }
 }
 

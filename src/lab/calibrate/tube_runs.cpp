@@ -11,8 +11,11 @@
 #include "demo/demo_recipe.hpp"
 #include "kernels/job_arena.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/json_reader.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/common/units.hpp"
 #include "limber/lab/planning_experiment.hpp"
@@ -23,8 +26,6 @@
 namespace limber {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr int kBlock = 40;           // environments per file
 constexpr int kHopeless = 160;       // environments, without runs in a tenth of them
@@ -61,9 +62,8 @@ Json to_json(const TubeRun& run) {
 
 GrowingErrors read_errors(const JsonReader& json) {
   const std::vector<JsonReader> rows = json.elements("a list of errors");
-  if (rows.size() != kStartShares.size()) {
-    json.refuse(fmt::format("{} found; expected {}", rows.size(), kStartShares.size()));
-  }
+  json.refuse_if(rows.size() != kStartShares.size(), "{} found; expected {}", rows.size(),
+                 kStartShares.size());
   GrowingErrors errors;
   for (std::size_t g = 0; g < rows.size(); ++g) {
     constexpr std::size_t kAny = std::string::npos;
@@ -143,7 +143,7 @@ class PhaseRunner {
   }
 
   TubeRuns run() {
-    Progress progress("calibrate, " + phase_.name, "runs", static_cast<std::uint64_t>(phase_.runs),
+    Progress progress("calibrate, " + phase_.name, "runs", std::uint64_t(phase_.runs),
                       settings_.progress);
     TubeRuns result;
     for (int block = 0; result.executed() < phase_.runs; ++block) {
@@ -153,7 +153,7 @@ class PhaseRunner {
       }
       const std::vector<TubeRun> more = runs_of(block);
       result.all.insert(result.all.end(), more.begin(), more.end());
-      progress.update(static_cast<std::uint64_t>(std::min(result.executed(), phase_.runs)));
+      progress.update(std::uint64_t(std::min(result.executed(), phase_.runs)));
     }
     progress.finish();
     while (result.executed() > phase_.runs || !result.all.back().executed) {
@@ -179,39 +179,32 @@ class PhaseRunner {
 
   std::vector<TubeRun> runs_of(int block) {
     const std::string name = fmt::format("runs/{}.{:04}.json", phase_.name, block);
-    if (folder_ != nullptr && std::filesystem::exists(folder_->path() / name)) {
+    if (folder_ != nullptr && fs::exists(folder_->path() / name)) {
       return read_block(folder_->path() / name);
     }
-    std::vector<TubeRun> runs(static_cast<std::size_t>(block_size_));
+    std::vector<TubeRun> runs(block_size_);
     JobArena arena(settings_.jobs);
     arena.for_each(runs.size(), [&](std::size_t i) {
       if (!interrupt_requested()) {
-        runs[i] = make_run(static_cast<std::uint64_t>(block) * runs.size() + i);
+        runs[i] = make_run(std::uint64_t(block) * runs.size() + i);
       }
     });
     throw_if_interrupted();
     if (folder_ != nullptr) {
-      Json list = Json::array();
-      for (const TubeRun& run : runs) {
-        list.push_back(to_json(run));
-      }
+      const auto list = mapped<Json>(runs, [&](const TubeRun& run) { return to_json(run); });
       folder_->write(name, Json{{"phase", phase_.name}, {"runs", list}}.dump() + "\n");
     }
     return runs;
   }
 
-  std::vector<TubeRun> read_block(const std::filesystem::path& path) const {
+  std::vector<TubeRun> read_block(const fs::path& path) const {
     const nlohmann::json root = read_json_object(path);
     const JsonReader json(root, path.string());
-    std::vector<TubeRun> runs;
-    for (const JsonReader& run : json.at("runs").elements("a list of runs")) {
-      runs.push_back(read_tube_run(run));
-    }
-    if (json.at("phase").text() != phase_.name ||
-        runs.size() != static_cast<std::size_t>(block_size_)) {
+    auto runs = mapped<TubeRun>(json.at("runs").elements("a list of runs"),
+                                [&](const JsonReader& run) { return read_tube_run(run); });
+    if (json.at("phase").text() != phase_.name || runs.size() != std::size_t(block_size_)) {
       json.at("runs").refuse(
-          fmt::format("{} runs found; expected {} of phase '{}': remove the "
-                      "file to run them again",
+          fmt::format("{} runs found; expected {} of phase '{}': remove the file to run them again",
                       runs.size(), block_size_, phase_.name));
     }
     return runs;
@@ -314,7 +307,7 @@ GrowingErrors scaled(GrowingErrors motion, double times) {
 }
 
 int count_of(const std::vector<TubeRun>& runs, bool TubeRun::*member) {
-  return static_cast<int>(std::ranges::count(runs, true, member));
+  return int(std::ranges::count(runs, true, member));
 }
 
 }  // namespace
@@ -324,11 +317,11 @@ int TubeRuns::executed() const {
 }
 
 int TubeRuns::solved() const {
-  return static_cast<int>(std::ranges::count(all, to_string(PlanStatus::solved), &TubeRun::status));
+  return int(std::ranges::count(all, to_string(PlanStatus::solved), &TubeRun::status));
 }
 
 int TubeRuns::outside(double factor) const {
-  return static_cast<int>(std::ranges::count_if(
+  return int(std::ranges::count_if(
       all, [&](const TubeRun& run) { return run.executed && !(run.score <= factor); }));
 }
 

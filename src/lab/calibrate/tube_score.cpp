@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include "limber/common/mapped.hpp"
 #include "limber/run/state_lag.hpp"
 
 namespace limber {
@@ -38,7 +39,7 @@ void visit_frames(const Plan& plan, const Episode& run, Visit&& visit) {
   const std::vector<int> shown = shown_frames(plan, run);
   for (int t = 0; t < run.frame_count(); ++t) {
     if (run.was_tracked(t)) {
-      const auto k = static_cast<std::size_t>(shown[static_cast<std::size_t>(t)]);
+      const auto k = std::size_t(shown[t]);
       visit(plan.frames[k].backbone, backbone_at(run.backbone, t));
     }
   }
@@ -54,10 +55,9 @@ auto moved_in(const Plan& plan) {
 /// Of its room that the tip has, on average over the plan's frames.
 double mean_tip_share(const Plan& plan, const RoomGrowth& growth) {
   const auto moved = moved_in(plan);
-  double sum = 0.0;
-  for (const PlanFrame& frame : plan.frames) {
-    sum += growth.share_after(moved(frame.backbone, frame.backbone.rows() - 1));
-  }
+  const auto sum = sum_of<double>(plan.frames, [&](const PlanFrame& frame) {
+    return growth.share_after(moved(frame.backbone, frame.backbone.rows() - 1));
+  });
   return sum / plan.frame_count();
 }
 
@@ -69,8 +69,7 @@ std::vector<int> shown_frames(const Plan& plan, const Episode& run) {
   ArmState state;
   std::vector<int> shown;
   for (int t = 0; t < run.frame_count(); ++t) {
-    const Pressures& sent_kpa =
-        plan.frames[static_cast<std::size_t>(std::min(t, last))].setpoint_kpa;
+    const Pressures& sent_kpa = plan.frames[std::min(t, last)].setpoint_kpa;
     state.setpoint_kpa = run.setpoint_kpa.row(t).transpose();
     shown.push_back(std::clamp(t - lag.note(sent_kpa, state), 0, last));
   }
@@ -79,12 +78,12 @@ std::vector<int> shown_frames(const Plan& plan, const Episode& run) {
 
 MotionErrors motion_errors(const Plan& plan, const Episode& run, const RoomGrowth& growth) {
   MotionErrors errors;
-  errors.plate_m.assign(static_cast<std::size_t>(plan.frames.front().backbone.rows()), 0.0);
+  errors.plate_m.assign(std::size_t(plan.frames.front().backbone.rows()), 0.0);
   const auto moved = moved_in(plan);
   visit_frames(plan, run, [&](const Backbone& predicted, const Backbone& seen) {
     const Eigen::Index tip = predicted.rows() - 1;
     for (Eigen::Index plate = 0; plate <= tip; ++plate) {
-      double& largest = errors.plate_m[static_cast<std::size_t>(plate)];
+      double& largest = errors.plate_m[plate];
       largest = std::max(largest, (at(predicted, plate) - at(seen, plate)).norm() /
                                       growth.share_after(moved(predicted, plate)));
     }
@@ -99,8 +98,7 @@ double tube_score(const Plan& plan, const Episode& run, const Tube& shape) {
   double end_score = 0.0;
   const auto moved = moved_in(plan);
   const auto scale = [&](const Backbone& predicted, Eigen::Index plate) {
-    return shape.plate_scale_m[static_cast<std::size_t>(plate)] *
-           shape.growth.share_after(moved(predicted, plate));
+    return shape.plate_scale_m[plate] * shape.growth.share_after(moved(predicted, plate));
   };
   visit_frames(plan, run, [&](const Backbone& predicted, const Backbone& seen) {
     const Eigen::Index tip = predicted.rows() - 1;

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "limber/common/data_folder.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/data/episode_slice.hpp"
 #include "limber/run/collection.hpp"
 #include "limber/sim/virtual_arm.hpp"
@@ -12,8 +13,8 @@
 namespace limber {
 
 std::optional<CompensationModel> own_family(const ArmDescription& arm) {
-  const std::filesystem::path file = data_folder() / "families" / (arm.name + ".safetensors");
-  if (std::error_code error; !std::filesystem::exists(file, error)) {
+  const fs::path file = data_folder() / "families" / (arm.name + ".safetensors");
+  if (std::error_code error; !fs::exists(file, error)) {
     return std::nullopt;
   }
   CompensationModel family = read_model(file);
@@ -21,7 +22,7 @@ std::optional<CompensationModel> own_family(const ArmDescription& arm) {
 }
 
 Episode first_seconds(const ArmDescription& arm, const Episode& run, double seconds) {
-  const int frames = static_cast<int>(std::lround(seconds / arm.frame_period_s()));
+  const int frames = int(std::lround(seconds / arm.frame_period_s()));
   return slice(run, 0, std::min(frames, run.frame_count()));
 }
 

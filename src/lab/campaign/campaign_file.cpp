@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/number_text.hpp"
 #include "limber/common/utf8.hpp"
 #include "limber/common/yaml_reader.hpp"
@@ -14,8 +15,6 @@
 namespace limber {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr const char* kSchema = "limber/campaign/1";
 constexpr std::array kVerbs = {"collect", "train", "evaluate", "experiment", "calibrate"};
@@ -51,9 +50,7 @@ FlagValues values_of(const YamlReader& value) {
     for (const YamlReader& element : value.elements()) {
       values.push_back(element.text());
     }
-    if (values.empty()) {
-      value.refuse("an empty list found; expected a value, or a list of values");
-    }
+    value.refuse_if(values.empty(), "an empty list found; expected a value, or a list of values");
   } else {
     values.push_back(value.text());
   }
@@ -61,14 +58,12 @@ FlagValues values_of(const YamlReader& value) {
 }
 
 void require_unit_flag(const YamlReader& value, const std::string& name) {
-  if (name.empty() || name.front() == '-' ||
-      name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_.-") != std::string::npos) {
-    value.refuse("expected the name of a flag without its dashes, or arm.PARAMETER");
-  }
+  value.refuse_if(
+      name.empty() || name.front() == '-' ||
+          name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_.-") != std::string::npos,
+      "expected the name of a flag without its dashes, or arm.PARAMETER");
   for (const KeptFlag& kept : kKeptFlags) {
-    if (name == kept.name) {
-      value.refuse(fmt::format("not a flag of a unit: {}", kept.why));
-    }
+    value.refuse_if(name == kept.name, "not a flag of a unit: {}", kept.why);
   }
 }
 
@@ -76,9 +71,8 @@ void require_unit_flag(const YamlReader& value, const std::string& name) {
 std::vector<FlagValues> files_of(const YamlReader& value) {
   const fs::path pattern = value.text();
   const std::string name = pattern.filename().string();
-  if (name.size() < 3 || name.compare(0, 2, "*.") != 0) {
-    value.refuse(fmt::format("'{}' found; expected FOLDER/*.EXTENSION", pattern.string()));
-  }
+  value.refuse_if(name.size() < 3 || name.compare(0, 2, "*.") != 0,
+                  "'{}' found; expected FOLDER/*.EXTENSION", pattern.string());
   std::vector<FlagValues> files;
   std::error_code error;
   const fs::path folder = pattern.has_parent_path() ? pattern.parent_path() : fs::path(".");
@@ -91,9 +85,7 @@ std::vector<FlagValues> files_of(const YamlReader& value) {
       files.push_back({entry.path().string()});
     }
   }
-  if (files.empty()) {
-    value.refuse(fmt::format("'{}': no such files", pattern.string()));
-  }
+  value.refuse_if(files.empty(), "'{}': no such files", pattern.string());
   std::ranges::sort(files);
   return files;
 }
@@ -156,11 +148,10 @@ void read_design(const YamlReader& root, Campaign& campaign) {
   if (is_random) {
     const YamlReader random = root.at("random");
     campaign.random_count =
-        static_cast<std::size_t>(random.at("count").integer("a number of units", 1, kMaxUnits));
+        std::size_t(random.at("count").integer("a number of units", 1, kMaxUnits));
   }
   if (root.has("repeat")) {
-    campaign.repeat =
-        static_cast<std::size_t>(root.at("repeat").integer("a number of units", 1, kMaxUnits));
+    campaign.repeat = std::size_t(root.at("repeat").integer("a number of units", 1, kMaxUnits));
   }
   const char* design = is_random ? "random" : "grid";
   if (root.has(design)) {
@@ -170,13 +161,12 @@ void read_design(const YamlReader& root, Campaign& campaign) {
       }
     }
   }
-  double units = static_cast<double>(campaign.repeat);
+  double units = double(campaign.repeat);
   for (const CampaignFactor& factor : campaign.factors) {
-    units *= static_cast<double>(std::max<std::size_t>(factor.choices.size(), 1));
+    units *= double(std::max<std::size_t>(factor.choices.size(), 1));
   }
-  if (!is_random && units > kMaxUnits) {
-    root.refuse(fmt::format("{:.0f} units; expected at most {}", units, kMaxUnits));
-  }
+  root.refuse_if(!is_random && units > kMaxUnits, "{:.0f} units; expected at most {}", units,
+                 kMaxUnits);
 }
 
 CpuLevel cpu_of(const YamlReader& value) {
@@ -218,17 +208,13 @@ void require_budget(const YamlReader& root, const Campaign& campaign) {
   const auto has = [&](const char* name) {
     return std::ranges::any_of(first.flags, [&](const auto& flag) { return flag.first == name; });
   };
-  if (campaign.verb == "experiment" && !has("max-iterations") && !has("max-queries")) {
-    root.refuse("no budget: expected the flag max-iterations or max-queries");
-  }
-  if (campaign.verb == "experiment" && asks_closed_loop(campaign) && !has("motion-queries")) {
-    root.refuse(
-        "closed loop without the flag motion-queries: expected a number, as a clock would choose "
-        "it, on each machine another");
-  }
-  if (campaign.verb == "train" && !has("epochs")) {
-    root.refuse("no budget: expected the flag epochs");
-  }
+  root.refuse_if(campaign.verb == "experiment" && !has("max-iterations") && !has("max-queries"),
+                 "no budget: expected the flag max-iterations or max-queries");
+  root.refuse_if(
+      campaign.verb == "experiment" && asks_closed_loop(campaign) && !has("motion-queries"),
+      "closed loop without the flag motion-queries: expected a number, as a clock would choose "
+      "it, on each machine another");
+  root.refuse_if(campaign.verb == "train" && !has("epochs"), "no budget: expected the flag epochs");
 }
 
 }  // namespace

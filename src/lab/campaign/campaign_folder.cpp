@@ -13,16 +13,16 @@
 #include "limber/common/cpu_level.hpp"
 #include "limber/common/data_folder.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/json_reader.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/utf8.hpp"
 #include "limber/common/version.hpp"
 
 namespace limber {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-namespace fs = std::filesystem;
 
 constexpr std::size_t kFan = 1000;                        // entries of a folder
 constexpr std::size_t kIdentityDigits = 16;               // of a marker's name
@@ -38,7 +38,7 @@ std::string fingerprint_of(const fs::path& path) {
   std::error_code error;
   const std::uintmax_t size = fs::file_size(path, error);
   std::ifstream file(path, std::ios::binary);
-  std::string ends(2 * static_cast<std::size_t>(kEnd), '\0');
+  std::string ends(2 * std::size_t(kEnd), '\0');
   file.read(ends.data(), kEnd);
   file.clear();
   file.seekg(-std::min<std::streamoff>(kEnd, static_cast<std::streamoff>(size)), std::ios::end);
@@ -79,7 +79,7 @@ Json description(const Campaign& campaign) {
     if (factor.range) {
       factors[factor.name] = {{"from", factor.range->from},
                               {"to", factor.range->to},
-                              {"scale", static_cast<int>(factor.range->scale)}};
+                              {"scale", int(factor.range->scale)}};
     } else {
       factors[factor.name] = factor.choices;
     }
@@ -121,12 +121,10 @@ void CampaignFolder::prepare(bool force) const {
   const Json wanted = description(campaign_);
   if (fs::exists(file)) {
     // The order of keys says nothing.
-    if (read_json_object(file) != nlohmann::json(wanted) && !force) {
-      throw InputError(fmt::format(
-          "{}: of another campaign: choose another --out; or, where the file was changed on "
-          "purpose, --force keeps the units that are still the same and makes the others",
-          file.string()));
-    }
+    refuse_if(read_json_object(file) != nlohmann::json(wanted) && !force,
+              "{}: of another campaign: choose another --out; or, where the file was changed on "
+              "purpose, --force keeps the units that are still the same and makes the others",
+              file.string());
   } else if (fs::exists(folder_) && !force && holds_other_files(folder_)) {
     throw InputError(
         fmt::format("{}: holds something else; choose another --out", folder_.string()));

@@ -13,7 +13,9 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/large_file.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/number_text.hpp"
 #include "limber/data/recording_part.hpp"
 #include "limber/plot/chart.hpp"
@@ -22,8 +24,6 @@
 namespace limber {
 
 namespace {
-
-namespace fs = std::filesystem;
 using Row = std::map<std::string, std::string>;
 
 // Half of kMaxFile: the units' own bytes are an estimate of what they take together.
@@ -145,11 +145,9 @@ std::vector<CampaignChart> charts_of(const Campaign& campaign) {
       {"evaluate", "network.open_loop.position_error_cm.mean"},
       {"experiment", "table.1.distance_to_goal_cm.mean"},
       {"calibrate", "coverage.share"}};
-  std::vector<CampaignChart> charts;
-  for (const CampaignFactor& factor : campaign.factors) {
-    charts.push_back({factor.name, figures.at(campaign.verb)});
-  }
-  return charts;
+  return mapped<CampaignChart>(campaign.factors, [&](const CampaignFactor& factor) {
+    return CampaignChart{factor.name, figures.at(campaign.verb)};
+  });
 }
 
 void write_page(const Campaign& campaign, const fs::path& path, std::size_t done,
@@ -212,10 +210,8 @@ std::size_t write_campaign_table(const Campaign& campaign, CampaignFolder& folde
   for (const auto& [name, values] : campaign_unit(campaign, 0).varied) {
     columns.erase(name);  // it has a column already
   }
-  std::vector<ChartData> charts;
-  for (const CampaignChart& chart : charts_of(campaign)) {
-    charts.emplace_back(chart);
-  }
+  auto charts = mapped<ChartData>(charts_of(campaign),
+                                  [&](const CampaignChart& chart) { return ChartData(chart); });
   make_file_atomically(folder.path() / "table.csv", [&](const fs::path& temporary) {
     std::ofstream file(temporary, std::ios::binary);
     file << "unit,folder";

@@ -9,6 +9,8 @@
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/number_text.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/lab/campaign.hpp"
@@ -17,8 +19,6 @@
 namespace limber {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::uint64_t kDesignStream = 0x63616d70ULL << 32U;  // apart from all others of a seed
 constexpr std::uint64_t kSeedStream = 0x63736565ULL << 32U;
@@ -59,7 +59,7 @@ Flags random_flags(const Campaign& campaign, std::size_t index) {
   RandomStream random(campaign.seed, kDesignStream + index);
   Flags varied;
   for (const CampaignFactor& factor : campaign.factors) {
-    const auto choices = static_cast<std::uint32_t>(factor.choices.size());
+    const auto choices = std::uint32_t(factor.choices.size());
     varied.emplace_back(factor.name, factor.range ? FlagValues{drawn(*factor.range, random)}
                                                   : factor.choices[random.index(choices)]);
   }
@@ -77,7 +77,7 @@ double megabytes(const Flags& flags, const char* name) {
     for (const std::string& file : *files) {
       std::error_code error;
       const auto size = fs::file_size(file, error);
-      bytes += error ? 0.0 : static_cast<double>(size);
+      bytes += error ? 0.0 : double(size);
     }
   }
   constexpr double kMegabyte = 1e6;
@@ -174,8 +174,8 @@ std::string as_text(const FlagValues& values) {
   return fmt::format("{}", fmt::join(values, " "));
 }
 
-nlohmann::ordered_json flags_to_json(const Flags& flags) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+Json flags_to_json(const Flags& flags) {
+  Json json = Json::object();
   for (const auto& [name, values] : flags) {
     json[name] = as_text(values);
   }

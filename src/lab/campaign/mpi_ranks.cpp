@@ -57,7 +57,7 @@ struct Busy {
   double seconds = 0.0;
   void run(const RankWork& work, long long unit) {
     const Clock::time_point begin = Clock::now();
-    work.run(static_cast<std::size_t>(unit));
+    work.run(std::size_t(unit));
     seconds += seconds_since(begin);
   }
 };

@@ -10,12 +10,12 @@
 #include <fmt/format.h>
 
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/refuse_if.hpp"
 
 namespace limber {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 // What Open MPI's mpirun and Slurm's srun with PMIx or PMI-2 tell each rank.
 constexpr std::array kRankVariables = {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"};
@@ -26,11 +26,10 @@ fs::path ranks_module() {
 
 RunOverRanks load_ranks() {
   const fs::path module = ranks_module();
-  if (!has_ranks()) {
-    throw InputError(
-        "started by mpirun or srun, but limber was built without MPI: apt install libopenmpi-dev "
-        "and build limber again, or give each process a --shard");
-  }
+  refuse_if(
+      !has_ranks(),
+      "started by mpirun or srun, but limber was built without MPI: apt install libopenmpi-dev "
+      "and build limber again, or give each process a --shard");
   // Global, because Open MPI's own modules look for its names.
   void* handle = dlopen(module.c_str(), RTLD_NOW | RTLD_GLOBAL);
   void* entry = handle != nullptr ? dlsym(handle, kRanksEntry) : nullptr;

@@ -8,6 +8,7 @@
 
 #include "demo_stages.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/seconds_since.hpp"
 #include "limber/lab/output_folder.hpp"
 
@@ -54,7 +55,7 @@ constexpr const char* kFiles[] = {"arm.yaml",
 
 }  // namespace
 
-nlohmann::ordered_json run_demo(const DemoSettings& settings) {
+Json run_demo(const DemoSettings& settings) {
   OutputFolder output(settings.folder, "demo", OutputFolder::start(false, settings.force));
   if (!output.left().empty()) {
     settings.say(output.about_left());
@@ -78,7 +79,7 @@ nlohmann::ordered_json run_demo(const DemoSettings& settings) {
   }
   settings.say(fmt::format("[{0}/{0}] report", number + 1));
   timed("report", [&] { output.write("report.html", demo_report(results)); });
-  const nlohmann::ordered_json summary = demo_summary(results);
+  const Json summary = demo_summary(results);
   output.write("summary.json", summary.dump(2) + "\n");
   return summary;
 }

@@ -7,6 +7,7 @@
 #include "demo_recipe.hpp"
 #include "demo_stages.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/units.hpp"
 #include "limber/lab/family_traits.hpp"
 #include "limber/lab/trial_run.hpp"
@@ -37,11 +38,11 @@ struct OtherArm {
 
 OtherArm draw(const DemoResults& results, int number) {
   const std::uint64_t seed = derived_seed(results.settings->seed, kOtherArmSeed);
-  OtherArm other{with_related_physics(results.settings->arm, WidePhysics{}, seed,
-                                      static_cast<std::uint64_t>(number)),
-                 {},
-                 {}};
-  other.minute = identifying_run(other.arm, kMinuteS, seed, static_cast<std::uint64_t>(number));
+  OtherArm other{
+      with_related_physics(results.settings->arm, WidePhysics{}, seed, std::uint64_t(number)),
+      {},
+      {}};
+  other.minute = identifying_run(other.arm, kMinuteS, seed, std::uint64_t(number));
   VirtualArm driver(other.arm);
   other.test = record_episode(
       other.arm, driver,
@@ -130,7 +131,7 @@ void another_arm_stage(DemoResults& results) {
   }
 }
 
-nlohmann::ordered_json to_json(const OtherArmFigures& figures) {
+Json to_json(const OtherArmFigures& figures) {
   return {{"own_network_cm", figures.own_network_cm},
           {"after_20_s_cm", figures.after_20_s_cm},
           {"after_60_s_cm", figures.after_60_s_cm},

@@ -7,7 +7,9 @@
 #include "demo_recipe.hpp"
 #include "kernels/job_arena.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/json_number.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/units.hpp"
 
 namespace limber {
@@ -77,7 +79,7 @@ Arrivals summarised(const Group& group, double planning_time_s,
   Arrivals row;
   row.environments = group.name;
   row.planning_time_s = planning_time_s;
-  row.plans = static_cast<int>(outcomes.size());
+  row.plans = int(outcomes.size());
   std::vector<double> distances_cm;
   for (const Outcome& outcome : outcomes) {
     row.solved += outcome.solved ? 1 : 0;
@@ -101,10 +103,8 @@ std::string planning_time(const Arrivals& row) {
 void arrival_stage(DemoResults& results) {
   const std::vector<Group> groups = groups_of(results);
   const std::vector<double>& times_s = results.recipe.arrival_times_s;
-  std::size_t plans = 0;
-  for (const Group& group : groups) {
-    plans += group.environments.size() * times_s.size();
-  }
+  const auto plans = sum_of<std::size_t>(
+      groups, [&](const Group& group) { return group.environments.size() * times_s.size(); });
   Progress progress("planning time", "plans", plans, results.settings->progress);
   JobArena arena(results.settings->jobs);
   for (const Group& group : groups) {
@@ -140,20 +140,18 @@ ReportTable arrivals_table(const std::vector<Arrivals>& rows) {
   return table;
 }
 
-nlohmann::ordered_json arrivals_to_json(const std::vector<Arrivals>& rows) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const Arrivals& row : rows) {
-    json.push_back({{"environments", row.environments},
-                    {"first_plan", row.planning_time_s == kFirstPlan},
-                    {"time_limit_s", *limits_of(row.planning_time_s).time_s},
-                    {"plans", row.plans},
-                    {"solved", row.solved},
-                    {"arrived", row.arrived},
-                    {"collided", row.collided},
-                    {"mean_distance_to_goal_cm", optional_json(row.distance_cm.mean)},
-                    {"standard_error_cm", optional_json(row.distance_cm.standard_error)}});
-  }
-  return json;
+Json arrivals_to_json(const std::vector<Arrivals>& rows) {
+  return mapped<Json>(rows, [&](const Arrivals& row) {
+    return Json{{"environments", row.environments},
+                {"first_plan", row.planning_time_s == kFirstPlan},
+                {"time_limit_s", *limits_of(row.planning_time_s).time_s},
+                {"plans", row.plans},
+                {"solved", row.solved},
+                {"arrived", row.arrived},
+                {"collided", row.collided},
+                {"mean_distance_to_goal_cm", optional_json(row.distance_cm.mean)},
+                {"standard_error_cm", optional_json(row.distance_cm.standard_error)}};
+  });
 }
 
 }  // namespace limber

@@ -5,7 +5,9 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/version.hpp"
 #include "limber/data/valve_identification.hpp"
 #include "limber/lab/unseen_arm.hpp"
@@ -82,8 +84,7 @@ Episode inflate_and_deflate(const ArmDescription& arm) {
   schedule.first_kpa = Pressures::Zero(arm.channel_count());
   Pressures full(arm.channel_count());
   for (int i = 0; i < arm.channel_count(); ++i) {
-    full[i] =
-        static_cast<float>(arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa.upper_kpa);
+    full[i] = float(arm.segments[i].pressure_limit_kpa.upper_kpa);
   }
   schedule.motions.push_back({full, kInflateS, true});
   schedule.motions.push_back({Pressures::Zero(arm.channel_count()), kDeflateS, true});
@@ -171,10 +172,8 @@ void evaluate_stage(DemoResults& results) {
   results.evaluation = evaluate(no_load, network, test, results.settings->jobs);
   results.evaluation_plots =
       plot_evaluation(results.arm(), no_load, network, test, results.settings->jobs);
-  std::vector<std::string> plots;
-  for (const std::filesystem::path& path : evaluation_plot_paths("plots", Dimension::plane)) {
-    plots.push_back(path.string());
-  }
+  const auto plots = mapped<std::string>(evaluation_plot_paths("plots", Dimension::plane),
+                                         [&](const fs::path& path) { return path.string(); });
   results.output->write_with(
       plots, [&] { write_evaluation_plots(results.file("plots"), results.evaluation_plots); });
   results.inflate_deflate_svg =

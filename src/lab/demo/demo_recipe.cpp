@@ -4,9 +4,9 @@
 
 #include "demo_stages.hpp"
 #include "limber/common/data_folder.hpp"
-#include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/random_stream.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/lab/witnessed_environment.hpp"
 
 namespace limber {
@@ -71,10 +71,7 @@ std::vector<EnvironmentCase> random_environments(const ArmDescription& arm, std:
     throw_if_interrupted();
     std::optional<WitnessedEnvironment> sampled =
         witnessed_environment(arm, virtual_witness(arm), seed, std::uint64_t(k));
-    if (!sampled) {
-      throw InputError(
-          fmt::format("arm '{}': its tip comes nowhere in a hundred random motions", arm.name));
-    }
+    refuse_if(!sampled, "arm '{}': its tip comes nowhere in a hundred random motions", arm.name);
     cases.push_back({fmt::format("random_{}", k), std::move(sampled->environment)});
   }
   return cases;

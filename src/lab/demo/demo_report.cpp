@@ -6,6 +6,7 @@
 #include "demo_arrivals.hpp"
 #include "demo_stages.hpp"
 #include "limber/arm/valve_parameters.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/json_number.hpp"
 #include "limber/common/progress.hpp"
 #include "limber/common/units.hpp"
@@ -124,7 +125,7 @@ ReportTable paper_table(const DemoResults& results) {
   table.rows.push_back({"paper (hardware), no load", "16.2 ± 8.8", "–", "0.61 ± 0.48"});
   add("no load, open loop", evaluation.no_load_open_loop);
   table.rows.push_back({"paper (hardware), network", "5.8 ± 4.7", "–", "0.16 ± 0.13"});
-  table.highlighted_rows = {static_cast<int>(table.rows.size())};
+  table.highlighted_rows = {int(table.rows.size())};
   add("network, open loop", network.open_loop);
   add("network, restarted every motion", network.per_motion);
   add("network, restarted every 32 frames", network.window_32);
@@ -178,7 +179,7 @@ ReportTable trial_table(const DemoResults& results) {
                        const std::string& model) {
     const PlanningRow sum = planning_row(results.trials, environment, model);
     if (model == "network") {
-      table.highlighted_rows.push_back(static_cast<int>(table.rows.size()));
+      table.highlighted_rows.push_back(int(table.rows.size()));
     }
     table.rows.push_back({label, model == "network" ? "network" : "no load",
                           fmt::format("{}/{}", sum.solved, sum.trials),
@@ -287,7 +288,7 @@ void times(ReportPage& page, const DemoResults& results) {
     table.rows.push_back({stage, format_duration(seconds)});
   }
   table.rows.push_back({"all", format_duration(total_s(results.times))});
-  table.highlighted_rows = {static_cast<int>(table.rows.size()) - 1};
+  table.highlighted_rows = {int(table.rows.size()) - 1};
   page.table(table);
 }
 
@@ -305,8 +306,8 @@ void whats_next(ReportPage& page) {
           "  --environment my_table.yaml --out my_plan.json --svg my_plan.svg");
 }
 
-nlohmann::ordered_json to_json(const std::vector<StageTime>& times) {
-  nlohmann::ordered_json json;
+Json to_json(const std::vector<StageTime>& times) {
+  Json json;
   for (const auto& [stage, seconds] : times) {
     json[stage] = seconds;
   }
@@ -314,7 +315,7 @@ nlohmann::ordered_json to_json(const std::vector<StageTime>& times) {
   return json;
 }
 
-nlohmann::ordered_json to_json(const DemoResults& results) {
+Json to_json(const DemoResults& results) {
   const TrainingResult& training = results.training;
   return {{"networks", training.model.member_count()},
           {"shape", training.model.shape()},
@@ -326,8 +327,8 @@ nlohmann::ordered_json to_json(const DemoResults& results) {
           {"wall_time_s", training.wall_time_s}};
 }
 
-nlohmann::ordered_json to_json(const std::vector<PlanTrial>& trials) {
-  nlohmann::ordered_json json;
+Json to_json(const std::vector<PlanTrial>& trials) {
+  Json json;
   for (const char* model : {"no_load", "network"}) {
     const PlanningRow sum = planning_row(trials, "", model);
     json[model] = {{"trials", sum.trials},
@@ -360,8 +361,8 @@ std::string demo_report(const DemoResults& results) {
   return page.html();
 }
 
-nlohmann::ordered_json demo_summary(const DemoResults& results) {
-  nlohmann::ordered_json json;
+Json demo_summary(const DemoResults& results) {
+  Json json;
   json["schema"] = "limber/demo/1";
   json["program_version"] = version();
   json["arm"] = results.arm().name;
@@ -373,12 +374,12 @@ nlohmann::ordered_json demo_summary(const DemoResults& results) {
   json["bench"] = to_json(results.speed);
   json["comparison"] = to_json(results.trials);
   json["arrivals"] = arrivals_to_json(results.arrivals);
-  json["other_arms"] = nlohmann::ordered_json::array();
+  json["other_arms"] = Json::array();
   for (const OtherArmFigures& arm : results.other_arms) {
     json["other_arms"].push_back(to_json(arm));
   }
-  json["plans"] = nlohmann::ordered_json::array();
-  json["executions"] = nlohmann::ordered_json::array();
+  json["plans"] = Json::array();
+  json["executions"] = Json::array();
   for (const PlanTrial& trial : results.trials) {
     const Environment& environment = results.environment(trial.environment);
     json["plans"].push_back(planning_to_json(trial, environment));

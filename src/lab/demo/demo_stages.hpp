@@ -7,6 +7,8 @@
 
 #include "demo_recipe.hpp"
 #include "limber/arm/characterisation.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/json.hpp"
 #include "limber/data/recording.hpp"
 #include "limber/forward/motion_model.hpp"
 #include "limber/lab/demo.hpp"
@@ -52,7 +54,7 @@ struct OtherArmFigures {
   int collided_closed_loop = 0;
   std::vector<TraitEstimate> traits;  ///< what 60 s told of its physics, beside what that is
 };
-nlohmann::ordered_json to_json(const OtherArmFigures& figures);
+Json to_json(const OtherArmFigures& figures);
 
 /// What the stages leave behind for each other and for the report. A stage reads what earlier ones
 /// have set.
@@ -95,7 +97,7 @@ struct DemoResults {
   MotionModel motion_model(const ForwardModel& forward) const;
   const Environment& environment(const std::string& id) const;
   const ArmDescription& arm() const { return characterised.arm; }
-  std::filesystem::path file(const std::string& name) const { return output->path() / name; }
+  fs::path file(const std::string& name) const { return output->path() / name; }
 };
 
 void characterise_stage(DemoResults& results);
@@ -113,6 +115,6 @@ void another_arm_stage(DemoResults& results);
 
 /// The page and the summary of a finished run.
 std::string demo_report(const DemoResults& results);
-nlohmann::ordered_json demo_summary(const DemoResults& results);
+Json demo_summary(const DemoResults& results);
 
 }  // namespace limber

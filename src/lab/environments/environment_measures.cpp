@@ -47,7 +47,7 @@ Obstacle random_obstacle(double unit, const Eigen::Vector2d& at, RandomStream& r
       break;
   }
   Polygon polygon;  // star-shaped about its middle, so simple
-  const int corners = 3 + static_cast<int>(random.index(4));
+  const int corners = 3 + int(random.index(4));
   for (int k = 0; k < corners; ++k) {
     const double angle = 2.0 * std::numbers::pi * (k + random.uniform(0.0, 0.6)) / corners;
     const double radius = unit * random.uniform(0.02, 0.09);

@@ -65,16 +65,15 @@ class EnvironmentSampler {
       return std::nullopt;
     }
     result_.environment.goal = random_goal(tip, random_);
-    const int wanted =
-        kFewestObstacles + static_cast<int>(random_.index(kMostObstacles - kFewestObstacles + 1));
-    for (int k = 0; k < wanted * kTriesPerObstacle &&
-                    static_cast<int>(result_.environment.obstacles.size()) < wanted;
+    const int wanted = kFewestObstacles + int(random_.index(kMostObstacles - kFewestObstacles + 1));
+    for (int k = 0;
+         k < wanted * kTriesPerObstacle && int(result_.environment.obstacles.size()) < wanted;
          ++k) {
       add_obstacle(result_.environment.obstacles.empty());
     }
     const PlanningProblem problem{arm_, model_, result_.environment};
     const Pressures& end = result_.witness_kpa.back();
-    if (static_cast<int>(result_.environment.obstacles.size()) < wanted ||
+    if (int(result_.environment.obstacles.size()) < wanted ||
         !straight_line_collides(problem, end) ||
         straight_line_solves(problem, {end}, kStraightLineStarts, random_.next_u32())) {
       return std::nullopt;
@@ -86,8 +85,8 @@ class EnvironmentSampler {
   Pressures random_pressures() {
     Pressures q(arm_.channel_count());
     for (int i = 0; i < q.size(); ++i) {
-      const PressureLimits& limits = arm_.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
-      q[i] = static_cast<float>(random_.uniform(limits.lower_kpa, limits.upper_kpa));
+      const PressureLimits& limits = arm_.segments[i].pressure_limit_kpa;
+      q[i] = float(random_.uniform(limits.lower_kpa, limits.upper_kpa));
     }
     return q;
   }
@@ -97,7 +96,7 @@ class EnvironmentSampler {
     motion_.assign(1, {rest.pressures_kpa, rest.pressures_kpa, rest.backbone});
     straight_ = motion_;
     result_.witness_kpa.assign(1, rest.pressures_kpa);
-    const int waypoints = 2 + static_cast<int>(random_.index(kMaxWaypoints - 1));
+    const int waypoints = 2 + int(random_.index(kMaxWaypoints - 1));
     for (int k = 0; k < waypoints; ++k) {
       result_.witness_kpa.push_back(random_pressures());
       simulator_.append_motion(result_.witness_kpa.back(), motion_);
@@ -109,9 +108,8 @@ class EnvironmentSampler {
   /// A point near the arm on the straight motion, which is to be blocked, or near the witness.
   Eigen::Vector2d random_point(bool on_straight_line) {
     const std::vector<PlanFrame>& frames = on_straight_line ? straight_ : motion_;
-    const Backbone& b = frames[random_.index(static_cast<std::uint32_t>(frames.size()))].backbone;
-    const auto plate =
-        static_cast<Eigen::Index>(random_.index(static_cast<std::uint32_t>(arm_.point_count())));
+    const Backbone& b = frames[random_.index(std::uint32_t(frames.size()))].backbone;
+    const auto plate = Eigen::Index(random_.index(std::uint32_t(arm_.point_count())));
     const double spread = on_straight_line ? 0.02 : 0.15 * arm_.length_m();
     return {b(plate, 0) + spread * random_.normal(), b(plate, 1) + spread * random_.normal()};
   }
@@ -141,7 +139,7 @@ constexpr float kSettledShare = 0.01F;  // of the limit: pressures this near hav
 
 bool is_settled(const ArmDescription& arm, const VirtualArm& driver, const Pressures& kpa) {
   const Pressures off_kpa = (driver.true_pressure_kpa().cast<float>() - kpa).cwiseAbs();
-  const auto band_kpa = static_cast<float>(virtual_arm_parameters(arm).pressure_dead_band_kpa);
+  const auto band_kpa = float(virtual_arm_parameters(arm).pressure_dead_band_kpa);
   const Pressures near_kpa = kSettledShare * pressure_limits_kpa(arm);
   return (off_kpa.array() <= near_kpa.array().max(band_kpa)).all();
 }
@@ -208,14 +206,11 @@ class Sampler {
   }
 
  private:
-  int index(int count) {
-    return static_cast<int>(random_.index(static_cast<std::uint32_t>(count)));
-  }
+  int index(int count) { return int(random_.index(std::uint32_t(count))); }
 
   bool add_obstacles() {
     std::vector<Obstacle>& obstacles = result_.environment.obstacles;
-    const auto wanted =
-        static_cast<std::size_t>(kMinObstacles + index(kMaxObstacles - kMinObstacles + 1));
+    const auto wanted = std::size_t(kMinObstacles + index(kMaxObstacles - kMinObstacles + 1));
     for (std::size_t k = 0; k < wanted * kTriesPerObstacle && obstacles.size() < wanted; ++k) {
       const Obstacle obstacle = random_obstacle(unit_, random_point(), random_);
       if (is_clear(arm_, obstacle, result_.clearance_m, shapes_)) {
@@ -226,7 +221,7 @@ class Sampler {
   }
 
   Eigen::Vector2d random_point() {
-    const Backbone& shape = shapes_[static_cast<std::size_t>(index(int(shapes_.size())))];
+    const Backbone& shape = shapes_[index(int(shapes_.size()))];
     const int plate = index(arm_.point_count());
     const double angle = random_.uniform(0.0, 2.0 * std::numbers::pi);
     const double away_m = unit_ * kNearM * random_.uniform();

@@ -36,7 +36,7 @@ class EigenNetworkPeer final : public NetworkPeer {
     for (int l = 0; l < count; ++l) {
       widest_ = std::max(widest_, layers[l].outputs);
     }
-    scratch_.resize(2 * static_cast<std::size_t>(widest_) * static_cast<std::size_t>(queries));
+    scratch_.resize(2 * std::size_t(widest_) * std::size_t(queries));
   }
 
   void evaluate(const float* input, float* output) override {

@@ -43,7 +43,7 @@ class LibxsmmPeer final : public NetworkPeer {
       layers_.push_back(make_layer(layers[l], l + 1 == count));
       widest_ = std::max(widest_, layers[l].outputs);
     }
-    scratch_.resize(2 * static_cast<std::size_t>(widest_ * kTileQueries));
+    scratch_.resize(2 * std::size_t(widest_ * kTileQueries));
   }
 
   void evaluate(const float* input, float* output) override {

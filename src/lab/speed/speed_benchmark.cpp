@@ -13,6 +13,7 @@
 #include "limber/common/cpu_level.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/common/seconds_since.hpp"
 #include "limber/common/statistics.hpp"
@@ -65,7 +66,7 @@ double rate_of(std::int64_t queries, std::int64_t queries_per_pass,
       break;
     }
   }
-  return static_cast<double>(queries_per_pass) / median(std::move(seconds));
+  return double(queries_per_pass) / median(std::move(seconds));
 }
 
 struct Queries {
@@ -81,9 +82,8 @@ Queries random_queries(const ArmDescription& arm, int count, std::uint64_t seed)
   RandomStream random(seed, 1);
   const auto pressures = [&](int rows) {
     return MatrixXf(MatrixXf::NullaryExpr(rows, count, [&](Eigen::Index i, Eigen::Index) {
-      const PressureLimits& limits =
-          arm.limits_of_channel(static_cast<int>(i) % arm.channel_count());
-      return static_cast<float>(random.uniform(limits.lower_kpa, limits.upper_kpa));
+      const PressureLimits& limits = arm.limits_of_channel(int(i) % arm.channel_count());
+      return float(random.uniform(limits.lower_kpa, limits.upper_kpa));
     }));
   };
   const int commands = arm.channel_count() * (1 + int(default_past_commands(arm).size()));
@@ -167,10 +167,9 @@ struct PeakShare {
 PeakShare hidden_layer_share(const PackedNetwork& network, const Queries& queries,
                              std::uint64_t seed) {
   RandomStream random(seed, 2);
-  AlignedFloats input(static_cast<std::size_t>(network.input_size()) * kTile);
-  std::generate(input.begin(), input.end(),
-                [&] { return static_cast<float>(random.uniform(-1.0, 1.0)); });
-  AlignedFloats scratch(2 * static_cast<std::size_t>(network.padded_width()) * kTile);
+  AlignedFloats input(std::size_t(network.input_size()) * kTile);
+  std::generate(input.begin(), input.end(), [&] { return float(random.uniform(-1.0, 1.0)); });
+  AlignedFloats scratch(2 * std::size_t(network.padded_width()) * kTile);
   const int hidden = network.layer_count() - 1;
   PeakShare best;
   for (int attempt = 0; attempt < kPeakAttempts && best.difference > kSteadyPeak; ++attempt) {
@@ -184,8 +183,7 @@ PeakShare hidden_layer_share(const PackedNetwork& network, const Queries& querie
     const double peak = 0.5 * (before + after);
     const double difference = std::abs(after - before) / peak;
     if (difference < best.difference) {
-      const double gmac_per_s =
-          tiles_per_s * kTile * static_cast<double>(network.multiply_adds(hidden)) / 1e9;
+      const double gmac_per_s = tiles_per_s * kTile * double(network.multiply_adds(hidden)) / 1e9;
       best = {peak, difference, gmac_per_s / peak};
     }
   }
@@ -200,8 +198,8 @@ class SpeedMeasurement {
         settings_(settings),
         queries_(random_queries(arm, kInputs, settings.seed)),
         progress_("bench", "measurements",
-                  static_cast<std::uint64_t>(2 + networks * kPerNetwork + peers * kPerPeer),
-                  settings.progress) {}
+                  std::uint64_t(2 + networks * kPerNetwork + peers * kPerPeer), settings.progress) {
+  }
 
   void measure_no_load(SpeedReport& report) {
     const ForwardModel model(arm_);
@@ -238,8 +236,8 @@ class SpeedMeasurement {
  private:
   void require_agreement(const std::string& peer, const CompensationModel& compensation);
 
-  static constexpr int kPerNetwork = 1 + static_cast<int>(std::size(kBatchSizes)) + 1 + 1;
-  static constexpr int kPerPeer = static_cast<int>(std::size(kBatchSizes));
+  static constexpr int kPerNetwork = 1 + int(std::size(kBatchSizes)) + 1 + 1;
+  static constexpr int kPerPeer = int(std::size(kBatchSizes));
 
   void measure_threads(const ForwardModel& model, NetworkSpeed& speed) {
     Queries many = random_queries(arm_, kParallelBatch, settings_.seed);
@@ -266,12 +264,10 @@ class SpeedMeasurement {
 PeerSpeed SpeedMeasurement::measure_peer(const PeerMaker& maker,
                                          const CompensationModel& compensation) {
   const std::vector<Layer> layers = folded_layers(compensation);
-  std::vector<PeerLayer> peer_layers;
-  for (const Layer& layer : layers) {
-    peer_layers.push_back({static_cast<int>(layer.weight.cols()),
-                           static_cast<int>(layer.weight.rows()), layer.weight.data(),
-                           layer.bias.data()});
-  }
+  auto peer_layers = mapped<PeerLayer>(layers, [&](const Layer& layer) {
+    return PeerLayer{int(layer.weight.cols()), int(layer.weight.rows()), layer.weight.data(),
+                     layer.bias.data()};
+  });
   const ForwardModel no_load(arm_);
   ForwardModel::Workspace workspace;
   const int n = arm_.channel_count();
@@ -282,7 +278,7 @@ PeerSpeed SpeedMeasurement::measure_peer(const PeerMaker& maker,
     MatrixXf unloaded = MatrixXf::Zero(size, batch);
     MatrixXf output(size, batch);
     const std::unique_ptr<NetworkPeer> peer(
-        maker.make(peer_layers.data(), static_cast<int>(peer_layers.size()), batch));
+        maker.make(peer_layers.data(), int(peer_layers.size()), batch));
     queries_.next.setConstant(std::numeric_limits<float>::quiet_NaN());
     const double rate = rate_of(settings_.queries, kInputs, [&] {
       for (int j = 0; j < kInputs; j += batch) {
@@ -343,8 +339,7 @@ SpeedReport measure_speed(const ArmDescription& arm, const CompensationModel* mo
   report.clock_ghz = clock_ghz();
   const std::vector<PeerMaker> makers =
       arm.is_spatial() ? std::vector<PeerMaker>() : peer_makers(settings.optional_peers);
-  SpeedMeasurement measurement(arm, settings, model_differs ? 2 : 1,
-                               static_cast<int>(makers.size()));
+  SpeedMeasurement measurement(arm, settings, model_differs ? 2 : 1, int(makers.size()));
   measurement.measure_no_load(report);
   if (model_differs) {
     report.model.push_back(measurement.measure_network(*model, report));

@@ -6,6 +6,8 @@
 #include <filesystem>
 
 #include "eigen_peer.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/mapped.hpp"
 #include "network_peer.hpp"
 
 namespace limber {
@@ -29,7 +31,6 @@ constexpr KnownPeer kKnownPeers[] = {
 // Null if limber was built without the peer, or its library is not there any more. Modules stay
 // loaded: their libraries' threads may outlive a measurement.
 MakeNetworkPeer load_maker(const std::string& name) {
-  namespace fs = std::filesystem;
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   const fs::path module =
@@ -47,12 +48,10 @@ MakeNetworkPeer load_maker(const std::string& name) {
 }  // namespace
 
 std::vector<OptionalPeer> optional_peers() {
-  std::vector<OptionalPeer> peers;
-  for (const KnownPeer& known : kKnownPeers) {
-    peers.push_back(
-        {known.name, known.library, known.how_to_get, load_maker(known.name) != nullptr});
-  }
-  return peers;
+  return mapped<OptionalPeer>(kKnownPeers, [&](const KnownPeer& known) {
+    return OptionalPeer{known.name, known.library, known.how_to_get,
+                        load_maker(known.name) != nullptr};
+  });
 }
 
 std::vector<PeerMaker> peer_makers(bool optional) {

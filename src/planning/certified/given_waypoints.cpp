@@ -12,6 +12,7 @@
 #include "certifying_judge.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/units.hpp"
 #include "limber/planning/plan_builder.hpp"
 #include "limber/planning/planner_factory.hpp"
@@ -63,9 +64,7 @@ class WaypointPlanner final : public Planner {
 };
 
 void require_waypoints(const PlanningProblem& problem, const std::vector<Pressures>& kpa) {
-  if (kpa.empty()) {
-    throw InputError("no waypoints; expected at least one, to which the motion goes");
-  }
+  refuse_if(kpa.empty(), "no waypoints; expected at least one, to which the motion goes");
   const std::vector<PressureLimits> all_limits = limits_of(problem);
   for (std::size_t w = 0; w < kpa.size(); ++w) {
     if (kpa[w].size() != problem.arm.channel_count()) {
@@ -74,7 +73,7 @@ void require_waypoints(const PlanningProblem& problem, const std::vector<Pressur
                                    problem.arm.channel_count()));
     }
     for (Eigen::Index i = 0; i < kpa[w].size(); ++i) {
-      const PressureLimits& limits = all_limits[static_cast<std::size_t>(i)];
+      const PressureLimits& limits = all_limits[i];
       if (!limits.contains(double(kpa[w][i]))) {  // NaN neither
         throw InputError(fmt::format(
             "{}: {} at {:.6g} {unit}; expected within {} {unit}", waypoint_name(w), segment_name(i),

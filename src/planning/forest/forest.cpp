@@ -7,6 +7,7 @@
 
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/planning/planner.hpp"
 #include "search/path_simulator.hpp"
 #include "search/sparse_tree.hpp"
@@ -75,7 +76,7 @@ class Grower {
     for (int i = 0; i < states.size(); ++i) {
       forest.parents.push_back(states.parent(i));
       forest.setpoints_kpa.col(i) = states.setpoint_kpa(i);
-      forest.held_tips.col(i) = held_tips_[static_cast<std::size_t>(i)];
+      forest.held_tips.col(i) = held_tips_[i];
       round_shape(states.backbone(i), problem_.arm.length_m(), forest.shapes.col(i));
     }
     forest.complete();
@@ -95,9 +96,8 @@ class Grower {
     const MotionState start = start_of(problem_);
     const std::vector<PathOutcome> outcomes =
         paths_.run({{start, {start.setpoint_kpa()}}}, [] { return false; });
-    if (!outcomes.front().held_tip) {
-      throw InputError("the model diverges while the arm stands still at its start");
-    }
+    refuse_if(!outcomes.front().held_tip,
+              "the model diverges while the arm stands still at its start");
     note_tip(outcomes.front());
   }
 
@@ -145,7 +145,7 @@ std::string why_another_rate(const Forest& forest, const ArmDescription& arm) {
 }
 
 std::string bytes_of(const float* values, Eigen::Index count) {
-  return {reinterpret_cast<const char*>(values), static_cast<std::size_t>(count) * sizeof(float)};
+  return {reinterpret_cast<const char*>(values), std::size_t(count) * sizeof(float)};
 }
 
 }  // namespace
@@ -157,13 +157,13 @@ TipGrid::TipGrid(const Eigen::Matrix3Xf& tips, const std::vector<float>& costs_k
   low_m_ = tips.topRows<2>().rowwise().minCoeff();
   const Eigen::Vector2f size_m = tips.topRows<2>().rowwise().maxCoeff() - low_m_;
   constexpr float kMinCellM = 1e-3F;
-  cell_m_ = std::max(size_m.maxCoeff() / static_cast<float>(kMaxCells), kMinCellM);
+  cell_m_ = std::max(size_m.maxCoeff() / float(kMaxCells), kMinCellM);
   columns_ = cell_index(size_m.x(), kMaxCells) + 1;
   rows_ = cell_index(size_m.y(), kMaxCells) + 1;
   const auto cell_of = [&](Eigen::Index i) { return cell(column(tips(0, i)), row(tips(1, i))); };
   // A counting sort: how many there are in each cell, where each cell begins, then everyone's
   // place.
-  begins_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
+  begins_.assign(std::size_t(columns_) * std::size_t(rows_) + 1, 0);
   for (Eigen::Index i = 0; i < tips.cols(); ++i) {
     ++begins_[cell_of(i) + 1];
   }
@@ -171,11 +171,9 @@ TipGrid::TipGrid(const Eigen::Matrix3Xf& tips, const std::vector<float>& costs_k
     begins_[c] += begins_[c - 1];
   }
   std::vector<std::size_t> next(begins_.begin(), begins_.end() - 1);
-  tips_.resize(static_cast<std::size_t>(tips.cols()));
+  tips_.resize(tips.cols());
   for (Eigen::Index i = 0; i < tips.cols(); ++i) {
-    tips_[next[cell_of(i)]++] = {tips(0, i), tips(1, i), tips(2, i),
-                                 costs_kpa[static_cast<std::size_t>(i)],
-                                 static_cast<std::int32_t>(i)};
+    tips_[next[cell_of(i)]++] = {tips(0, i), tips(1, i), tips(2, i), costs_kpa[i], std::int32_t(i)};
   }
 }
 
@@ -185,15 +183,15 @@ int TipGrid::cell_index(float distance_m, int count) const {
   if (!(cells > 0.0F)) {
     return 0;
   }
-  return cells < static_cast<float>(count) ? static_cast<int>(cells) : count - 1;
+  return cells < float(count) ? int(cells) : count - 1;
 }
 
 void Forest::complete() {
   std::vector<double> sums(parents.size(), 0.0);
   for (std::size_t i = 1; i < sums.size(); ++i) {
-    const auto parent = static_cast<std::size_t>(parents[i]);
-    sums[i] = sums[parent] + motion_cost_kpa(setpoints_kpa.col(static_cast<Eigen::Index>(parent)),
-                                             setpoints_kpa.col(static_cast<Eigen::Index>(i)));
+    const auto parent = std::size_t(parents[i]);
+    sums[i] = sums[parent] + motion_cost_kpa(setpoints_kpa.col(Eigen::Index(parent)),
+                                             setpoints_kpa.col(Eigen::Index(i)));
   }
   costs_kpa.assign(sums.begin(), sums.end());
   lowest_kpa = setpoints_kpa.rowwise().minCoeff();
@@ -211,10 +209,8 @@ bool is_grown_for(const Forest& forest, const ArmDescription& arm, const ForestK
 void require_forest_of(const Forest& forest, const ArmDescription& arm,
                        const ValveParameters& valves, const ArmStart& start) {
   const std::string why = why_another_arm(arm_of(forest), arm, "the forest");
-  if (!why.empty()) {
-    throw InputError(fmt::format(
-        "the forest was grown for another arm than '{}': {}. Grow it again", arm.name, why));
-  }
+  refuse_if(!why.empty(), "the forest was grown for another arm than '{}': {}. Grow it again",
+            arm.name, why);
   if (const std::string rate = why_another_rate(forest, arm); !rate.empty()) {
     throw InputError(rate);
   }
@@ -258,10 +254,8 @@ std::optional<Forest> grow_forest(const ArmDescription& arm, const MotionModel& 
                                   const ForestKey& key, const ArmStart& start,
                                   const ForestSettings& settings, const ForestCallback& callback) {
   require_planar(arm, "a forest");
-  if (settings.nodes < 1 || settings.nodes > Forest::kMaxNodes) {
-    throw InputError(
-        fmt::format("a forest of {} nodes; expected 1 to {}", settings.nodes, Forest::kMaxNodes));
-  }
+  refuse_if(settings.nodes < 1 || settings.nodes > Forest::kMaxNodes,
+            "a forest of {} nodes; expected 1 to {}", settings.nodes, Forest::kMaxNodes);
   Grower grower(arm, model, start, settings);
   int idle_rounds = 0;
   while (grower.size() < settings.nodes && idle_rounds < kMaxIdleRounds) {

@@ -4,6 +4,8 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/safetensors.hpp"
 #include "limber/common/utf8.hpp"
 #include "limber/planning/forest.hpp"
@@ -22,14 +24,14 @@ constexpr float kFarthest = 1e4F;  // [m, rad] of a tip; an arm's reach is a few
 // One row a node.
 template <class Matrix>
 TensorOf<typename Matrix::Scalar> rows_of(const Matrix& columns) {
-  return {{static_cast<std::size_t>(columns.cols()), static_cast<std::size_t>(columns.rows())},
+  return {{std::size_t(columns.cols()), std::size_t(columns.rows())},
           {columns.data(), columns.data() + columns.size()}};
 }
 
 /// A file's parts, by name.
 class ForestReader {
  public:
-  explicit ForestReader(const std::filesystem::path& path)
+  explicit ForestReader(const fs::path& path)
       : where_(path.string()), content_(parse_safetensors(read_file(path), where_)) {
     if (text("schema") != kSchema) {
       refuse(where_, fmt::format("schema '{}'; expected {}: --build-forest grows it again",
@@ -39,9 +41,8 @@ class ForestReader {
 
   std::string text(const std::string& name) const {
     const auto found = content_.metadata.find(name);
-    if (found == content_.metadata.end()) {
-      refuse(where_, fmt::format("metadata {} is missing; is this a forest?", name));
-    }
+    refuse_if(found == content_.metadata.end(), "{}: metadata {} is missing; is this a forest?",
+              where_, name);
     return found->second;
   }
 
@@ -53,9 +54,8 @@ class ForestReader {
   const Tensor& tensor(const std::string& name, std::size_t rank) {
     const Tensor& tensor = named(content_.tensors, name, rank);
     for (const float value : tensor.values) {
-      if (!std::isfinite(value)) {
-        refuse(where_, fmt::format("tensor {} holds a number that is not finite", name));
-      }
+      refuse_if(!std::isfinite(value), "{}: tensor {} holds a number that is not finite", where_,
+                name);
     }
     return tensor;
   }
@@ -72,16 +72,12 @@ class ForestReader {
   const TensorOf<Number>& named(const std::map<std::string, TensorOf<Number>>& tensors,
                                 const std::string& name, std::size_t rank) {
     const auto found = tensors.find(name);
-    if (found == tensors.end()) {
-      refuse(where_, fmt::format("tensor {} is missing", name));
-    }
+    refuse_if(found == tensors.end(), "{}: tensor {} is missing", where_, name);
     const TensorOf<Number>& tensor = found->second;
-    if (tensor.shape.size() != rank || tensor.values.empty() ||
-        (nodes_ != 0 && tensor.shape[0] != nodes_)) {
-      refuse(where_,
-             fmt::format("tensor {} does not have one row for each of the forest's nodes", name));
-    }
-    if (tensor.shape[0] > static_cast<std::size_t>(Forest::kMaxNodes)) {
+    refuse_if(tensor.shape.size() != rank || tensor.values.empty() ||
+                  (nodes_ != 0 && tensor.shape[0] != nodes_),
+              "{}: tensor {} does not have one row for each of the forest's nodes", where_, name);
+    if (tensor.shape[0] > std::size_t(Forest::kMaxNodes)) {
       refuse(where_, fmt::format("tensor {} has {} rows; expected at most {}", name,
                                  tensor.shape[0], Forest::kMaxNodes));
     }
@@ -98,21 +94,19 @@ std::vector<std::int32_t> parents_of(ForestReader& reader) {
   const Tensor& stored = reader.tensor("parents", 1);
   std::vector<std::int32_t> parents;
   for (std::size_t i = 0; i < stored.values.size(); ++i) {
-    const auto parent = static_cast<double>(stored.values[i]);
+    const auto parent = double(stored.values[i]);
     const bool is_root = i == 0 && parent == -1.0;
-    if (!is_root && (parent < 0.0 || parent >= double(i) || parent != std::floor(parent))) {
-      refuse(reader.where(), fmt::format("parents[{}] = {}; expected a node "
-                                         "before it (-1 for the first alone)",
-                                         i, parent));
-    }
-    parents.push_back(static_cast<std::int32_t>(parent));
+    refuse_if(!is_root && (parent < 0.0 || parent >= double(i) || parent != std::floor(parent)),
+              "{}: parents[{}] = {}; expected a node before it (-1 for the first alone)",
+              reader.where(), i, parent);
+    parents.push_back(std::int32_t(parent));
   }
   return parents;
 }
 
 }  // namespace
 
-void write_forest(const std::filesystem::path& path, const Forest& forest) {
+void write_forest(const fs::path& path, const Forest& forest) {
   Safetensors content;
   content.metadata = {{"schema", kSchema},
                       {"arm_hash", forest.key.arm_hash},
@@ -131,7 +125,7 @@ void write_forest(const std::filesystem::path& path, const Forest& forest) {
   write_file_atomically(path, safetensors_bytes(content));
 }
 
-Forest read_forest(const std::filesystem::path& path) {
+Forest read_forest(const fs::path& path) {
   ForestReader reader(path);
   Forest forest;
   forest.key = {reader.text("arm_hash"), reader.text("model_hash"), reader.text("valves_hash"),
@@ -142,13 +136,12 @@ Forest read_forest(const std::filesystem::path& path) {
   }
   forest.parents = parents_of(reader);
   const Tensor& setpoints = reader.tensor("setpoints_kpa", 2);
-  const auto segments = static_cast<Eigen::Index>(setpoints.shape[1]);
-  forest.setpoints_kpa = Eigen::Map<const Eigen::MatrixXf>(
-      setpoints.values.data(), segments, static_cast<Eigen::Index>(forest.size()));
+  const auto segments = Eigen::Index(setpoints.shape[1]);
+  forest.setpoints_kpa = Eigen::Map<const Eigen::MatrixXf>(setpoints.values.data(), segments,
+                                                           Eigen::Index(forest.size()));
   const Tensor& tips = reader.tensor("held_tips", 2);
-  if (tips.shape[1] != kPoseSize) {
-    refuse(reader.where(), "tensor held_tips does not have 3 columns (x_m, y_m, theta_rad)");
-  }
+  refuse_if(tips.shape[1] != kPoseSize,
+            "{}: tensor held_tips does not have 3 columns (x_m, y_m, theta_rad)", reader.where());
   for (std::size_t i = 0; i < tips.values.size(); ++i) {
     if (std::abs(tips.values[i]) > kFarthest) {
       refuse(reader.where(), fmt::format("held_tips[{}, {}] = {}; expected at most {} (m, rad)",
@@ -156,10 +149,10 @@ Forest read_forest(const std::filesystem::path& path) {
     }
   }
   forest.held_tips = Eigen::Map<const Eigen::Matrix3Xf>(tips.values.data(), kPoseSize,
-                                                        static_cast<Eigen::Index>(forest.size()));
+                                                        Eigen::Index(forest.size()));
   const ShortTensor& shapes = reader.shorts("shapes", 2);
-  forest.shapes = Eigen::Map<const QuantizedShapes>(
-      shapes.values.data(), static_cast<Eigen::Index>(shapes.shape[1]), forest.size());
+  forest.shapes = Eigen::Map<const QuantizedShapes>(shapes.values.data(),
+                                                    Eigen::Index(shapes.shape[1]), forest.size());
   forest.complete();
   return forest;
 }

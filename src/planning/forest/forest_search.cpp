@@ -24,7 +24,7 @@ constexpr int kMaxFilterChecks =
 constexpr int kLooksAtOnce = 64;  // then the time limit is checked
 
 Eigen::Vector2f point_m(const PoseGoal& goal) {
-  return {static_cast<float>(goal.x_m), static_cast<float>(goal.y_m)};
+  return {float(goal.x_m), float(goal.y_m)};
 }
 
 /// Nothing is known of a node if the motion to it collided.
@@ -37,7 +37,7 @@ Pose pose_of(const TipGrid::Tip& tip) {
 }
 
 int parent_of(const Forest& forest, int node) {
-  return forest.parents[static_cast<std::size_t>(node)];
+  return forest.parents[node];
 }
 
 /// Nodes on the path to `node`, itself included, after the last one that is in `known`.
@@ -84,11 +84,9 @@ bool ForestFilter::leaves_edge_free(int node) const {
     return false;
   }
   const int looks = std::min(
-      kMaxEdgeChecks,
-      static_cast<int>(std::ceil(largest_plate_distance_m(shape_at(parent), end) / kLookM)));
+      kMaxEdgeChecks, int(std::ceil(largest_plate_distance_m(shape_at(parent), end) / kLookM)));
   for (int k = 1; k < looks; ++k) {
-    if (!checker_.is_free(
-            shape_between(parent, node, static_cast<float>(k) / static_cast<float>(looks)))) {
+    if (!checker_.is_free(shape_between(parent, node, float(k) / float(looks)))) {
       return false;
     }
   }
@@ -102,7 +100,7 @@ bool ForestFilter::leaves_hold_free(int node) const {
   const Eigen::Index last = held.rows() - 1;
   const Eigen::RowVector3f shift = forest_.held_tips.col(node).transpose() - held.row(last);
   for (Eigen::Index plate = 1; plate <= last; ++plate) {
-    const float part = static_cast<float>(plate) / static_cast<float>(last);
+    const float part = float(plate) / float(last);
     held.row(plate) += part * part * shift;
   }
   return checker_.is_motion_free(end, held);
@@ -132,7 +130,7 @@ ForestSearch::ForestSearch(const Forest& forest, const PlanningProblem& problem,
 ForestSearch::Ranking ForestSearch::those_in_goal() const {
   const PoseGoal& goal = problem_.environment.goal;
   std::vector<Ranked> found;
-  forest_.tips.visit_near(point_m(goal), static_cast<float>(goal.position_tolerance_m),
+  forest_.tips.visit_near(point_m(goal), float(goal.position_tolerance_m),
                           [&](const TipGrid::Tip& tip) {
                             if (is_within(goal, pose_error(goal, pose_of(tip)))) {
                               found.emplace_back(double(tip.cost_kpa), tip.node);
@@ -144,13 +142,13 @@ ForestSearch::Ranking ForestSearch::those_in_goal() const {
 ForestSearch::Ranking ForestSearch::those_near() const {
   const PoseGoal& goal = problem_.environment.goal;
   std::vector<Ranked> found;
-  forest_.tips.visit_near(point_m(goal), static_cast<float>(goal.position_tolerance_m + kNearM),
+  forest_.tips.visit_near(point_m(goal), float(goal.position_tolerance_m + kNearM),
                           [&](const TipGrid::Tip& tip) {
                             found.emplace_back(goal_error(goal, pose_of(tip)), tip.node);
                           });
   if (std::ssize(found) > kMaxNearLookedAt) {
     std::nth_element(found.begin(), found.begin() + kMaxNearLookedAt, found.end());
-    found.resize(static_cast<std::size_t>(kMaxNearLookedAt));
+    found.resize(kMaxNearLookedAt);
   }
   return Ranking({}, std::move(found));
 }

@@ -32,13 +32,12 @@ const double* values(const oc::Control* control) {
 }
 
 const PressureLimits& limits_of(const ArmWorld& world, int segment) {
-  return world.limits[static_cast<std::size_t>(segment)];
+  return world.limits[segment];
 }
 
 /// What distances between set points are measured in.
 double scale_kpa(const ArmWorld& world, int segment) {
-  return world.problem.arm.segments[static_cast<std::size_t>(segment)]
-      .pressure_limit_kpa.half_width_kpa();
+  return world.problem.arm.segments[segment].pressure_limit_kpa.half_width_kpa();
 }
 
 /// Draws set points; the shape is the no-load model's, so that distances to it mean something.
@@ -50,7 +49,7 @@ class ArmSampler final : public ob::StateSampler {
     Pressures kpa(world_.segments());
     for (int i = 0; i < kpa.size(); ++i) {
       const PressureLimits limits = limits_of(world_, i);
-      kpa[i] = static_cast<float>(world_.random.uniform(limits.lower_kpa, limits.upper_kpa));
+      kpa[i] = float(world_.random.uniform(limits.lower_kpa, limits.upper_kpa));
     }
     world_.write_target(kpa, state);
   }
@@ -61,7 +60,7 @@ class ArmSampler final : public ob::StateSampler {
     Pressures kpa = world_.setpoint_kpa(mean);
     for (int i = 0; i < kpa.size(); ++i) {
       const double shift = scale_kpa(world_, i) * deviation * world_.random.normal();
-      kpa[i] = static_cast<float>(limits_of(world_, i).clamped(double(kpa[i]) + shift));
+      kpa[i] = float(limits_of(world_, i).clamped(double(kpa[i]) + shift));
     }
     world_.write_target(kpa, state);
   }
@@ -183,12 +182,12 @@ class StraightSampler final : public oc::DirectedControlSampler {
     for (int i = 0; i < world_.segments(); ++i) {
       largest = std::max(largest, std::abs(values(dest)[i] - values(source)[i]));
     }
-    const int wanted = std::max(1, static_cast<int>(std::ceil(largest / step)));
+    const int wanted = std::max(1, int(std::ceil(largest / step)));
     for (int i = 0; i < world_.segments(); ++i) {
       values(control)[i] = (values(dest)[i] - values(source)[i]) / wanted;
     }
     const auto frames = static_cast<unsigned>(std::min(wanted, world_.settings.frames));
-    return si_->propagateWhileValid(source, control, static_cast<int>(frames), dest);
+    return si_->propagateWhileValid(source, control, int(frames), dest);
   }
   unsigned int sampleTo(oc::Control* control, const oc::Control*, const ob::State* source,
                         ob::State* dest) override {
@@ -248,7 +247,7 @@ class ArmGoal final : public ob::GoalSampleableRegion {
   }
 
   void sampleGoal(ob::State* state) const override {
-    const auto count = static_cast<std::uint32_t>(world_.goal_configurations.size());
+    const auto count = std::uint32_t(world_.goal_configurations.size());
     world_.write_target(world_.goal_configurations[world_.random.index(count)], state);
     ArmSampler(si_->getStateSpace().get(), world_).sampleGaussian(state, state, kGoalSpread);
   }
@@ -330,7 +329,7 @@ void ArmWorld::write_target(const Pressures& kpa, ob::State* state) const {
 Pressures ArmWorld::next_setpoint(const Pressures& kpa, const double* change_kpa) const {
   Pressures next = kpa;
   for (int i = 0; i < segments(); ++i) {
-    next[i] = static_cast<float>(limits_of(*this, i).clamped(double(kpa[i]) + change_kpa[i]));
+    next[i] = float(limits_of(*this, i).clamped(double(kpa[i]) + change_kpa[i]));
   }
   return next;
 }

@@ -23,6 +23,7 @@
 #include "arm_space.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/number_text.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/planning/problem_check.hpp"
 #include "limber/world/inverse_kinematics.hpp"
 #include "plan_ladder.hpp"
@@ -102,7 +103,7 @@ const std::map<std::string, ob::PlannerPtr (*)(const oc::SpaceInformationPtr&, s
 
 OmplSettings take_settings(PlannerName& name) {
   OmplSettings settings;
-  settings.frames = static_cast<int>(name.take("frames", 1, 100, settings.frames));
+  settings.frames = int(name.take("frames", 1, 100, settings.frames));
   settings.tip_weight = name.take("tip_weight", 0, 100, settings.tip_weight);
   settings.directed = name.take("directed", 0, 1, 1) != 0;
   return settings;
@@ -118,12 +119,10 @@ void require_suggested(const ob::GenericParam& parameter, const std::string& val
 }
 
 void require_limits(const PlannerLimits& limits) {
-  if (limits.iterations || limits.memory_mb) {
-    throw InputError("OMPL's planners count neither iterations nor memory: limit time or queries");
-  }
-  if (!limits.time_s && !limits.queries) {
-    throw InputError("no limit is set: give a time or a number of queries");
-  }
+  refuse_if(limits.iterations || limits.memory_mb,
+            "OMPL's planners count neither iterations nor memory: limit time or queries");
+  refuse_if(!limits.time_s && !limits.queries,
+            "no limit is set: give a time or a number of queries");
 }
 
 /// One plan: OMPL's planner on limber's space, and what it found as limber's result.

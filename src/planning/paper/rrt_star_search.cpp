@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "limber/arm/plate_distance.hpp"
+#include "limber/common/mapped.hpp"
 
 namespace limber {
 
@@ -34,8 +35,8 @@ RrtStarSearch::RrtStarSearch(const PlanningProblem& problem, MotionSimulator& si
                     problem.limits),
       scale_kpa_(pressure_scales_kpa(problem.arm)),
       box_(pressure_box(limits_of(problem))),
-      match_kpa_(static_cast<float>(settings.match_pressure *
-                                    double(pressure_limits_kpa(problem.arm).maxCoeff()))),
+      match_kpa_(
+          float(settings.match_pressure * double(pressure_limits_kpa(problem.arm).maxCoeff()))),
       near_gain_(settings.near_factor * min_near_gain(problem.arm.channel_count())),
       tree_(problem.model),
       index_(problem.arm.channel_count()),
@@ -58,14 +59,14 @@ Pressures RrtStarSearch::sample() {
   if (kind < settings_.goal_bias) {
     q = goal_sampler_.sample(random_);
     for (int i = 0; i < q.size(); ++i) {
-      q[i] += static_cast<float>(random_.normal() * settings_.goal_spread) * scale_kpa_[i];
+      q[i] += float(random_.normal() * settings_.goal_spread) * scale_kpa_[i];
     }
     return box_.limited(q);
   }
   const Pressures middle = 0.5F * (box_.low_kpa + box_.high_kpa);
   const Pressures half = 0.5F * (box_.high_kpa - box_.low_kpa);
   for (int i = 0; i < q.size(); ++i) {
-    q[i] = middle[i] + static_cast<float>(random_.uniform(-1.0, 1.0)) * half[i];
+    q[i] = middle[i] + float(random_.uniform(-1.0, 1.0)) * half[i];
   }
   return box_.limited(q);
 }
@@ -76,7 +77,7 @@ std::optional<Pressures> RrtStarSearch::steer(const Pressures& sample, int neare
   if (distance <= kSameSample) {
     return std::nullopt;
   }
-  const float step = static_cast<float>(settings_.step_size);
+  const float step = float(settings_.step_size);
   const Pressures kpa =
       distance <= step ? sample : Pressures(from + (sample - from) * (step / distance));
   return box_.limited(kpa);
@@ -88,7 +89,7 @@ RrtStarSearch::Nodes RrtStarSearch::near(const Pressures& kpa, int nearest) cons
       std::min(near_gain_ * std::pow(std::log(count) / count, 1.0 / double(scale_kpa_.size())),
                settings_.step_size);
   Nodes nodes;
-  index_.within(scaled(kpa), static_cast<float>(radius), nodes);
+  index_.within(scaled(kpa), float(radius), nodes);
   if (!std::binary_search(nodes.begin(), nodes.end(), nearest)) {
     nodes.insert(std::lower_bound(nodes.begin(), nodes.end(), nearest), nearest);
   }
@@ -97,11 +98,9 @@ RrtStarSearch::Nodes RrtStarSearch::near(const Pressures& kpa, int nearest) cons
 
 std::vector<RrtStarSearch::Candidate> RrtStarSearch::by_cost(const Pressures& kpa,
                                                              const Nodes& near) const {
-  std::vector<Candidate> candidates;
-  for (const int node : near) {
-    candidates.push_back(
-        {tree_.cost_kpa(node) + motion_cost_kpa(tree_.setpoint_kpa(node), kpa), node});
-  }
+  auto candidates = mapped<Candidate>(near, [&](const int node) {
+    return Candidate{tree_.cost_kpa(node) + motion_cost_kpa(tree_.setpoint_kpa(node), kpa), node};
+  });
   std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
     return a.cost_kpa < b.cost_kpa || (a.cost_kpa == b.cost_kpa && a.node < b.node);
   });
@@ -129,7 +128,7 @@ bool RrtStarSearch::matches(const MotionState& end, int node) const {
          (end.valves - valves).lpNorm<Eigen::Infinity>() <= match_kpa_ &&
          largest_plate_distance_m(end.backbone, backbone) <= settings_.match_position_m &&
          (end.backbone - backbone).col(2).lpNorm<Eigen::Infinity>() <=
-             static_cast<float>(settings_.match_orientation_rad);
+             float(settings_.match_orientation_rad);
 }
 
 std::optional<std::vector<RrtStarSearch::Changed>> RrtStarSearch::simulate_below(
@@ -164,7 +163,7 @@ void RrtStarSearch::simulate_to(const Nodes& nodes, int from) {
   const std::vector<MotionState> states(nodes.size(), tree_.state(from));
   Eigen::MatrixXf to_kpa(scale_kpa_.size(), std::ssize(nodes));
   for (std::size_t c = 0; c < nodes.size(); ++c) {
-    to_kpa.col(static_cast<Eigen::Index>(c)) = tree_.setpoint_kpa(nodes[c]);
+    to_kpa.col(Eigen::Index(c)) = tree_.setpoint_kpa(nodes[c]);
   }
   batch_.run(states, to_kpa);
 }
@@ -189,7 +188,7 @@ void RrtStarSearch::rewire(int from, const Nodes& near, const PlannerBudget& bud
       continue;  // an earlier rewiring has made it so
     }
     ++statistics_.rewires_tried;
-    const auto motion = static_cast<int>(c);
+    const auto motion = int(c);
     const MotionState& end = batch_.end(motion);
     if (!matches(end, node) || !batch_.is_free(motion, simulator_.checker())) {
       continue;
@@ -233,14 +232,13 @@ void RrtStarSearch::judge(int node) {
     nearest_error_ = error;
     nearest_node_ = node;
   }
-  in_goal_[static_cast<std::size_t>(node)] = ends_in_goal(node) ? 1 : 0;
+  in_goal_[node] = ends_in_goal(node) ? 1 : 0;
   consider_best(node);
 }
 
 void RrtStarSearch::consider_best(int node) {
   const double cost = tree_.cost_kpa(node);
-  if (in_goal_[static_cast<std::size_t>(node)] &&
-      (!best_cost_kpa_ || cost < *best_cost_kpa_ - kImprovementKpa)) {
+  if (in_goal_[node] && (!best_cost_kpa_ || cost < *best_cost_kpa_ - kImprovementKpa)) {
     best_cost_kpa_ = cost;
     best_waypoints_kpa_ = tree_.path_to(node);
   }
@@ -263,14 +261,13 @@ void RrtStarSearch::iterate(const PlannerBudget& budget) {
 }
 
 double RrtStarSearch::bytes() const {
-  const std::size_t index_bytes =
-      static_cast<std::size_t>(scale_kpa_.size()) * sizeof(float) + 2 * sizeof(int);
+  const std::size_t index_bytes = std::size_t(scale_kpa_.size()) * sizeof(float) + 2 * sizeof(int);
   return double(tree_.size()) * double(tree_.bytes_per_node() + index_bytes + 1);
 }
 
 PlannerStatistics RrtStarSearch::statistics() const {
   PlannerStatistics statistics = statistics_;
-  statistics.nodes = static_cast<std::uint64_t>(tree_.size());
+  statistics.nodes = std::uint64_t(tree_.size());
   return statistics;
 }
 

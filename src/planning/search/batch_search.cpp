@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "limber/common/mapped.hpp"
+
 namespace limber {
 
 namespace {
@@ -56,13 +58,13 @@ Pressures BatchSearch::scattered(const Pressures& about_kpa, double spread,
                                  RandomStream& random) const {
   Pressures kpa = about_kpa;
   for (Eigen::Index i = 0; i < kpa.size(); ++i) {
-    kpa[i] += static_cast<float>(random.normal() * spread) * tree_.scales_kpa()[i];
+    kpa[i] += float(random.normal() * spread) * tree_.scales_kpa()[i];
   }
   return tree_.box().limited(kpa);
 }
 
 BatchSearch::Edge BatchSearch::shot_at_goal(RandomStream& random) {
-  int node = elite_[random.index(static_cast<std::uint32_t>(elite_.size()))].node;
+  int node = elite_[random.index(std::uint32_t(elite_.size()))].node;
   if (random.uniform() < 0.5) {
     const int choices = random.uniform() < 0.5 ? 1 : random_power_of_two(random, kMaxShotChoices);
     node = tree_.random_node(random);
@@ -102,8 +104,7 @@ BatchSearch::Edge BatchSearch::propose(RandomStream& random) {
 
 std::vector<BatchSearch::Edge> BatchSearch::propose_batch(
     const std::optional<double>& best_cost_kpa) {
-  const std::size_t wanted =
-      std::clamp(static_cast<std::size_t>(tree_.size()) / 4, kMinEdges, kMaxEdges);
+  const std::size_t wanted = std::clamp(std::size_t(tree_.size()) / 4, kMinEdges, kMaxEdges);
   goal_sampler_.draw_at_most(std::min(settings_.goal_configurations, 1 + rounds_++ / 2));
   std::vector<Edge> edges;
   for (std::size_t k = 0; k < wanted; ++k) {
@@ -123,10 +124,9 @@ std::vector<BatchSearch::Edge> BatchSearch::propose_batch(
 std::vector<BatchSearch::Solution> BatchSearch::round(const std::optional<double>& best_cost_kpa,
                                                       const std::function<bool()>& give_up) {
   const std::vector<Edge> edges = propose_batch(best_cost_kpa);
-  std::vector<Path> paths;
-  for (const Edge& edge : edges) {
-    paths.push_back({tree().state(edge.parent), {edge.to_kpa}});
-  }
+  const auto paths = mapped<Path>(edges, [&](const Edge& edge) {
+    return Path{tree().state(edge.parent), {edge.to_kpa}};
+  });
   const std::vector<PathOutcome> outcomes = simulator_.run(paths, give_up);
   std::vector<Solution> found;
   for (std::size_t k = 0; k < edges.size(); ++k) {

@@ -64,7 +64,7 @@ class DefaultRun {
   PlannerProgress progress() const {
     return {budget_.elapsed_s(),
             search_->proposals(),
-            static_cast<std::uint64_t>(search_->tree().size()),
+            std::uint64_t(search_->tree().size()),
             paths_.queries(),
             ladder_.best_cost_kpa(),
             [this] { return tree_edges(search_->tree()); }};

@@ -9,6 +9,7 @@
 #include "default_planner.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/jobs.hpp"
+#include "limber/common/refuse_if.hpp"
 
 namespace limber {
 
@@ -51,11 +52,9 @@ void set(Settings& settings, const Range& range, double value) {
     settings.** real = value;
     return;
   }
-  if (value != std::floor(value)) {
-    throw InputError(
-        fmt::format("planner setting {} = {}; expected a whole number", range.name, value));
-  }
-  settings.*std::get<int Settings::*>(range.member) = static_cast<int>(value);
+  refuse_if(value != std::floor(value), "planner setting {} = {}; expected a whole number",
+            range.name, value);
+  settings.*std::get<int Settings::*>(range.member) = int(value);
 }
 
 }  // namespace

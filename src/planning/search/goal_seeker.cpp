@@ -55,8 +55,8 @@ double GoalAim::beyond(const Pose& held_tip) const {
 }
 
 const Pressures& GoalSampler::sample(RandomStream& random) {
-  if (static_cast<int>(sampled_kpa_.size()) >= count_) {
-    return sampled_kpa_[random.index(static_cast<std::uint32_t>(sampled_kpa_.size()))];
+  if (int(sampled_kpa_.size()) >= count_) {
+    return sampled_kpa_[random.index(std::uint32_t(sampled_kpa_.size()))];
   }
   // A pose of the region: uniform in the disc, and in the interval of headings.
   const double angle = random.uniform(0.0, 2.0 * std::numbers::pi);
@@ -100,7 +100,7 @@ Pressures step_toward_goal(const NoLoadModel& model, const PoseGoal& goal, doubl
   curvatures += jacobian.transpose() * damped_solve(normal, error, kStepDamping * normal.trace());
   Pressures to_kpa(from_kpa.size());
   for (int i = 0; i < to_kpa.size(); ++i) {
-    to_kpa[i] = static_cast<float>(model.pressure_for_curvature(i, curvatures[i]).pressure_kpa);
+    to_kpa[i] = float(model.pressure_for_curvature(i, curvatures[i]).pressure_kpa);
   }
   return to_kpa;
 }

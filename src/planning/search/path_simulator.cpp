@@ -26,10 +26,10 @@ class PathSimulator::Queue {
   /// The next path's number; none when all are taken.
   std::optional<int> take() {
     const std::size_t i = next_.fetch_add(1, std::memory_order_relaxed);
-    return i < paths_.size() ? std::optional(static_cast<int>(i)) : std::nullopt;
+    return i < paths_.size() ? std::optional(int(i)) : std::nullopt;
   }
-  const Path& path(int i) const { return paths_[static_cast<std::size_t>(i)]; }
-  PathOutcome& outcome(int i) { return outcomes_[static_cast<std::size_t>(i)]; }
+  const Path& path(int i) const { return paths_[i]; }
+  PathOutcome& outcome(int i) { return outcomes_[i]; }
 
  private:
   const std::vector<Path>& paths_;
@@ -51,7 +51,7 @@ class PathSimulator::Worker {
   void run(Queue& queue, std::size_t width, const std::function<bool()>& give_up) {
     rollouts_.clear();
     while (true) {
-      fill(queue, static_cast<int>(width));
+      fill(queue, int(width));
       if (rollouts_.size() == 0 || give_up()) {
         return;
       }
@@ -169,8 +169,8 @@ std::vector<PathOutcome> PathSimulator::run(const std::vector<Path>& paths,
                                             const std::function<bool()>& give_up) {
   std::vector<PathOutcome> outcomes(paths.size());
   Queue queue(paths, outcomes);
-  const std::size_t threads = std::clamp(paths.size() / kMinWidth, std::size_t{1},
-                                         static_cast<std::size_t>(threads_->arena.jobs()));
+  const std::size_t threads =
+      std::clamp(paths.size() / kMinWidth, std::size_t{1}, std::size_t(threads_->arena.jobs()));
   const std::size_t width = std::min(kWidth, (paths.size() + threads - 1) / threads);
   const auto run_thread = [&](std::size_t) {
     std::unique_ptr<Worker>& worker = threads_->workers.local();

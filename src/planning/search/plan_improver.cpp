@@ -6,6 +6,8 @@
 #include <span>
 #include <utility>
 
+#include "limber/common/mapped.hpp"
+
 namespace limber {
 
 namespace {
@@ -124,8 +126,7 @@ std::optional<PlanImprover::Change> PlanImprover::cheaper(Waypoints waypoints_kp
 
 Path PlanImprover::path_of(const Change& change) const {
   return {states_[change.same - 1],
-          {change.waypoints_kpa.begin() + static_cast<std::ptrdiff_t>(change.same),
-           change.waypoints_kpa.end()}};
+          {change.waypoints_kpa.begin() + std::ptrdiff_t(change.same), change.waypoints_kpa.end()}};
 }
 
 void PlanImprover::settle(std::vector<Change> changes, std::span<const PathOutcome> outcomes) {
@@ -184,7 +185,7 @@ ImproverTeam::ImproverTeam(const PlanningProblem& problem, SecondOpinions& opini
                            std::uint64_t seed)
     : choice_(seed, kChoiceStream) {
   for (int i = 0; i < size; ++i) {
-    improvers_.emplace_back(problem, opinions, seed, static_cast<std::uint64_t>(i));
+    improvers_.emplace_back(problem, opinions, seed, std::uint64_t(i));
   }
 }
 
@@ -192,7 +193,7 @@ std::optional<BatchSearch::Solution> ImproverTeam::take_waiting() {
   if (waiting_.empty()) {
     return std::nullopt;
   }
-  const std::size_t index = choice_.index(static_cast<std::uint32_t>(waiting_.size()));
+  const std::size_t index = choice_.index(std::uint32_t(waiting_.size()));
   const BatchSearch::Solution solution = waiting_[index];
   waiting_[index] = waiting_.back();
   waiting_.pop_back();
@@ -204,10 +205,8 @@ void ImproverTeam::call_plan(const BatchSearch& search, PlanImprover& improver) 
   if (!solution) {
     return;
   }
-  std::vector<MotionState> states;
-  for (const int node : search.tree().nodes_to(solution->node)) {
-    states.push_back(search.tree().state(node));
-  }
+  auto states = mapped<MotionState>(search.tree().nodes_to(solution->node),
+                                    [&](const int node) { return search.tree().state(node); });
   improver.adopt(search.waypoints_to(solution->node), std::move(states), solution->held_tip);
 }
 

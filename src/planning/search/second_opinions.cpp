@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "limber/common/mapped.hpp"
+
 namespace limber {
 
 SecondOpinions::Other::Other(const PlanningProblem& problem, int member,
@@ -32,11 +34,8 @@ bool SecondOpinions::agree(const std::vector<Pressures>& waypoints_kpa) {
 }
 
 std::uint64_t SecondOpinions::queries() const {
-  std::uint64_t sum = 0;
-  for (const std::unique_ptr<Other>& other : others_) {
-    sum += other->simulator.queries();
-  }
-  return sum;
+  return sum_of<std::uint64_t>(
+      others_, [&](const std::unique_ptr<Other>& other) { return other->simulator.queries(); });
 }
 
 }  // namespace limber

@@ -26,7 +26,7 @@ int random_power_of_two(RandomStream& random, int most) {
   while (1 << (kinds - 1) < most) {
     ++kinds;
   }
-  return 1 << random.index(static_cast<std::uint32_t>(kinds));
+  return 1 << random.index(std::uint32_t(kinds));
 }
 
 SparseTree::SparseTree(const ArmDescription& arm, const MotionModel& model, const StateCells& cells,
@@ -52,14 +52,14 @@ std::optional<int> SparseTree::add(const MotionState& state, int parent, double 
   index_.add(scaled(state.setpoint_kpa()));
   stands_for_.push_back(node);
   if (is_cheaper) {
-    stands_for_[static_cast<std::size_t>(entry->second)] = node;
+    stands_for_[entry->second] = node;
     entry->second = node;
   }
   return node;
 }
 
 int SparseTree::random_node(RandomStream& random) const {
-  return static_cast<int>(random.index(static_cast<std::uint32_t>(tree_.size())));
+  return int(random.index(std::uint32_t(tree_.size())));
 }
 
 int SparseTree::parent_near(const Pressures& target_kpa, double random_share,
@@ -80,8 +80,8 @@ int SparseTree::parent_near(const Pressures& target_kpa, double random_share,
       }
     }
   }
-  while (stands_for_[static_cast<std::size_t>(node)] != node) {
-    node = stands_for_[static_cast<std::size_t>(node)];
+  while (stands_for_[node] != node) {
+    node = stands_for_[node];
   }
   return node;
 }
@@ -89,15 +89,15 @@ int SparseTree::parent_near(const Pressures& target_kpa, double random_share,
 Pressures SparseTree::stepped(int node, const Pressures& target_kpa, double step) const {
   const auto from = tree_.setpoint_kpa(node);
   const float distance = scaled(target_kpa - from).norm();
-  if (distance <= static_cast<float>(step)) {
+  if (distance <= float(step)) {
     return target_kpa;
   }
-  return box_.limited(from + (target_kpa - from) * (static_cast<float>(step) / distance));
+  return box_.limited(from + (target_kpa - from) * (float(step) / distance));
 }
 
 std::uint64_t SparseTree::cell_of(const MotionState& state, const Pose& settled_tip) const {
   const auto quantised = [](double value, double cell) {
-    return static_cast<std::int64_t>(std::floor(value / cell));
+    return std::int64_t(std::floor(value / cell));
   };
   std::uint64_t hash = 0;
   // Behind ideal valves the second half says what the first has said.
@@ -113,8 +113,7 @@ std::uint64_t SparseTree::cell_of(const MotionState& state, const Pose& settled_
 }
 
 double SparseTree::bytes() const {
-  const std::size_t index_bytes =
-      static_cast<std::size_t>(scale_kpa_.size()) * sizeof(float) + 3 * sizeof(int);
+  const std::size_t index_bytes = std::size_t(scale_kpa_.size()) * sizeof(float) + 3 * sizeof(int);
   constexpr std::size_t kCellBytes = 48;
   return double(tree_.size()) * double(tree_.bytes_per_node() + index_bytes + kCellBytes);
 }

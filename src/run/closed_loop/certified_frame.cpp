@@ -57,7 +57,7 @@ CertifiedFrame::Sent CertifiedFrame::next(const MotionState& now, const PlanProg
   }
   const PlanFrame* tried = nullptr;  // near its start, all of these are that
   for (const double back_s : kBackS) {
-    const auto back = static_cast<std::size_t>(arm_.frames_in(back_s));
+    const auto back = std::size_t(arm_.frames_in(back_s));
     const PlanFrame& to = plan.frames[at.frame - std::min(at.frame, back)];
     if (std::exchange(tried, &to) != &to && begin(now, {to.setpoint_kpa}, std::nullopt, &plan)) {
       return {last_->plan.frames[1].setpoint_kpa, std::nullopt};

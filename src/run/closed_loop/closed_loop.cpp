@@ -10,6 +10,7 @@
 #include "certified_frame.hpp"
 #include "estimate/live_arm_fit.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/units.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/planning/planner_factory.hpp"
@@ -137,11 +138,9 @@ ClosedLoop::ClosedLoop(const ArmDescription& arm, const MotionModel& model,
                        const Environment& environment, const ErrorRoom& room,
                        const ClosedLoopSettings& settings, std::uint64_t seed) {
   require_model_of_arm(arm, model, "closed loop");
-  if (!model.has_network()) {
-    throw InputError(
-        "the closed loop needs a network: the no-load model errs as much after a correction as "
-        "before. Give one (--model), or execute the plan open loop");
-  }
+  refuse_if(!model.has_network(),
+            "the closed loop needs a network: the no-load model errs as much after a correction as "
+            "before. Give one (--model), or execute the plan open loop");
   motion_ = std::make_unique<Motion>(arm, model, environment, room, settings, seed);
 }
 
@@ -206,7 +205,7 @@ void ClosedLoop::observe(const Moment& now) {
     motion.is_refitted = false;
     *motion.own = ForwardModel(motion.arm, model_of_arm(motion.family, motion.fit->member()));
     const Eigen::VectorXf& e = motion.fit->member().e;
-    if ((e - motion.missed_by).norm() > kOtherArm * std::sqrt(static_cast<float>(e.size()))) {
+    if ((e - motion.missed_by).norm() > kOtherArm * std::sqrt(float(e.size()))) {
       motion.missed_by = e;  // what another arm's model missed says nothing of this one
       now.arm.forget_miss();
       now.arm.take(RestMiss{});
@@ -228,7 +227,7 @@ FrameSetpoint ClosedLoop::setpoint(const PlanProgress& at, std::size_t next,
   if (std::exchange(motion.sent_of, &plan) != &plan) {
     motion.waited = 0;
   }
-  const bool is_over = next + static_cast<std::size_t>(plan.hold_frame_count) >= plan.frames.size();
+  const bool is_over = next + std::size_t(plan.hold_frame_count) >= plan.frames.size();
   const std::size_t following = std::min(frame + 1, plan.frames.size() - 1);
   std::vector<CertifiedFrame::Wanted> wanted{{led_kpa, next}};
   if (following != next || at.setpoint_kpa(following) != led_kpa) {
@@ -256,7 +255,7 @@ Pressures ClosedLoop::led_setpoint(const PlanProgress& at, std::size_t next,
     motion.followed = &plan;
     motion.feedback.forget();
   }
-  const int held = static_cast<int>(next) + plan.hold_frame_count - plan.frame_count();
+  const int held = int(next) + plan.hold_frame_count - plan.frame_count();
   if (held >= motion.arm.frames_in(kSettleS) && !arm.is_moving()) {
     return held_kpa;
   }
@@ -274,7 +273,7 @@ bool ClosedLoop::may_hold(const ArmEstimate& arm) {
 std::function<MotionAdvice()> ClosedLoop::advise(const PlanProgress& at, const ArmEstimate& arm) {
   Motion& motion = *motion_;
   const Plan& plan = at.plan;
-  const bool is_in_motion = static_cast<int>(at.frame) + plan.hold_frame_count < plan.frame_count();
+  const bool is_in_motion = int(at.frame) + plan.hold_frame_count < plan.frame_count();
   if (!arm.has_state() || !is_in_motion) {
     return {};
   }

@@ -66,11 +66,11 @@ Eigen::Vector3d miss_ahead(const ModelMiss& miss, const std::vector<Pressures>& 
 /// room, none of them waits for its room to grow.
 void widen(PlateRoom& room, const Eigen::VectorXd& missed_m, double kept_m) {
   if (room.full_m.empty()) {
-    room.full_m.resize(static_cast<std::size_t>(missed_m.size()), 0.0);
+    room.full_m.resize(std::size_t(missed_m.size()), 0.0);
   }
   bool is_wider = false;
   for (Eigen::Index plate = 0; plate < missed_m.size(); ++plate) {
-    const auto i = static_cast<std::size_t>(plate);
+    const auto i = std::size_t(plate);
     const double more_m = missed_m[plate] - kept_m;
     is_wider = is_wider || more_m > room.full_m[i];
     room.full_m[i] = std::max(room.full_m[i], more_m);
@@ -189,7 +189,7 @@ bool MotionGuide::is_free(const Plan& plan, std::size_t next, std::size_t frames
 std::optional<MotionAdvice> MotionGuide::lead(const Plan& plan, std::size_t next,
                                               const ShapeFeedback& feedback) {
   const std::size_t rest = plan.frames.size() - next;
-  const std::size_t soon = std::min(rest, static_cast<std::size_t>(arm_.frames_in(kFreeS)));
+  const std::size_t soon = std::min(rest, std::size_t(arm_.frames_in(kFreeS)));
   const Backbone on_plan = Backbone::Zero(arm_.point_count(), kPoseSize);
   if (!is_free(plan, next, rest, on_plan) || !is_free(plan, next, soon, feedback.off_plan())) {
     return std::nullopt;

@@ -57,14 +57,14 @@ Eigen::MatrixXd sensitivity(CheckedPlans& plans, const PressureBox& box,
   }
   MotionBatch batch(plans.simulator());
   std::vector<MotionState> at(paths.size(), plans.from());
-  Eigen::MatrixXf to(n, static_cast<Eigen::Index>(paths.size()));
+  Eigen::MatrixXf to(n, Eigen::Index(paths.size()));
   for (std::size_t w = 1; w < waypoints_kpa.size(); ++w) {
     for (std::size_t j = 0; j < paths.size(); ++j) {
-      to.col(static_cast<Eigen::Index>(j)) = paths[j][w];
+      to.col(Eigen::Index(j)) = paths[j][w];
     }
     batch.run(at, to);
     for (std::size_t j = 0; j < paths.size(); ++j) {
-      at[j] = batch.end(static_cast<int>(j));
+      at[j] = batch.end(int(j));
     }
   }
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(kPoseSize, n);
@@ -74,7 +74,7 @@ Eigen::MatrixXd sensitivity(CheckedPlans& plans, const PressureBox& box,
   const Eigen::Vector3d middle = settled(0);
   for (Eigen::Index i = 0; i < n; ++i) {
     if (probes[i] != 0.0) {
-      result.col(i) = (settled(static_cast<std::size_t>(i) + 1) - middle) / probes[i];
+      result.col(i) = (settled(std::size_t(i) + 1) - middle) / probes[i];
     }
   }
   return result;
@@ -128,7 +128,7 @@ std::vector<Pressures> waypoints_after(const PlanProgress& at, double step_limit
   std::vector<Pressures> rest{at.sent_kpa};
   std::size_t reached = 0;  // the frame in which the plan is at waypoint w
   for (std::size_t w = 1; w < plan.waypoints_kpa.size(); ++w) {
-    reached += static_cast<std::size_t>(
+    reached += std::size_t(
         motion_frame_count(plan.waypoints_kpa[w - 1], plan.waypoints_kpa[w], step_limit_kpa));
     if (reached > at.frame) {
       rest.push_back(plan.waypoints_kpa[w]);

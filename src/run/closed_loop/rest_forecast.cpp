@@ -19,7 +19,7 @@ RestForecast forecast(
     const Clearance clearance = checker.motion_clearance(before, state.backbone, smallest_m);
     smallest_m = clearance.value_m;
     if (result.is_safe() && !(clearance.value_m >= needed_m)) {
-      result.unsafe_frame = static_cast<int>(k);
+      result.unsafe_frame = int(k);
       result.unsafe_obstacle = clearance.obstacle;
     }
   }

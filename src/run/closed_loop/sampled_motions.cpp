@@ -71,7 +71,7 @@ class MotionSampler {
   Pressures around(const Pressures& kpa, double size) {
     Pressures sampled = kpa;
     for (Eigen::Index i = 0; i < sampled.size(); ++i) {
-      sampled[i] += static_cast<float>(size * random_.normal()) * scales_kpa_[i];
+      sampled[i] += float(size * random_.normal()) * scales_kpa_[i];
     }
     return box_.limited(sampled);
   }
@@ -100,14 +100,14 @@ class MotionSampler {
   void simulate(std::vector<Waypoints> sampled) {
     rollouts_.clear();
     for (std::size_t k = 0; k < sampled.size(); ++k) {
-      rollouts_.add(static_cast<int>(k), from_, sampled[k][1], frames_to(sampled[k], 1));
+      rollouts_.add(int(k), from_, sampled[k][1], frames_to(sampled[k], 1));
     }
     std::vector<std::size_t> reached(sampled.size(), 0);  // waypoints; one more after the hold
     while (rollouts_.size() > 0) {
       rollouts_.step();
       for (int column = rollouts_.size() - 1; column >= 0; --column) {
         if (rollouts_.has_ended(column)) {
-          const auto label = static_cast<std::size_t>(rollouts_.label(column));
+          const auto label = std::size_t(rollouts_.label(column));
           go_on(column, ++reached[label], sampled[label]);
         }
       }
@@ -150,7 +150,7 @@ class MotionSampler {
 
 std::vector<SampledMotion> sampled_motions(const PlanningProblem& problem, std::uint64_t queries,
                                            std::uint64_t seed) {
-  const auto count = static_cast<std::size_t>(queries / kQueriesOfMotion);
+  const auto count = std::size_t(queries / kQueriesOfMotion);
   return MotionSampler(problem, seed).run(std::max(kLeastMotions, count));
 }
 

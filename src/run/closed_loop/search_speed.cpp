@@ -27,8 +27,8 @@ double seconds_per_query(const ArmDescription& arm, const MotionModel& model) {
       Pressures to_kpa = rest.pressures_kpa;
       for (Eigen::Index i = 0; i < to_kpa.size(); ++i) {
         const double share = 0.5 * (motion + 1.0) / kTimedMotions;
-        const PressureLimits& limits = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
-        to_kpa[i] = static_cast<float>(limits.clamped(share * limits.upper_kpa));
+        const PressureLimits& limits = arm.segments[i].pressure_limit_kpa;
+        to_kpa[i] = float(limits.clamped(share * limits.upper_kpa));
       }
       batch.add(motion, from, to_kpa, kTimedFrames);
     }
@@ -50,7 +50,7 @@ std::uint64_t queries_within(double seconds, const ArmDescription& arm, const Mo
   constexpr double kShareOfModel = 0.2;
   const double queries = kShareOfModel * seconds / seconds_per_query(arm, model);
   constexpr double kMaxQueries = 1e6;
-  const auto steps = static_cast<std::uint64_t>(std::min(queries, kMaxQueries)) / kQueryStep;
+  const auto steps = std::uint64_t(std::min(queries, kMaxQueries)) / kQueryStep;
   return std::max(std::uint64_t{1}, steps) * kQueryStep;
 }
 

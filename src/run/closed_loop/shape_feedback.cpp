@@ -27,7 +27,7 @@ double turn_rad(const NoLoadModel& model, int segment, double kpa) {
 /// change that a frame allows: valves with a dead band don't follow small ones at all.
 bool is_slow(const ArmDescription& arm, const ValveModel& valves) {
   const Eigen::Index n = valves.segment_count();
-  const auto step_kpa = static_cast<float>(arm.pressure_step_limit_kpa());
+  const auto step_kpa = float(arm.pressure_step_limit_kpa());
   Eigen::VectorXf state = valves.settled_state(Pressures::Zero(n));
   valves.step(Pressures::Constant(n, step_kpa), state);
   return state.head(n).maxCoeff() < 0.5F * step_kpa;
@@ -46,7 +46,7 @@ ShapeFeedback::ShapeFeedback(const ArmDescription& arm, const NoLoadModel& model
       frame_period_s_(arm.frame_period_s()),
       off_plan_(Backbone::Zero(arm.point_count(), kPoseSize)) {
   for (int i = 0; i < arm.segment_count(); ++i) {
-    const Segment& segment = arm.segments[static_cast<std::size_t>(i)];
+    const Segment& segment = arm.segments[i];
     const PressureLimits& limits = segment.pressure_limit_kpa;
     plates_.push_back(plates_.back() + segment.gaps);
     const double bend_rad =
@@ -67,7 +67,7 @@ void ShapeFeedback::forget() {
 Eigen::VectorXd ShapeFeedback::bends_rad(const Backbone& backbone) const {
   Eigen::VectorXd bends(kpa_per_rad_.size());
   for (Eigen::Index i = 0; i < bends.size(); ++i) {
-    const auto segment = static_cast<std::size_t>(i);
+    const auto segment = std::size_t(i);
     bends[i] = double(backbone(plates_[segment + 1], 2)) - double(backbone(plates_[segment], 2));
   }
   return bends;

@@ -13,7 +13,10 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/mapped.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/seconds_since.hpp"
 #include "limber/data/reach.hpp"
 #include "limber/run/episode_recorder.hpp"
@@ -21,8 +24,6 @@
 #include "limber/world/straight_motion.hpp"
 
 namespace limber {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -106,7 +107,7 @@ class EpisodeRun {
   }
 
   double tolerance_kpa(Eigen::Index channel) const {
-    return kReachTolerance * arm_.limits_of_channel(static_cast<int>(channel)).largest_kpa();
+    return kReachTolerance * arm_.limits_of_channel(int(channel)).largest_kpa();
   }
 
   Eigen::VectorXd distances_kpa(const Pressures& setpoint_kpa) const {
@@ -174,18 +175,16 @@ std::vector<std::optional<Episode>> prepare(const CollectionSettings& settings,
 Recording read_finished(const CollectionParts& parts, const fs::path& path, std::size_t episodes) {
   Recording finished = read_recording(path);
   parts.require_same_origin(finished, path.string());
-  if (finished.episodes.size() != episodes) {
-    throw InputError(fmt::format("{}: holds {} episodes; this run makes {}. --force replaces it",
-                                 path.string(), finished.episodes.size(), episodes));
-  }
+  refuse_if(finished.episodes.size() != episodes,
+            "{}: holds {} episodes; this run makes {}. --force replaces it", path.string(),
+            finished.episodes.size(), episodes);
   for (std::size_t i = 0; i < episodes; ++i) {
     const std::optional<Episode> part = parts.read(i);
-    if (part && !same_values(*part, finished.episodes[i])) {
-      throw InputError(fmt::format(
-          "{}: exists already, and is not what the episodes in {} make; --resume --force goes on "
-          "from them and replaces it",
-          path.string(), parts.folder().string()));
-    }
+    refuse_if(
+        part && !same_values(*part, finished.episodes[i]),
+        "{}: exists already, and is not what the episodes in {} make; --resume --force goes on "
+        "from them and replaces it",
+        path.string(), parts.folder().string());
   }
   return finished;
 }
@@ -214,11 +213,8 @@ std::ptrdiff_t count_done(const std::vector<std::optional<Episode>>& done) {
 
 std::uint64_t motions_left(const std::vector<EpisodeSchedule>& schedule,
                            const std::vector<std::optional<Episode>>& done) {
-  std::uint64_t motions = 0;
-  for (std::size_t i = 0; i < schedule.size(); ++i) {
-    motions += done[i] ? 0 : schedule[i].motions.size();
-  }
-  return motions;
+  return sum_of<std::uint64_t>(
+      schedule.size(), [&](std::size_t i) { return done[i] ? 0 : schedule[i].motions.size(); });
 }
 
 /// What the finished episodes and the frames of an unfinished one make, as `settings.partial`.
@@ -279,10 +275,10 @@ void record_missing(const ArmDescription& arm, const CollectionSettings& setting
     }
     try {
       done[i] = record_or_keep_a_part(
-          arm, [&] { return make_driver(static_cast<int>(i)); }, schedule[i], settings,
-          parts.identity(), done, [&] { progress.advance(); });
+          arm, [&] { return make_driver(int(i)); }, schedule[i], settings, parts.identity(), done,
+          [&] { progress.advance(); });
       if (settings.physics) {
-        done[i]->physics = settings.physics(static_cast<int>(i));
+        done[i]->physics = settings.physics(int(i));
       }
     } catch (const SystemFault& fault) {
       throw SystemFault(fmt::format("{}: {}", episode_name(i), fault.what()));
@@ -351,12 +347,12 @@ CollectionResult collect(const ArmDescription& arm, const CollectionSettings& se
   const CollectionParts parts(path, result.recording);
   if (std::optional<Recording> finished = finished_before(settings, parts, path, schedule.size())) {
     result.recording = std::move(*finished);
-    result.kept_episodes = static_cast<int>(schedule.size());
+    result.kept_episodes = int(schedule.size());
   } else {
     refuse_to_overwrite(path, settings.force);
     const CollectionParts::Use alone(parts);
     std::vector<std::optional<Episode>> done = prepare(settings, parts, schedule.size());
-    result.kept_episodes = static_cast<int>(count_done(done));
+    result.kept_episodes = int(count_done(done));
     record_or_say_how_to_go_on(arm, settings, make_driver, schedule, parts, done);
     for (std::optional<Episode>& episode : done) {
       result.recording.episodes.push_back(std::move(*episode));

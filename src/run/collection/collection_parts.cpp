@@ -11,10 +11,10 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/file_error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/refuse_if.hpp"
 
 namespace limber {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -77,11 +77,9 @@ CollectionParts::CollectionParts(const fs::path& path, Recording identity)
     : folder_(path.string() + ".parts"), identity_(std::move(identity)) {
   std::error_code error;
   const fs::file_status status = fs::status(folder_, error);
-  if (fs::exists(status) && !fs::is_directory(status)) {
-    throw InputError(fmt::format(
-        "{}: is a file; finished episodes are kept in a folder of that name. Move it away",
-        folder_.string()));
-  }
+  refuse_if(fs::exists(status) && !fs::is_directory(status),
+            "{}: is a file; finished episodes are kept in a folder of that name. Move it away",
+            folder_.string());
 }
 
 CollectionParts::Use::Use(const CollectionParts& parts)
@@ -112,12 +110,10 @@ std::optional<Episode> CollectionParts::read(std::size_t index) const {
 
 void CollectionParts::require_same_origin(const Recording& found, const std::string& file) const {
   const auto compare = [&](const char* what, const std::string& was, const std::string& is) {
-    if (was != is) {
-      throw InputError(
-          fmt::format("{}: --resume: recorded with {} '{}'; this run has "
-                      "'{}'. Use the same settings, or --force to start over",
-                      file, what, was, is));
-    }
+    refuse_if(was != is,
+              "{}: --resume: recorded with {} '{}'; this run has "
+              "'{}'. Use the same settings, or --force to start over",
+              file, what, was, is);
   };
   // Whoever goes on with it: a container's host has another name each time.
   const auto without_starter = [](const std::string& source) {
@@ -146,7 +142,7 @@ std::size_t CollectionParts::remove() const {
   if (foreign == 0) {
     fs::remove(folder_, error);  // an empty folder that stays is no reason to fail
   }
-  return static_cast<std::size_t>(foreign);
+  return std::size_t(foreign);
 }
 
 fs::path CollectionParts::path(std::size_t index) const {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "limber/common/filesystem.hpp"
 #include "limber/common/folder_lock.hpp"
 #include "limber/data/recording.hpp"
 
@@ -20,7 +21,7 @@ class CollectionParts {
  public:
   /// @param identity  the recording they will make, without episodes.
   /// @throws InputError if something else has the folder's name.
-  CollectionParts(const std::filesystem::path& path, Recording identity);
+  CollectionParts(const fs::path& path, Recording identity);
 
   /// Keeps other collections out of the folder. Folders that it makes are removed at the end, those
   /// that are empty.
@@ -33,11 +34,11 @@ class CollectionParts {
     Use& operator=(const Use&) = delete;
 
    private:
-    std::vector<std::filesystem::path> made_;  // the innermost first
+    std::vector<fs::path> made_;  // the innermost first
     FolderLock lock_;
   };
 
-  const std::filesystem::path& folder() const { return folder_; }
+  const fs::path& folder() const { return folder_; }
   const Recording& identity() const { return identity_; }
 
   /// Whether there is one at least.
@@ -56,10 +57,10 @@ class CollectionParts {
   [[nodiscard]] std::size_t remove() const;
 
  private:
-  std::filesystem::path path(std::size_t index) const;
-  std::vector<std::filesystem::path> own_files() const;
+  fs::path path(std::size_t index) const;
+  std::vector<fs::path> own_files() const;
 
-  std::filesystem::path folder_;
+  fs::path folder_;
   Recording identity_;
 };
 

@@ -20,14 +20,13 @@ constexpr Eigen::Index kRotation = position_size(Dimension::space);  // of a pos
 /// The numbers of the shape that was seen; none where it was not.
 std::span<const float> shape_of(const ArmState& state, Dimension dimension) {
   const auto numbers = [](const auto& shape) -> std::span<const float> {
-    return shape ? std::span(shape->data(), static_cast<std::size_t>(shape->size()))
-                 : std::span<const float>();
+    return shape ? std::span(shape->data(), std::size_t(shape->size())) : std::span<const float>();
   };
   return dimension == Dimension::space ? numbers(state.space_backbone) : numbers(state.backbone);
 }
 
 std::size_t shape_size(const ArmDescription& arm) {
-  return static_cast<std::size_t>(pose_size(arm.dimension) * arm.point_count());
+  return std::size_t(pose_size(arm.dimension) * arm.point_count());
 }
 
 /// Of q and −q, one rotation, every tracked row has the one nearer to the tracked row before it:
@@ -35,7 +34,7 @@ std::size_t shape_size(const ArmDescription& arm) {
 void make_tracked_signs_continuous(const std::vector<std::uint8_t>& tracked, FrameMatrix& poses) {
   std::optional<Eigen::Index> before;
   for (Eigen::Index t = 0; t < poses.rows(); ++t) {
-    if (tracked[static_cast<std::size_t>(t)] == 0) {
+    if (tracked[t] == 0) {
       continue;
     }
     for (Eigen::Index at = kRotation; before && at < poses.cols(); at += kSpacePoseSize) {
@@ -96,11 +95,11 @@ std::vector<double> EpisodeRecorder::sample_times() const {
     while (next < times.size() && time_s_[next] == time_s_[first]) {
       ++next;
     }
-    const auto frames = static_cast<double>(next - first);
+    const auto frames = double(next - first);
     const double until_s =
         next < times.size() ? time_s_[next] : time_s_[first] + frames * arm_.frame_period_s();
     for (std::size_t k = first; k < next; ++k) {
-      times[k] += static_cast<double>(k - first) / frames * (until_s - time_s_[first]);
+      times[k] += double(k - first) / frames * (until_s - time_s_[first]);
     }
     first = next;
   }
@@ -122,8 +121,8 @@ Episode EpisodeRecorder::finish() {
   episode.setpoint_kpa =
       Eigen::Map<const FrameMatrix>(setpoint_kpa_.data(), frames, arm_.channel_count());
   episode.dimension = arm_.dimension;
-  episode.backbone = Eigen::Map<const FrameMatrix>(backbone_.data(), frames,
-                                                   static_cast<Eigen::Index>(shape_size(arm_)));
+  episode.backbone =
+      Eigen::Map<const FrameMatrix>(backbone_.data(), frames, Eigen::Index(shape_size(arm_)));
   if (arm_.is_spatial()) {
     make_tracked_signs_continuous(tracked_, episode.backbone);
   }
@@ -139,7 +138,7 @@ Episode EpisodeRecorder::finish() {
 
 void normalise_filled_rotations(const std::vector<std::uint8_t>& tracked, FrameMatrix& poses) {
   for (Eigen::Index t = 0; t < poses.rows(); ++t) {
-    if (tracked[static_cast<std::size_t>(t)] != 0) {
+    if (tracked[t] != 0) {
       continue;
     }
     for (Eigen::Index at = kRotation; at < poses.cols(); at += kSpacePoseSize) {
@@ -150,9 +149,9 @@ void normalise_filled_rotations(const std::vector<std::uint8_t>& tracked, FrameM
 
 void fill_missing_rows(const std::vector<double>& time_s, const std::vector<std::uint8_t>& tracked,
                        FrameMatrix& values) {
-  const auto frames = static_cast<Eigen::Index>(tracked.size());
-  const auto is_tracked = [&](Eigen::Index t) { return tracked[static_cast<std::size_t>(t)] != 0; };
-  const auto time = [&](Eigen::Index t) { return time_s[static_cast<std::size_t>(t)]; };
+  const auto frames = Eigen::Index(tracked.size());
+  const auto is_tracked = [&](Eigen::Index t) { return tracked[t] != 0; };
+  const auto time = [&](Eigen::Index t) { return time_s[t]; };
   Eigen::Index before = -1;
   for (Eigen::Index t = 0; t < frames; ++t) {
     if (is_tracked(t)) {
@@ -170,8 +169,7 @@ void fill_missing_rows(const std::vector<double>& time_s, const std::vector<std:
       } else if (after == frames) {
         values.row(k) = values.row(before);
       } else {
-        const auto fraction =
-            static_cast<float>((time(k) - time(before)) / (time(after) - time(before)));
+        const auto fraction = float((time(k) - time(before)) / (time(after) - time(before)));
         values.row(k) = (1.0F - fraction) * values.row(before) + fraction * values.row(after);
       }
     }

@@ -28,18 +28,18 @@ constexpr std::uint64_t kScheduleStream = 0x7363'6865'6475'6c65;  // apart from 
 /// Vertices of an Eulerian circuit of the complete directed graph with self-loops (Hierholzer),
 /// from vertex 0 back to it: vertices² + 1 entries. Order sampled by `random`.
 std::vector<int> eulerian_circuit(int vertices, RandomStream& random) {
-  std::vector<std::vector<int>> unused(static_cast<std::size_t>(vertices));
+  std::vector<std::vector<int>> unused(vertices);
   for (std::vector<int>& successors : unused) {
-    successors.resize(static_cast<std::size_t>(vertices));
+    successors.resize(vertices);
     std::iota(successors.begin(), successors.end(), 0);
     for (std::size_t i = successors.size(); i > 1; --i) {
-      std::swap(successors[i - 1], successors[random.index(static_cast<std::uint32_t>(i))]);
+      std::swap(successors[i - 1], successors[random.index(std::uint32_t(i))]);
     }
   }
   std::vector<int> path = {0};
   std::vector<int> circuit;
   while (!path.empty()) {
-    std::vector<int>& successors = unused[static_cast<std::size_t>(path.back())];
+    std::vector<int>& successors = unused[path.back()];
     if (successors.empty()) {
       circuit.push_back(path.back());
       path.pop_back();
@@ -67,17 +67,16 @@ std::uint32_t corner_count(int channels) {
 /// The base-3 digits of a corner's number, the lowest first.
 void write_states(std::uint32_t corner, Eigen::Ref<CornerStates> states) {
   for (std::uint8_t& state : states) {
-    state = static_cast<std::uint8_t>(corner % kCornerStates);
+    state = std::uint8_t(corner % kCornerStates);
     corner /= kCornerStates;
   }
 }
 
 Walk eulerian_walk(int channels, RandomStream& random) {
-  const std::vector<int> circuit =
-      eulerian_circuit(static_cast<int>(corner_count(channels)), random);
+  const std::vector<int> circuit = eulerian_circuit(int(corner_count(channels)), random);
   Walk walk(channels, std::ssize(circuit));
   for (Eigen::Index i = 0; i < walk.cols(); ++i) {
-    write_states(static_cast<std::uint32_t>(circuit[static_cast<std::size_t>(i)]), walk.col(i));
+    write_states(std::uint32_t(circuit[i]), walk.col(i));
   }
   return walk;
 }
@@ -122,14 +121,14 @@ Motion make_motion(const ScheduleSettings& settings, Pressures setpoint_kpa, Ran
 
 int transition_count(const ArmDescription& arm, const ScheduleSettings& settings) {
   const int n = arm.channel_count();
-  const double all = std::pow(static_cast<double>(kCornerStates), 2 * n);
+  const double all = std::pow(double(kCornerStates), 2 * n);
   if (settings.count == 0) {
     require(n <= kMaxFullSchedule,
             fmt::format("--schedule transitions: arm '{}' has {} {}, so {:.0f} ordered "
                         "transitions, {:.1f} h at {} s each; give --count N to take N of them",
                         arm.name, n, arm.is_spatial() ? "chambers" : "segments", all,
                         all * settings.hold_s / 3600.0, settings.hold_s));
-    return static_cast<int>(all);
+    return int(all);
   }
   require(settings.count <= all,
           fmt::format("--count {}: arm '{}' has only {:.0f} ordered transitions", settings.count,
@@ -146,11 +145,11 @@ std::vector<EpisodeSchedule> transition_schedule(const ArmDescription& arm,
   const Walk walk = n <= kMaxWalk ? eulerian_walk(n, random) : random_walk(n, count, random);
   const int wanted = settings.episodes == 0 ? kTransitionEpisodes : settings.episodes;
   const int episodes = std::min(wanted, count);
-  std::vector<EpisodeSchedule> result(static_cast<std::size_t>(episodes));
+  std::vector<EpisodeSchedule> result(episodes);
   for (int e = 0; e < episodes; ++e) {
     const Eigen::Index first = std::int64_t{e} * count / episodes;
     const Eigen::Index last = std::int64_t{e + 1} * count / episodes;
-    EpisodeSchedule& episode = result[static_cast<std::size_t>(e)];
+    EpisodeSchedule& episode = result[e];
     episode.first_kpa = corner_configuration(arm, walk.col(first));
     for (Eigen::Index i = first; i < last; ++i) {
       episode.motions.push_back(
@@ -164,15 +163,15 @@ std::vector<EpisodeSchedule> random_schedule(const ArmDescription& arm,
                                              const ScheduleSettings& settings, std::uint64_t seed) {
   require(settings.count > 0, "--schedule random: --count N is missing, motions of each episode");
   const int episodes = std::max(1, settings.episodes);
-  std::vector<EpisodeSchedule> result(static_cast<std::size_t>(episodes));
+  std::vector<EpisodeSchedule> result(episodes);
   for (std::size_t e = 0; e < result.size(); ++e) {
     RandomStream random(seed, kScheduleStream + 1 + e);
     result[e].first_kpa = Pressures::Zero(arm.channel_count());
     for (int i = 0; i < settings.count; ++i) {
       Pressures setpoint_kpa(arm.channel_count());
       for (Eigen::Index s = 0; s < setpoint_kpa.size(); ++s) {
-        const PressureLimits& limits = arm.limits_of_channel(static_cast<int>(s));
-        setpoint_kpa[s] = static_cast<float>(random.uniform(limits.lower_kpa, limits.upper_kpa));
+        const PressureLimits& limits = arm.limits_of_channel(int(s));
+        setpoint_kpa[s] = float(random.uniform(limits.lower_kpa, limits.upper_kpa));
       }
       result[e].motions.push_back(make_motion(settings, std::move(setpoint_kpa), random));
     }
@@ -227,8 +226,8 @@ Pressures corner_configuration(const ArmDescription& arm,
   assert(states.size() == arm.channel_count());
   Pressures result(arm.channel_count());
   for (Eigen::Index s = 0; s < result.size(); ++s) {
-    const PressureLimits& limits = arm.limits_of_channel(static_cast<int>(s));
-    result[s] = static_cast<float>(corner_kpa(limits, states[s]));
+    const PressureLimits& limits = arm.limits_of_channel(int(s));
+    result[s] = float(corner_kpa(limits, states[s]));
   }
   return result;
 }

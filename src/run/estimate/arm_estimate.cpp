@@ -31,7 +31,7 @@ constexpr double kMaxFarther = 2.0;     // times that: the farthest they are ext
 Eigen::VectorXd gap_lengths_m(const ArmDescription& arm) {
   Eigen::VectorXd lengths_m(arm.point_count() - 1);
   for (int gap = 0; gap < lengths_m.size(); ++gap) {
-    const Segment& segment = arm.segments[static_cast<std::size_t>(arm.segment_of_gap(gap))];
+    const Segment& segment = arm.segments[arm.segment_of_gap(gap)];
     lengths_m[gap] = segment.length_m / segment.gaps;
   }
   return lengths_m;
@@ -47,8 +47,7 @@ class PredictedState {
         pressure_lag_(model_.valves()),
         losses_(arm, model_.valves()),
         start_(with.filter_from),
-        check_(static_cast<std::size_t>(arm.frames_in(kForecastS)),
-               static_cast<std::size_t>(arm.frames_in(kTipForecastS))) {
+        check_(std::size_t(arm.frames_in(kForecastS)), std::size_t(arm.frames_in(kTipForecastS))) {
     if (start_) {
       filter_.emplace(gap_lengths_m(arm), kMeasuredShare * arm.length_m());
     }
@@ -214,7 +213,7 @@ void ArmEstimate::observe(const Pressures& setpoint_kpa, const ArmState& measure
   if (now.predicted) {
     const int found = now.predicted->pressure_lag(setpoint_kpa, measured.pressure_kpa);
     now.lag_frames = measured.setpoint_kpa ? now.lag_frames : found;
-    now.predicted->observe(setpoint_kpa, fresh, static_cast<std::size_t>(now.lag_frames));
+    now.predicted->observe(setpoint_kpa, fresh, std::size_t(now.lag_frames));
   }
 }
 

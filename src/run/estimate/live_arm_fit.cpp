@@ -154,7 +154,7 @@ bool LiveArmFit::roll_out() {
     return false;
   }
   if (!window.is_fitted) {
-    last_error_m_ = static_cast<double>(lengths(next_.left_m).mean());
+    last_error_m_ = double(lengths(next_.left_m).mean());
     largest_error_m_ = std::max(largest_error_m_, last_error_m_);
     times_off_ = std::max(1.0, last_error_m_ / (kUsualErrorShare * arm_.length_m()));
     strange_ = times_off_ > kStrange ? strange_ + 1 : 0;
@@ -230,7 +230,7 @@ void LiveArmFit::solve() {
   step *= std::min(1.0F, kLongestStep / std::max(step.norm(), 1e-6F));
   member_.e += step;
   if (const double far = member_.distance(); far > FamilyMember::kFar) {
-    member_.e *= static_cast<float>(FamilyMember::kFar / far);
+    member_.e *= float(FamilyMember::kFar / far);
   }
   const auto size = member_.e.size();
   member_.covariance = solver.solve(Eigen::MatrixXd::Identity(size, size)).cast<float>();

@@ -30,9 +30,9 @@ int PressureLag::note(const Pressures& setpoint_kpa, const Pressures& measured_k
         kLagMemory * missed_[lag] + double((predicted_kpa_[lag] - measured_kpa).squaredNorm());
   }
   const auto best = std::min_element(missed_.begin(), missed_.end());
-  const double now = missed_[static_cast<std::size_t>(frames_)];
+  const double now = missed_[frames_];
   if (*best < kClearlyLess * now && now - *best > kHiddenKpa2 * double(setpoint_kpa.size())) {
-    frames_ = static_cast<int>(best - missed_.begin());
+    frames_ = int(best - missed_.begin());
   }
   return frames_;
 }

@@ -25,9 +25,7 @@ class PressureLag {
   int note(const Pressures& setpoint_kpa, const Pressures& measured_kpa);
 
   /// Of the frame that is measured, by the set points alone. @pre noted, and valves are not ideal
-  const Pressures& expected_kpa() const {
-    return predicted_kpa_[static_cast<std::size_t>(frames_)];
-  }
+  const Pressures& expected_kpa() const { return predicted_kpa_[frames_]; }
 
  private:
   const ValveModel& valves_;

@@ -30,7 +30,7 @@ std::string to_text(const PressureLoss& loss) {
 PressureLossWatch::PressureLossWatch(const ArmDescription& arm, const ValveModel& valves)
     : frame_period_s_(arm.frame_period_s()) {
   for (std::size_t i = 0; i < valves.parameters().segments.size(); ++i) {
-    const PressureLimits& limits = arm.limits_of_channel(static_cast<int>(i));
+    const PressureLimits& limits = arm.limits_of_channel(int(i));
     Segment& segment = segments_.emplace_back();
     segment.least_kpa = std::max(kLeastOfRange * (limits.upper_kpa - limits.lower_kpa),
                                  kClear * valves.parameters().segments[i].dead_band_kpa);
@@ -45,7 +45,7 @@ void PressureLossWatch::observe(const Pressures& expected_kpa, const Pressures& 
   before_kpa_ = expected_kpa;
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     Segment& sums = segments_[i];
-    const auto at = static_cast<Eigen::Index>(i);
+    const auto at = Eigen::Index(i);
     const Eigen::Vector2d expected(expected_kpa[at], expected_kpa[at] - before_kpa[at]);
     const double missed = double(expected_kpa[at]) - double(measured_kpa[at]);
     sums.frames = kKeptOfSums * sums.frames + 1.0;
@@ -57,7 +57,7 @@ void PressureLossWatch::observe(const Pressures& expected_kpa, const Pressures& 
     if (sums.short_for < kShortFrames) {
       continue;
     }
-    const auto segment = static_cast<int>(i);
+    const auto segment = int(i);
     if (!std::exchange(sums.is_noticed, true)) {
       found_.push_back({segment, 0.0, frames_ * frame_period_s_});
     }

@@ -13,7 +13,7 @@ Backbone mean_of(const std::deque<Backbone>& all, std::size_t from, std::size_t 
   for (std::size_t k = from + 1; k < until; ++k) {
     sum += all[k];
   }
-  return sum / static_cast<float>(until - from);
+  return sum / float(until - from);
 }
 
 }  // namespace

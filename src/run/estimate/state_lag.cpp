@@ -19,7 +19,7 @@ int StateLag::note(const Pressures& setpoint_kpa, const ArmState& state) {
     return frames_;
   }
   const auto distance = [&](int frames) {
-    const auto k = static_cast<std::size_t>(frames);
+    const auto k = std::size_t(frames);
     return k < commanded_kpa_.size()
                ? (commanded_kpa_[k] - *state.setpoint_kpa).cwiseAbs().maxCoeff()
                : std::numeric_limits<float>::infinity();

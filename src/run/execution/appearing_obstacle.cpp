@@ -30,15 +30,14 @@ std::optional<AppearingObstacle> appearing_obstacle(const ArmDescription& arm, c
   }
   RandomStream random(seed, stream);
   const auto between = [&](int low, int high) {
-    return low + static_cast<int>(random.index(static_cast<std::uint32_t>(high - low + 1)));
+    return low + int(random.index(std::uint32_t(high - low + 1)));
   };
   AppearingObstacle result;
   for (int sample = 0; sample < kFrameSamples; ++sample) {
     result.frame = between(1, last - ahead);
     for (int k = 0; k < kCircleSamples; ++k) {
       const int passes = between(result.frame + ahead, last);
-      const Eigen::Vector2d tip_m =
-          tip_position_m(plan.frames[static_cast<std::size_t>(passes)].backbone);
+      const Eigen::Vector2d tip_m = tip_position_m(plan.frames[passes].backbone);
       const Circle circle{tip_m.x(), tip_m.y(), radius_m};
       const CollisionChecker touches(arm, {circle});
       const CollisionChecker near(arm, {circle}, AppearingObstacle::kAheadM);

@@ -11,6 +11,7 @@
 #include "limber/arm/arm_identity.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/units.hpp"
 #include "limber/run/controller.hpp"
 #include "limber/run/gated_driver.hpp"
@@ -236,14 +237,11 @@ class ObserverGuard {
 
 void check(const ArmDescription& arm, const Environment& environment, const Plan& plan,
            const ExecutionSettings& settings) {
-  if (plan.frames.empty()) {
-    throw InputError("plan: no frames; expected at least its start");
-  }
+  refuse_if(plan.frames.empty(), "plan: no frames; expected at least its start");
   require_plan_of(plan, arm, "plan");
   require_plan_in(plan, environment, "plan");
-  if (!(settings.hold_s >= 0.0) || settings.hold_s > 3600.0) {
-    throw InputError(fmt::format("hold_s = {}; expected seconds from 0 to 3600", settings.hold_s));
-  }
+  refuse_if(!(settings.hold_s >= 0.0) || settings.hold_s > 3600.0,
+            "hold_s = {}; expected seconds from 0 to 3600", settings.hold_s);
   if (settings.max_start_error_m && !(*settings.max_start_error_m >= 0.0)) {
     throw InputError(fmt::format("max_start_error_m = {}; expected metres, at least 0",
                                  *settings.max_start_error_m));

@@ -22,7 +22,7 @@ void require_frame_rule(const ArmDescription& arm, int frame, const Pressures& b
                                  arm.channel_count(), arm.is_spatial() ? "chambers" : "segments"));
   }
   for (Eigen::Index i = 0; i < arm.channel_count(); ++i) {
-    const PressureLimits& limits = arm.limits_of_channel(static_cast<int>(i));
+    const PressureLimits& limits = arm.limits_of_channel(int(i));
     const double value = setpoint_kpa[i];
     if (!limits.contains(value)) {
       throw InputError(fmt::format("controller: set point of {} in {} is {} {}; expected {}",
@@ -45,12 +45,12 @@ Pressures within_frame_rule(const std::vector<PressureLimits>& limits, double st
                             const Eigen::Ref<const Eigen::VectorXd>& wanted_kpa) {
   Pressures result = before_kpa;
   for (std::size_t segment = 0; segment < limits.size(); ++segment) {
-    const auto i = static_cast<Eigen::Index>(segment);
+    const auto i = Eigen::Index(segment);
     if (std::isfinite(wanted_kpa[i])) {
       const double before = before_kpa[i];
       const double near =
           std::clamp(wanted_kpa[i], before - step_limit_kpa, before + step_limit_kpa);
-      result[i] = static_cast<float>(limits[segment].clamped(near));
+      result[i] = float(limits[segment].clamped(near));
     }
   }
   return result;

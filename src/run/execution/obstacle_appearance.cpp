@@ -23,7 +23,7 @@ const Environment* ObstacleAppearance::advance(int frame, double time_s,
 
 std::optional<Contact> ObstacleAppearance::of_this(std::optional<Contact> contact) const {
   if (contact) {
-    contact->clearance.obstacle = static_cast<int>(environment_.obstacles.size());
+    contact->clearance.obstacle = int(environment_.obstacles.size());
   }
   return contact;
 }

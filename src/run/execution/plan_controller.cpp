@@ -7,6 +7,7 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/seconds_since.hpp"
 
 namespace limber {
@@ -19,9 +20,8 @@ constexpr double kLongestBlindS = 1.0;  // waited for the arm to be tracked, bef
 }  // namespace
 
 void PlanController::begin(const RunStart& start) {
-  if (plan_ != nullptr) {
-    throw InputError("a controller that follows plans runs once; make another one for another run");
-  }
+  refuse_if(plan_ != nullptr,
+            "a controller that follows plans runs once; make another one for another run");
   run_.emplace(start);
   plan_ = &start.plan;
   sent_kpa_ = start.plan.frames.front().setpoint_kpa;
@@ -53,7 +53,7 @@ Decision PlanController::step(const Moment& now) {
           held_ = frame_ == before ? held_ + 1 : 0;
           if (!halted_) {
             decision.plan = plan_;
-            decision.frame = frame_ + static_cast<std::size_t>(++after_end_);
+            decision.frame = frame_ + std::size_t(++after_end_);
           }
           return decision;
         }
@@ -97,7 +97,7 @@ Decision PlanController::move(const ArmEstimate& arm) {
   FrameSetpoint frame = setpoint(progress(), wanted, arm);
   if (frame.frame < frame_ || frame.frame >= plan_->frames.size()) {
     throw InputError(fmt::format("a controller stands in {} of its plan; expected {} to {}",
-                                 frame_name(static_cast<Eigen::Index>(frame.frame)), frame_,
+                                 frame_name(Eigen::Index(frame.frame)), frame_,
                                  plan_->frames.size() - 1));
   }
   waits_ = frame.frame == frame_;
@@ -131,12 +131,12 @@ void PlanController::end_frame(const Moment& now) {
   } else {
     const Pressures& planned_kpa = plan_->frames[next_frame_].setpoint_kpa;
     frame_ = next_frame_;
-    const auto next = static_cast<std::size_t>(motion_ - first_motion_) + 1;
+    const auto next = std::size_t(motion_ - first_motion_) + 1;
     if (next + 1 < plan_->waypoints_kpa.size() && planned_kpa == plan_->waypoints_kpa[next]) {
       ++motion_;  // ends where its edge of the plan does
     }
   }
-  const auto lag = static_cast<std::size_t>(now.arm.lag_frames());
+  const auto lag = std::size_t(now.arm.lag_frames());
   goes_on_ = is_at_end() || may_go_on(*plan_, frame_ - std::min(frame_, lag), now.arm);
   if (!advised_) {
     return;

@@ -66,10 +66,8 @@ std::string hint_of_miss(const ExecutionResult& run, const ArmDescription& arm,
   }
   if (run.stopped_ahead) {
     return run.appeared
-               ? fmt::format(
-                     ": no plan leads past the obstacle that appeared after "
-                     "{:.2f} s",
-                     run.appeared->time_s)
+               ? fmt::format(": no plan leads past the obstacle that appeared after {:.2f} s",
+                             run.appeared->time_s)
                : fmt::format(": it was halted on its way{}, and no plan leads on from there",
                              nearest_text(*run.final_backbone, arm, environment));
   }

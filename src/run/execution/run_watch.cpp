@@ -65,7 +65,7 @@ void RunWatch::see() {
 }
 
 void RunWatch::compare(const Plan& plan, std::size_t frame) {
-  const auto lag = static_cast<std::size_t>(estimate_.lag_frames());
+  const auto lag = std::size_t(estimate_.lag_frames());
   if (shape_ && shape_frame_ == frames_ && frame >= lag && frame - lag < plan.frames.size()) {
     prediction_.compare(plan, frame - lag, *shape_);
   }

@@ -55,7 +55,7 @@ class PredictionWatch {
     error_.final_m = distance_m;
     sum_m_ += distance_m;
     ++count_;
-    if (static_cast<int>(frame) < plan.frame_count() - plan.hold_frame_count) {
+    if (int(frame) < plan.frame_count() - plan.hold_frame_count) {
       error_.before_hold_m = sum_m_ / count_;
     }
   }

@@ -112,7 +112,7 @@ SafetyGate::SafetyGate(const ArmDescription& arm, std::vector<PressureLimits> li
       largest_jump_m_(largest_jump_m(settings, arm)),
       setpoint_kpa_(Pressures::Zero(arm.channel_count())),
       reference_kpa_(Pressures::Zero(arm.channel_count())),
-      frames_off_(static_cast<std::size_t>(arm.channel_count()), 0),
+      frames_off_(std::size_t(arm.channel_count()), 0),
       history_{{setpoint_kpa_, reference_kpa_, reference_kpa_}} {
   settings_.following_time_s =
       std::max(settings_.following_time_s, kMinFollowingFrames * arm.frame_period_s());
@@ -132,11 +132,10 @@ std::string SafetyGate::check_command(const Eigen::Ref<const Pressures>& setpoin
     const double rounding = rounding_kpa(arm_, s);
     if (!allow(limits, value, rounding)) {
       return fmt::format(
-          "set point of {} is {:.2f} {unit}; its limit is {:.2f} {unit}. It was not "
-          "sent",
+          "set point of {} is {:.2f} {unit}; its limit is {:.2f} {unit}. It was not sent",
           channel_name(arm_, s), value, limit_of(limits, value), fmt::arg("unit", unit));
     }
-    const double change_kpa = value - static_cast<double>(setpoint_kpa_[s]);
+    const double change_kpa = value - double(setpoint_kpa_[s]);
     if (check_rate_ && !(std::abs(change_kpa) <= step_kpa + rounding)) {
       return fmt::format(
           "set point of {} goes from {:.2f} to {:.2f} {unit} in a frame; the arm's rate limit "
@@ -199,8 +198,7 @@ std::string SafetyGate::check_shape(const ArmState& state) {
     return wrong;
   }
   const double since_s = state.time_s - seen_at_s_;  // long, where nobody looked meanwhile
-  const int frames =
-      std::max(frames_unseen_, static_cast<int>(std::lround(since_s * arm_.frame_rate_hz)));
+  const int frames = std::max(frames_unseen_, int(std::lround(since_s * arm_.frame_rate_hz)));
   for (Eigen::Index i = 0; i < now->rows(); ++i) {
     const Eigen::RowVector3d position = now->row(i);
     if (settings_.fence && !is_within(*settings_.fence, position)) {
@@ -226,13 +224,13 @@ std::string SafetyGate::check_shape(const ArmState& state) {
 }
 
 std::string SafetyGate::following(const ArmState& state) {
-  const auto step = static_cast<float>(arm_.pressure_step_limit_kpa());
+  const auto step = float(arm_.pressure_step_limit_kpa());
   reference_kpa_ += (setpoint_kpa_ - reference_kpa_)
                         .cwiseMax(Pressures::Constant(reference_kpa_.size(), -step))
                         .cwiseMin(Pressures::Constant(reference_kpa_.size(), step));
   history_.push_back({setpoint_kpa_, reference_kpa_, state.pressure_kpa});
-  const auto kept = static_cast<std::size_t>(
-      std::max(stuck_frames(arm_), arm_.frames_in(settings_.following_time_s)));
+  const auto kept =
+      std::size_t(std::max(stuck_frames(arm_), arm_.frames_in(settings_.following_time_s)));
   while (history_.size() > kept) {
     history_.pop_front();
   }
@@ -248,7 +246,7 @@ std::string SafetyGate::following(const ArmState& state) {
     }
     const float measured = state.pressure_kpa[s];
     const double off_kpa = std::max({low - measured, measured - high, 0.0F});
-    int& frames = frames_off_[static_cast<std::size_t>(s)];
+    int& frames = frames_off_[s];
     frames = off_kpa > settings_.following_error_kpa ? frames + 1 : 0;
     std::string wrong = stuck(s);
     if (wrong.empty() && frames > arm_.frames_in(settings_.following_time_s)) {
@@ -265,7 +263,7 @@ std::string SafetyGate::following(const ArmState& state) {
 }
 
 std::size_t SafetyGate::first_recent() const {
-  const auto frames = static_cast<std::size_t>(arm_.frames_in(settings_.following_time_s));
+  const auto frames = std::size_t(arm_.frames_in(settings_.following_time_s));
   return history_.size() - std::min(history_.size(), frames);
 }
 
@@ -289,13 +287,13 @@ std::string SafetyGate::never_sent(const ArmState& state) const {
 }
 
 std::string SafetyGate::stuck(int channel) const {
-  const auto window = static_cast<std::size_t>(stuck_frames(arm_));
+  const auto window = std::size_t(stuck_frames(arm_));
   if (history_.size() < window) {
     return "";
   }
   const std::size_t from = history_.size() - window;
-  const auto until = history_.size() - static_cast<std::size_t>(std::max(
-                                           arm_.frames_in(kStuckDelayS), kMinStuckDelayFrames));
+  const auto until =
+      history_.size() - std::size_t(std::max(arm_.frames_in(kStuckDelayS), kMinStuckDelayFrames));
   float low = history_[from].reference_kpa[channel];
   float high = low;
   float measured_low = history_[from].measured_kpa[channel];

@@ -2,10 +2,9 @@
 
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "limber/arm/pressure_limits.hpp"
-#include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/yaml_reader.hpp"
 
 namespace limber {
@@ -25,16 +24,15 @@ Fence read_fence(const YamlReader& node) {
       *value = length(key);
     }
   }
-  if (!(fence.x_min_m < fence.x_max_m && fence.y_min_m < fence.y_max_m &&
-        fence.z_min_m < fence.z_max_m)) {
-    node.refuse("expected x_min_m < x_max_m, y_min_m < y_max_m and z_min_m < z_max_m");
-  }
+  node.refuse_if(!(fence.x_min_m < fence.x_max_m && fence.y_min_m < fence.y_max_m &&
+                   fence.z_min_m < fence.z_max_m),
+                 "expected x_min_m < x_max_m, y_min_m < y_max_m and z_min_m < z_max_m");
   return fence;
 }
 
 }  // namespace
 
-SafetySettings load_safety(const std::filesystem::path& arm_file) {
+SafetySettings load_safety(const fs::path& arm_file) {
   const YamlReader root = YamlReader::from_file(arm_file);
   SafetySettings safety;
   if (!root.has("safety")) {
@@ -72,9 +70,8 @@ double largest_jump_m(const SafetySettings& safety, const ArmDescription& arm) {
 }
 
 ArmDescription with_scaled_limits(const ArmDescription& arm, double scale) {
-  if (!(scale > 0.0 && scale <= 1.0)) {
-    throw InputError(fmt::format("limit scale = {}; expected a number over 0, at most 1", scale));
-  }
+  refuse_if(!(scale > 0.0 && scale <= 1.0), "limit scale = {}; expected a number over 0, at most 1",
+            scale);
   ArmDescription scaled = arm;
   for (Segment& segment : scaled.segments) {
     segment.pressure_limit_kpa *= scale;

@@ -12,7 +12,7 @@ bool has_arrived(const ArmDescription& arm, const ArmDriver& driver,
                  const Pressures& setpoint_kpa) {
   constexpr double kArrived = 0.01;  // of the limit, as planning's hold has it
   for (Eigen::Index i = 0; i < setpoint_kpa.size(); ++i) {
-    const double limit = arm.limits_of_channel(static_cast<int>(i)).largest_kpa();
+    const double limit = arm.limits_of_channel(int(i)).largest_kpa();
     if (!(std::abs(double(driver.state().pressure_kpa[i]) - double(setpoint_kpa[i])) <=
           kArrived * limit)) {
       return false;

@@ -81,7 +81,7 @@ bool JacobianController::has_ended(const std::optional<Eigen::VectorXd>& error) 
   if (frame_ < plan_.frames.size()) {
     return false;
   }
-  const auto after = static_cast<int>(frame_ + 1 - plan_.frames.size());
+  const auto after = int(frame_ + 1 - plan_.frames.size());
   settled_ = error && error->norm() < kSettledM ? settled_ + 1 : 0;
   return settled_ >= arm_.frames_in(kSettledS) || after >= arm_.frames_in(kAfterPlanS);
 }
@@ -103,8 +103,7 @@ Eigen::VectorXd JacobianController::feedback(const Eigen::VectorXd& tip, std::si
 Decision JacobianController::step(const Moment& now) {
   // What is measured belongs to an older frame where states are late; what is commanded, to the one
   // after frame_.
-  const std::size_t seen =
-      frame_ - std::min(frame_, static_cast<std::size_t>(now.arm.lag_frames()));
+  const std::size_t seen = frame_ - std::min(frame_, std::size_t(now.arm.lag_frames()));
   std::optional<Eigen::VectorXd> error;
   Eigen::VectorXd velocity = Eigen::VectorXd::Zero(rows_);
   if (const std::optional<Backbone>& shape = now.arm.measured().backbone;

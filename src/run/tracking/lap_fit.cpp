@@ -42,9 +42,9 @@ class LapFit {
         is_periodic_(path.closes() && path.laps > 1),
         stage_(in_unit_of(arm, stage)),
         effort_m_per_kpa_(kEffortMPerKpa / command_per_kpa(arm)),
-        intervals_(static_cast<int>(points_kpa.size()) - 1),
+        intervals_(int(points_kpa.size()) - 1),
         frames_(
-            std::min(static_cast<int>(std::lround(path.lap_s() / arm.frame_period_s())),
+            std::min(int(std::lround(path.lap_s() / arm.frame_period_s())),
                      stage.is_fast ? kFastFrames * intervals_ : std::numeric_limits<int>::max())),
         wanted_m_(2 * frames_) {
     for (int k = 1; k <= frames_; ++k) {
@@ -52,7 +52,7 @@ class LapFit {
     }
     knots_kpa_.resize(channels() * knots());
     for (int k = 0; k < knots(); ++k) {
-      knots_kpa_.segment(k * channels(), channels()) = points_kpa[static_cast<std::size_t>(k)];
+      knots_kpa_.segment(k * channels(), channels()) = points_kpa[k];
     }
     knots_kpa_ = within_limits(knots_kpa_);
   }
@@ -98,8 +98,7 @@ class LapFit {
 
   Eigen::VectorXd within_limits(Eigen::VectorXd knots_kpa) const {
     for (Eigen::Index i = 0; i < knots_kpa.size(); ++i) {
-      const PressureLimits& of =
-          arm_.segments[static_cast<std::size_t>(i % channels())].pressure_limit_kpa;
+      const PressureLimits& of = arm_.segments[i % channels()].pressure_limit_kpa;
       knots_kpa[i] =
           std::clamp(knots_kpa[i], kFittedOfLimits * of.lower_kpa, kFittedOfLimits * of.upper_kpa);
     }
@@ -110,9 +109,7 @@ class LapFit {
     return knots_kpa.segment((point % knots()) * channels(), channels()).cast<float>();
   }
 
-  int frame_of(int point) const {
-    return static_cast<int>(std::lround(double(frames_) * point / intervals_));
-  }
+  int frame_of(int point) const { return int(std::lround(double(frames_) * point / intervals_)); }
 
   /// Rest at the first point, or what the lap before ends in.
   MotionState lap_start() {
@@ -139,7 +136,7 @@ class LapFit {
     Eigen::MatrixXd tips_m(2 * frames_, knots_kpa.cols());
     rollouts_.clear();
     for (Eigen::Index c = 0; c < knots_kpa.cols(); ++c) {
-      rollouts_.add(static_cast<int>(c), start_, point_kpa(knots_kpa.col(c), 1), frame_of(1));
+      rollouts_.add(int(c), start_, point_kpa(knots_kpa.col(c), 1), frame_of(1));
     }
     int point = 1;
     for (int frame = 0; frame < frames_; ++frame) {

@@ -33,7 +33,7 @@ class LapSearch {
   explicit LapSearch(const std::vector<PressureLimits>& limits)
       : half_kpa_(Eigen::Index(limits.size())), middle_kpa_(half_kpa_.size()) {
     for (Eigen::Index i = 0; i < half_kpa_.size(); ++i) {
-      const PressureLimits& of = limits[static_cast<std::size_t>(i)];
+      const PressureLimits& of = limits[i];
       half_kpa_[i] = of.half_width_kpa();
       middle_kpa_[i] = 0.5 * (of.lower_kpa + of.upper_kpa);
     }
@@ -47,7 +47,7 @@ class LapSearch {
         const double cost = from[k].cost + step_cost(from[k].kpa, shape.kpa);
         if (cost < shape.cost) {
           shape.cost = cost;
-          shape.before = static_cast<int>(k);
+          shape.before = int(k);
         }
       }
       shape.cost += posture_cost(shape.kpa);
@@ -83,7 +83,7 @@ std::vector<Shapes> shapes_along(const NoLoadModel& model, const TipPath& path,
     goal.x_m = tip.x();
     goal.y_m = tip.y();
     goal.position_tolerance_m = kTipTolerance_m;
-    RandomStream random(seed, static_cast<std::uint64_t>(point));
+    RandomStream random(seed, std::uint64_t(point));
     const InverseKinematicsResult found = solve_inverse_kinematics(model, goal, settings, random);
     Shapes shapes;
     for (const Eigen::VectorXd& kpa : found.pressures_kpa) {
@@ -101,7 +101,7 @@ std::vector<Shapes> shapes_along(const NoLoadModel& model, const TipPath& path,
 std::vector<Eigen::VectorXd> cheapest_way(const LapSearch& search, std::vector<Shapes>& shapes,
                                           int first) {
   for (std::size_t k = 0; k < shapes[0].size(); ++k) {
-    const bool may_start = first < 0 || static_cast<int>(k) == first;
+    const bool may_start = first < 0 || int(k) == first;
     shapes[0][k].cost =
         may_start ? search.posture_cost(shapes[0][k].kpa) : std::numeric_limits<double>::infinity();
   }
@@ -110,10 +110,10 @@ std::vector<Eigen::VectorXd> cheapest_way(const LapSearch& search, std::vector<S
   }
   const auto last = std::ranges::min_element(shapes.back(), {}, &Shape::cost);
   std::vector<Eigen::VectorXd> way(shapes.size());
-  int at = static_cast<int>(last - shapes.back().begin());
+  int at = int(last - shapes.back().begin());
   for (std::size_t point = shapes.size(); point-- > 0;) {
-    way[point] = shapes[point][static_cast<std::size_t>(at)].kpa;
-    at = shapes[point][static_cast<std::size_t>(at)].before;
+    way[point] = shapes[point][at].kpa;
+    at = shapes[point][at].before;
   }
   return way;
 }
@@ -140,7 +140,7 @@ LapPosture::LapPosture(const NoLoadModel& model, const TipPath& path,
   const Shapes starts = shapes.front();
   for (std::size_t k = 0; k < starts.size(); ++k) {
     shapes.back() = {starts[k]};
-    std::vector<Eigen::VectorXd> way = cheapest_way(search, shapes, static_cast<int>(k));
+    std::vector<Eigen::VectorXd> way = cheapest_way(search, shapes, int(k));
     if (shapes.back().front().cost < min_cost) {
       min_cost = shapes.back().front().cost;
       points_kpa_ = std::move(way);
@@ -154,7 +154,7 @@ Eigen::VectorXd LapPosture::at(double seconds) const {
   }
   const double in_lap_s = closes_ ? std::fmod(seconds, lap_s_) : std::min(seconds, lap_s_);
   const double share = in_lap_s / lap_s_ * double(points_kpa_.size() - 1);
-  const auto before = std::min(static_cast<std::size_t>(share), points_kpa_.size() - 2);
+  const auto before = std::min(std::size_t(share), points_kpa_.size() - 2);
   const double rest = share - double(before);
   return (1.0 - rest) * points_kpa_[before] + rest * points_kpa_[before + 1];
 }

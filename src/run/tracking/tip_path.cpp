@@ -9,6 +9,7 @@
 
 #include "limber/common/csv_reader.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 
 namespace limber {
 
@@ -34,7 +35,7 @@ ColumnOrder read_header(CsvReader& csv, std::vector<CsvCell>& row) {
     if (found == row.end()) {
       csv.refuse(1, fmt::format("no column {}; expected time_s, x_m and y_m", kColumns[k]));
     }
-    order[k] = static_cast<std::size_t>(found - row.begin());
+    order[k] = std::size_t(found - row.begin());
   }
   if (row.size() != kColumns.size()) {
     csv.refuse(1, fmt::format("{} columns; expected time_s, x_m and y_m alone", row.size()));
@@ -80,13 +81,13 @@ Eigen::Vector2d TipPath::at(double seconds) const {
   }
   const double in_lap_s = std::fmod(seconds, lap_s());
   const auto after = std::upper_bound(time_s.begin(), time_s.end(), in_lap_s);
-  const auto i = static_cast<std::size_t>(
+  const auto i = std::size_t(
       std::clamp<std::ptrdiff_t>(after - time_s.begin(), 1, std::ptrdiff_t(time_s.size()) - 1));
   const double share = (in_lap_s - time_s[i - 1]) / (time_s[i] - time_s[i - 1]);
   return point_m[i - 1] + share * (point_m[i] - point_m[i - 1]);
 }
 
-TipPath read_tip_path(const std::filesystem::path& path) {
+TipPath read_tip_path(const fs::path& path) {
   CsvReader csv = CsvReader::from_file(path);
   std::vector<CsvCell> row;
   const ColumnOrder order = read_header(csv, row);

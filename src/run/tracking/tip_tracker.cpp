@@ -46,7 +46,7 @@ TipTracker::TipTracker(const ArmDescription& arm, const MotionModel& model, cons
       rollouts_(model),
       path_(path),
       settings_(settings),
-      laps_(std::max(1, static_cast<int>(std::lround(path.lap_s() / arm.frame_period_s()))),
+      laps_(std::max(1, int(std::lround(path.lap_s() / arm.frame_period_s()))),
             path.laps > 1 ? settings.lap_share : 0.0),
       posture_(start.posture),
       command_per_kpa_(command_per_kpa(arm)),
@@ -54,9 +54,8 @@ TipTracker::TipTracker(const ArmDescription& arm, const MotionModel& model, cons
   const Pressures& start_kpa = start.setpoint_kpa;
   const Pressures vented_kpa = Pressures::Zero(arm.channel_count());
   approach_ = straight_setpoints(vented_kpa, start_kpa, arm.pressure_step_limit_kpa());
-  approach_.insert(approach_.end(), static_cast<std::size_t>(arm.frames_in(kApproachHoldS)),
-                   start_kpa);
-  path_start_frame_ = static_cast<int>(approach_.size()) + arm.frames_in(kFirstPointS);
+  approach_.insert(approach_.end(), std::size_t(arm.frames_in(kApproachHoldS)), start_kpa);
+  path_start_frame_ = int(approach_.size()) + arm.frames_in(kFirstPointS);
   knots_kpa_ = start_kpa.cast<double>().replicate(kKnots, 1);
   const double posture_m = posture_.is_known() ? kPostureM : 0.0;
   posture_weight_m_per_kpa_.resize(knots_kpa_.size());
@@ -66,7 +65,7 @@ TipTracker::TipTracker(const ArmDescription& arm, const MotionModel& model, cons
 }
 
 const PressureLimits& TipTracker::limits_of_knot(Eigen::Index i) const {
-  return arm_.segments[static_cast<std::size_t>(i % channels())].pressure_limit_kpa;
+  return arm_.segments[i % channels()].pressure_limit_kpa;
 }
 
 double TipTracker::path_time_s(int frame) const {
@@ -113,7 +112,7 @@ void TipTracker::roll_out(Candidates& candidates) {
   candidates.tips_m.resize(2 * kHorizon, candidates.knots_kpa.cols());
   rollouts_.clear();
   for (Eigen::Index c = 0; c < candidates.knots_kpa.cols(); ++c) {
-    rollouts_.add(static_cast<int>(c), state_, knot(c, 0), kFramesPerKnot);
+    rollouts_.add(int(c), state_, knot(c, 0), kFramesPerKnot);
   }
   for (int h = 0; h < kHorizon; ++h) {
     rollouts_.step();
@@ -128,7 +127,7 @@ void TipTracker::roll_out(Candidates& candidates) {
       }
     }
   }
-  queries_ += static_cast<std::uint64_t>(kHorizon * candidates.knots_kpa.cols());
+  queries_ += std::uint64_t(kHorizon * candidates.knots_kpa.cols());
 }
 
 Eigen::VectorXd TipTracker::posture_of_knots() const {
@@ -205,7 +204,7 @@ void TipTracker::search(const ArmEstimate& arm) {
   const Eigen::VectorXd wanted = wanted_tips(arm);
   const int samples =
       std::max(kMinSamples, settings_.queries / kHorizon / kRounds - int(std::size(kStepShares)));
-  RandomStream random(seed_, static_cast<std::uint64_t>(frame_));
+  RandomStream random(seed_, std::uint64_t(frame_));
   knots_kpa_ = within_rule(knots_kpa_);
   posture_kpa_ = posture_of_knots();
   const double spread_kpa = kSpreadKpa * command_per_kpa_;
@@ -240,8 +239,8 @@ void TipTracker::search(const ArmEstimate& arm) {
 
 /// The first frame of the way to the first knot.
 Pressures TipTracker::decide(const ArmEstimate& arm) {
-  if (frame_ < static_cast<int>(approach_.size())) {
-    return approach_[static_cast<std::size_t>(frame_)];
+  if (frame_ < int(approach_.size())) {
+    return approach_[frame_];
   }
   search(arm);
   const Eigen::VectorXd now = state_.setpoint_kpa().cast<double>();

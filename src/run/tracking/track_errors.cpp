@@ -16,7 +16,7 @@ std::optional<TrackError> error_of(const std::vector<double>& distances_m) {
   }
   const double squares =
       std::inner_product(distances_m.begin(), distances_m.end(), distances_m.begin(), 0.0);
-  const auto frames = static_cast<int>(distances_m.size());
+  const auto frames = int(distances_m.size());
   return TrackError{std::sqrt(squares / frames), std::ranges::max(distances_m), frames};
 }
 

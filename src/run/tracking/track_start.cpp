@@ -2,6 +2,7 @@
 
 #include "lap_fit.hpp"
 #include "limber/arm/pressure_limits.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/run/tip_tracker.hpp"
 #include "limber/world/environment.hpp"
@@ -22,14 +23,14 @@ std::vector<Eigen::Vector2d> settled_tips(const ArmDescription& arm, const Motio
                                           const Eigen::MatrixXf& setpoints_kpa) {
   const ArmStart vented = start_state(Environment{}, arm);
   const MotionState rest = model.settled_state(vented.pressures_kpa, vented.backbone);
-  const auto count = static_cast<std::size_t>(setpoints_kpa.cols());
+  const auto count = std::size_t(setpoints_kpa.cols());
   std::vector<Eigen::Vector2d> tips(count);
   std::vector<bool> arrived(count, false);
   RolloutBatch rollouts(model);
   for (Eigen::Index c = 0; c < setpoints_kpa.cols(); ++c) {
     const int frames = motion_frame_count(vented.pressures_kpa, setpoints_kpa.col(c),
                                           arm.pressure_step_limit_kpa());
-    rollouts.add(static_cast<int>(c), rest, setpoints_kpa.col(c), frames);
+    rollouts.add(int(c), rest, setpoints_kpa.col(c), frames);
   }
   while (rollouts.size() > 0) {
     rollouts.step();
@@ -37,7 +38,7 @@ std::vector<Eigen::Vector2d> settled_tips(const ArmDescription& arm, const Motio
       if (!rollouts.has_ended(column)) {
         continue;
       }
-      const auto label = static_cast<std::size_t>(rollouts.label(column));
+      const auto label = std::size_t(rollouts.label(column));
       if (arrived[label]) {
         tips[label] = tip_position_m(rollouts.now(column));
         rollouts.remove(column);
@@ -57,8 +58,7 @@ Eigen::MatrixXf sampled_kpa(const ArmDescription& arm, int count, const Draw& dr
   Eigen::MatrixXf setpoints_kpa(arm.channel_count(), count);
   for (Eigen::Index c = 0; c < setpoints_kpa.cols(); ++c) {
     for (Eigen::Index i = 0; i < setpoints_kpa.rows(); ++i) {
-      setpoints_kpa(i, c) =
-          static_cast<float>(draw(i, arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa));
+      setpoints_kpa(i, c) = float(draw(i, arm.segments[i].pressure_limit_kpa));
     }
   }
   return setpoints_kpa;
@@ -73,10 +73,9 @@ struct Candidate {
 Candidate nearest_of(const ArmDescription& arm, const MotionModel& model,
                      const Eigen::Vector2d& tip_m, const Eigen::MatrixXf& setpoints_kpa) {
   const std::vector<Eigen::Vector2d> tips = settled_tips(arm, model, setpoints_kpa);
-  std::vector<Candidate> starts;
-  for (std::size_t c = 0; c < tips.size(); ++c) {
-    starts.push_back({setpoints_kpa.col(Eigen::Index(c)), (tips[c] - tip_m).norm()});
-  }
+  const auto starts = mapped<Candidate>(tips.size(), [&](std::size_t c) {
+    return Candidate{setpoints_kpa.col(Eigen::Index(c)), (tips[c] - tip_m).norm()};
+  });
   return std::ranges::min(starts, {}, &Candidate::distance_m);
 }
 

@@ -117,7 +117,7 @@ class DriverServer {
   Pressures in_force_then(Pressures now_kpa) {
     if (were_in_force_.empty()) {
       constexpr double kRounding = 1e-9;
-      const auto late = static_cast<std::size_t>(settings_.arm.latency_s / period_s() + kRounding);
+      const auto late = std::size_t(settings_.arm.latency_s / period_s() + kRounding);
       were_in_force_.assign(late + 1, Pressures::Zero(now_kpa.size()));
     }
     were_in_force_.pop_front();
@@ -262,7 +262,7 @@ class DriverServer {
     }
     switch (settings_.fault->kind) {
       case Kind::over:
-        state.pressure_kpa[0] = kOverLimit * static_cast<float>(host_.limit_kpa[0].largest_kpa());
+        state.pressure_kpa[0] = kOverLimit * float(host_.limit_kpa[0].largest_kpa());
         break;
       case Kind::stuck:
         state.pressure_kpa[0] = last_.pressure_kpa[0];
@@ -314,7 +314,7 @@ class DriverServer {
     while (!text.empty() && !done_) {
       const ssize_t written = ::write(STDOUT_FILENO, text.data(), text.size());
       if (written >= 0) {
-        text.remove_prefix(static_cast<std::size_t>(written));
+        text.remove_prefix(std::size_t(written));
       } else if (errno != EINTR || interrupt_requested()) {
         guard.note(errno);
         vent("nobody reads the states");

@@ -12,6 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "limber/common/error.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/common/number_text.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/sim/driver_server.hpp"
@@ -32,11 +33,10 @@ constexpr double kMaxLatencyS = 0.15;
 constexpr double kMaxDrawnClockS = 1000.0;
 
 std::vector<WireChannel> drawn_channels(int count, RandomStream& stream) {
-  std::vector<WireChannel> channels;
-  for (int s = 0; s < count; ++s) {
-    channels.push_back({s, stream.index(2) == 0 ? 1.0 : -1.0});
-  }
-  for (std::uint32_t s = static_cast<std::uint32_t>(count); s > 1; --s) {
+  auto channels = mapped<WireChannel>(count, [&](int s) {
+    return WireChannel{s, stream.index(2) == 0 ? 1.0 : -1.0};
+  });
+  for (std::uint32_t s = std::uint32_t(count); s > 1; --s) {
     std::swap(channels[s - 1].channel, channels[stream.index(s)].channel);
   }
   return channels;
@@ -55,7 +55,7 @@ Eigen::Quaterniond drawn_rotation(RandomStream& stream) {
 constexpr std::array kFaultNames = {"late", "repeat", "old",  "half",   "huge",  "nan",
                                     "size", "clock",  "die",  "hang",   "flood", "hello",
                                     "over", "stuck",  "jump", "sealed", "rise",  "release"};
-static_assert(kFaultNames.size() == static_cast<std::size_t>(ServerFaultKind::release) + 1);
+static_assert(kFaultNames.size() == std::size_t(ServerFaultKind::release) + 1);
 
 }  // namespace
 
@@ -186,7 +186,7 @@ Misassembly draw_misassembly_in_3d(const ArmDescription& arm, std::uint64_t seed
 }
 
 const char* to_string(ServerFaultKind kind) {
-  return kFaultNames[static_cast<std::size_t>(kind)];
+  return kFaultNames[std::size_t(kind)];
 }
 
 ServerFault parse_server_fault(const std::string& text) {
@@ -197,12 +197,12 @@ ServerFault parse_server_fault(const std::string& text) {
   double frame = -1.0;
   if (at == std::string::npos || found == kFaultNames.end() ||
       !parse_number(text.substr(at + 1), frame) || frame < 0.0 || frame > kMaxFrame ||
-      frame != static_cast<int>(frame)) {
+      frame != int(frame)) {
     throw InputError(
         fmt::format("--fault {}: expected KIND@FRAME, as in die@12; kinds: {}; frames count from 0",
                     text, fmt::join(kFaultNames, ", ")));
   }
-  return {static_cast<ServerFaultKind>(found - kFaultNames.begin()), static_cast<int>(frame)};
+  return {static_cast<ServerFaultKind>(found - kFaultNames.begin()), int(frame)};
 }
 
 }  // namespace limber

@@ -16,7 +16,7 @@ class JobArena {
  public:
   explicit JobArena(int jobs)
       : allowance_(tbb::global_control::max_allowed_parallelism,
-                   static_cast<std::size_t>(std::max(count(jobs), count(0)))),
+                   std::size_t(std::max(count(jobs), count(0)))),
         arena_(count(jobs)) {}
 
   int jobs() const { return arena_.max_concurrency(); }

@@ -61,7 +61,7 @@ inline Vector3<N> rotated(const Quaternion<N>& q, const Vector3<N>& d) {
 
 template <class N>
 struct NumberIn {
-  static inline N all(double x) { return N{} + static_cast<float>(x); }
+  static inline N all(double x) { return N{} + float(x); }
 };
 template <>
 struct NumberIn<double> {

@@ -139,7 +139,7 @@ struct ArmDescription {
   std::string safety_yaml;  ///< `safety:` and its entries, not read yet, for arms that are moved
 
   /// What bends: shapes, lengths and curvatures have one of each.
-  int segment_count() const { return static_cast<int>(segments.size()); }
+  int segment_count() const { return int(segments.size()); }
   bool is_spatial() const { return dimension == Dimension::space; }
   /// What is commanded: n of Pressures, of valves and of their limits. In the plane a segment has
   /// one, in space one for each of its chambers, base first.

@@ -38,7 +38,7 @@ class NoLoadModel {
   explicit NoLoadModel(const ArmDescription& arm);
 
   const std::string& arm_name() const { return arm_name_; }
-  int segment_count() const { return static_cast<int>(segments_.size()); }
+  int segment_count() const { return int(segments_.size()); }
   int channel_count() const { return channel_count_; }  ///< as in ArmDescription
   Dimension dimension() const { return dimension_; }
   int point_count() const { return point_count_; }
@@ -74,7 +74,7 @@ class NoLoadModel {
   /// Largest |κ| the pressure limits allow to either side.
   double curvature_limit_per_m(int segment) const;
 
-  const Segment& segment(int i) const { return segments_[static_cast<std::size_t>(i)]; }
+  const Segment& segment(int i) const { return segments_[i]; }
 
  private:
   template <class Scalar>

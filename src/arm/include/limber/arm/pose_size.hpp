@@ -19,7 +19,7 @@ constexpr int pose_size(Dimension dimension) {
 }
 /// Numbers that say where a plate is: x, y and, in space, z. They come first in a pose.
 constexpr int position_size(Dimension dimension) {
-  return static_cast<int>(dimension);
+  return int(dimension);
 }
 /// Numbers of a plate's pose about the plate before it.
 constexpr int gap_size(Dimension dimension) {

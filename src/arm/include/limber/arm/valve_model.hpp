@@ -26,7 +26,7 @@ class ValveMotion {
     // Parts of a frame shorter than this are dropped: 0.15 s at 20 Hz are three frames.
     constexpr double kRounding = 1e-6;
     const double frames = valves.dead_time_s / frame_period_s;
-    frames_late_ = static_cast<int>(std::floor(frames + kRounding));
+    frames_late_ = int(std::floor(frames + kRounding));
     const double fraction = frames - frames_late_;
     splits_ = fraction > kRounding;
     const double first_s = splits_ ? fraction * frame_period_s : 0.0;

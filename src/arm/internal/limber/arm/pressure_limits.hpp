@@ -6,6 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "limber/arm/arm_description.hpp"
+#include "limber/common/json.hpp"
 
 namespace limber {
 
@@ -19,7 +20,7 @@ PressureLimits read_limits(const YamlReader& node, const std::string& meaning);
 std::string limits_to_yaml(const PressureLimits& limits);
 
 /// The limits as JSON: a number where both sides have the same, else [lower, upper].
-nlohmann::ordered_json to_json(const PressureLimits& limits);
+Json to_json(const PressureLimits& limits);
 
 /// States of a segment that collections visit: off, and full to either side.
 inline constexpr int kCornerStates = 3;

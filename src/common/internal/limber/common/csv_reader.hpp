@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "limber/common/filesystem.hpp"
 #include "limber/common/number_text.hpp"
 
 namespace limber {
@@ -26,7 +27,7 @@ struct CsvCell {
 class CsvReader {
  public:
   /// @throws InputError if the file can't be read, or is UTF-16 (as some spreadsheets save).
-  static CsvReader from_file(const std::filesystem::path& path, char separator = ',');
+  static CsvReader from_file(const fs::path& path, char separator = ',');
   /// @param name  stands for the file in messages.
   CsvReader(std::string text, std::string name, char separator = ',');
 

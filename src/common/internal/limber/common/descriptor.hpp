@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "limber/common/filesystem.hpp"
+
 namespace limber {
 
 /// A file descriptor, closed at the end of the scope.
@@ -15,7 +17,7 @@ class Descriptor {
   Descriptor() = default;
   explicit Descriptor(int descriptor) : descriptor_(descriptor) {}
   /// What open() gives for it, with O_CLOEXEC.
-  Descriptor(const std::filesystem::path& path, int flags) {
+  Descriptor(const fs::path& path, int flags) {
     constexpr mode_t kNewFile = 0666;  // less what the umask takes away
     do {
       descriptor_ = ::open(path.c_str(), flags | O_CLOEXEC, kNewFile);

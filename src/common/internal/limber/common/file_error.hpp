@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 
 namespace limber {
 
@@ -32,14 +33,13 @@ inline bool is_callers_mistake(int error) {
 }
 
 /// @throws SystemFault "PATH: WHAT: the system's reason", for what fails in the midst of the work.
-[[noreturn]] inline void throw_fault(const std::filesystem::path& path, const std::string& what,
-                                     int error) {
+[[noreturn]] inline void throw_fault(const fs::path& path, const std::string& what, int error) {
   throw SystemFault(fmt::format("{}: {}: {}", path.string(), what, std::strerror(error)));
 }
 
 /// The same for what is tried before the work: an InputError if the caller can correct it.
-[[noreturn]] inline void throw_file_error(const std::filesystem::path& path,
-                                          const std::string& what, int error) {
+[[noreturn]] inline void throw_file_error(const fs::path& path, const std::string& what,
+                                          int error) {
   if (is_callers_mistake(error)) {
     throw InputError(fmt::format("{}: {}: {}", path.string(), what, std::strerror(error)));
   }

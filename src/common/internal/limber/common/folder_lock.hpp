@@ -4,6 +4,7 @@
 #include <string>
 
 #include "limber/common/descriptor.hpp"
+#include "limber/common/filesystem.hpp"
 
 namespace limber {
 
@@ -13,7 +14,7 @@ class FolderLock {
  public:
   /// @param who  "limber experiment", for the message
   /// @throws InputError if another has it.
-  FolderLock(const std::filesystem::path& folder, const std::string& who);
+  FolderLock(const fs::path& folder, const std::string& who);
 
  private:
   Descriptor descriptor_;

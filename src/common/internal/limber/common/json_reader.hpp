@@ -5,9 +5,13 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <nlohmann/json_fwd.hpp>
+
+#include "limber/common/filesystem.hpp"
 
 namespace limber {
 
@@ -22,7 +26,7 @@ inline constexpr int kMaxJsonLevels = 32;
 nlohmann::json parse_json_object(std::string_view text, const std::string& where);
 
 /// The same for a whole file. @throws InputError naming it, also if it can't be read.
-nlohmann::json read_json_object(const std::filesystem::path& path);
+nlohmann::json read_json_object(const fs::path& path);
 
 /// A value in a few words, for messages: "'text'", "3", "a list of 200"; long texts shortened.
 std::string in_few_words(const nlohmann::json& value);
@@ -64,6 +68,14 @@ class JsonReader {
   const nlohmann::json& value() const { return value_; }
   /// @throws InputError "file: field: message".
   [[noreturn]] void refuse(const std::string& message) const;
+  /// The same if it `is_bad`; as the free function of this name.
+  template <typename... Arguments>
+  void refuse_if(bool is_bad, fmt::format_string<Arguments...> message,
+                 Arguments&&... arguments) const {
+    if (is_bad) {
+      refuse(fmt::format(message, std::forward<Arguments>(arguments)...));
+    }
+  }
   /// `message` with "… found; " before it.
   [[noreturn]] void refuse_found(const std::string& message) const;
 

@@ -21,7 +21,7 @@ using ShortTensor = TensorOf<std::int16_t>;
 
 /// Of a vector of numbers, Eigen's too.
 inline Tensor vector_tensor(const auto& vector) {
-  return {{static_cast<std::size_t>(vector.size())}, {vector.begin(), vector.end()}};
+  return {{std::size_t(vector.size())}, {vector.begin(), vector.end()}};
 }
 
 /// What a safetensors file holds: tensors by name, and strings about them.

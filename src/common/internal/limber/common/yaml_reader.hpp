@@ -4,9 +4,13 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
+
+#include "limber/common/filesystem.hpp"
 
 namespace limber {
 
@@ -15,7 +19,7 @@ namespace limber {
 class YamlReader {
  public:
   /// @throws InputError if the file is missing, empty or no YAML (with line and column).
-  static YamlReader from_file(const std::filesystem::path& path);
+  static YamlReader from_file(const fs::path& path);
   /// @param name  stands for the file in messages.
   static YamlReader from_text(const std::string& text, const std::string& name);
 
@@ -54,6 +58,14 @@ class YamlReader {
 
   /// @throws InputError "file:line: field: message".
   [[noreturn]] void refuse(const std::string& message) const;
+  /// The same if it `is_bad`; as the free function of this name.
+  template <typename... Arguments>
+  void refuse_if(bool is_bad, fmt::format_string<Arguments...> message,
+                 Arguments&&... arguments) const {
+    if (is_bad) {
+      refuse(fmt::format(message, std::forward<Arguments>(arguments)...));
+    }
+  }
   /// The value as written in the file, for messages.
   std::string found() const;
   const std::string& file() const { return file_; }

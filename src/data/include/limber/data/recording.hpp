@@ -63,14 +63,12 @@ struct Episode {
   /// File name of the log that it was imported from; empty: of none. Messages name it.
   std::string log;
 
-  int frame_count() const { return static_cast<int>(time_s.size()); }
+  int frame_count() const { return int(time_s.size()); }
   /// m.
-  int point_count() const { return static_cast<int>(backbone.cols()) / pose_size(dimension); }
+  int point_count() const { return int(backbone.cols()) / pose_size(dimension); }
   int untracked_count() const;
   /// Whether the backbone of frame `t` was tracked. @pre 0 ≤ t < frame_count()
-  bool was_tracked(int t) const {
-    return tracked.empty() || tracked[static_cast<std::size_t>(t)] != 0;
-  }
+  bool was_tracked(int t) const { return tracked.empty() || tracked[t] != 0; }
   /// Where a plate is in frame `t`; in the plane z is 0.
   Eigen::Vector3d position_m(Eigen::Index t, Eigen::Index plate) const;
   /// The first tracked frame at or after `t` and before `end`; `end` if there is none. @pre end ≤
@@ -103,7 +101,7 @@ struct Recording {
 
   /// What messages call an episode by.
   std::size_t number(std::size_t episode) const {
-    return numbers.empty() ? episode : static_cast<std::size_t>(numbers[episode]);
+    return numbers.empty() ? episode : std::size_t(numbers[episode]);
   }
   /// Columns of commands.
   int channel_count() const {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "limber/common/mapped.hpp"
 #include "limber/data/recording.hpp"
 
 namespace limber {
@@ -40,20 +41,15 @@ inline std::vector<int> tracked_frames(const Episode& episode) {
 
 /// Of all of them together.
 inline std::int64_t frame_count(const std::vector<Episode>& episodes) {
-  std::int64_t frames = 0;
-  for (const Episode& episode : episodes) {
-    frames += episode.frame_count();
-  }
-  return frames;
+  return sum_of<std::int64_t>(episodes,
+                              [&](const Episode& episode) { return episode.frame_count(); });
 }
 
 /// Frames in which the arm was tracked.
 inline std::int64_t tracked_count(const std::vector<Episode>& episodes) {
-  std::int64_t frames = 0;
-  for (const Episode& episode : episodes) {
-    frames += episode.frame_count() - episode.untracked_count();
-  }
-  return frames;
+  return sum_of<std::int64_t>(episodes, [&](const Episode& episode) {
+    return episode.frame_count() - episode.untracked_count();
+  });
 }
 
 }  // namespace limber

@@ -7,6 +7,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "limber/arm/arm_description.hpp"
+#include "limber/common/json.hpp"
 #include "limber/data/recording.hpp"
 
 namespace limber {
@@ -80,7 +81,7 @@ ArmDescription fitted_arm(const ArmDescription& arm, const SimpleFit& fit,
 /// A line in place of a missing strain polynomial, to be scaled by a fit: a fifth at the limit.
 ArmDescription with_lines_for_missing_polynomials(ArmDescription arm);
 
-nlohmann::ordered_json to_json(const SimpleFit& fit);
+Json to_json(const SimpleFit& fit);
 std::string to_text(const SimpleFit& fit, const ArmDescription& arm);
 
 /// Backbones that the model expects under an episode's commands, T×3m, base at the origin.

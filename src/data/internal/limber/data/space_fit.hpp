@@ -7,6 +7,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "limber/arm/arm_description.hpp"
+#include "limber/common/json.hpp"
 #include "limber/data/recording.hpp"
 
 namespace limber {
@@ -68,7 +69,7 @@ struct ChamberFinding {
 };
 std::vector<ChamberFinding> chamber_findings(const ArmDescription& arm, const SpaceFit& fit);
 
-nlohmann::ordered_json to_json(const SpaceFit& fit, const ArmDescription& arm);
+Json to_json(const SpaceFit& fit, const ArmDescription& arm);
 std::string to_text(const SpaceFit& fit, const ArmDescription& arm);
 
 }  // namespace limber

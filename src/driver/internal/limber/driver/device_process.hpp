@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "limber/arm/backbone.hpp"
+#include "limber/common/filesystem.hpp"
 
 namespace limber {
 
@@ -17,7 +18,7 @@ class DeviceProcess {
  public:
   /// Does nothing where `log` is empty. To be made before any thread.
   /// @throws SystemFault where the log or the process can't be made.
-  explicit DeviceProcess(const std::filesystem::path& log);
+  explicit DeviceProcess(const fs::path& log);
   ~DeviceProcess();
   DeviceProcess(const DeviceProcess&) = delete;
   DeviceProcess& operator=(const DeviceProcess&) = delete;

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "limber/common/filesystem.hpp"
 #include "limber/driver/process_driver.hpp"
 #include "limber/run/collection.hpp"
 #include "limber/world/plan.hpp"
@@ -70,7 +71,7 @@ std::optional<ShortReach> first_short_reach(const ArmDescription& arm, double li
 class DriverLog {
  public:
   /// @throws SystemFault where `path` can't be opened; does nothing where it is empty.
-  DriverLog(const std::filesystem::path& path, std::string_view command, bool append);
+  DriverLog(const fs::path& path, std::string_view command, bool append);
 
   void sent(std::string_view line) { write("to_driver", line); }
   void received(std::string_view line) { write("from_driver", line); }

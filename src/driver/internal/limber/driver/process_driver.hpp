@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "limber/arm/arm_description.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/driver/driver_protocol.hpp"
 #include "limber/driver/wire_calibration.hpp"
 #include "limber/run/arm_driver.hpp"
@@ -32,7 +33,7 @@ struct ProcessDriverSettings {
   /// state: once it is true, whatever thread made it so, a `vent` goes out and `command` throws
   /// Interrupted. Empty: never.
   std::function<bool()> vent_asked = {};
-  std::filesystem::path log;   ///< every line of both sides with its time; empty: none
+  fs::path log;                ///< every line of both sides with its time; empty: none
   bool append_to_log = false;  ///< of a driver that is started again; else a new log is begun
   std::optional<WireCalibration> calibration;  ///< none: the wire is the arm's
   /// For `limber driver calibrate`: bodies in 3D, which no plane is known for, are no fault. They

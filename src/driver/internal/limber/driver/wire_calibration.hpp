@@ -10,6 +10,7 @@
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/backbone.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/run/arm_driver.hpp"
 
 namespace limber {
@@ -128,7 +129,7 @@ void require_calibration_of(const WireCalibration& calibration, const ArmDescrip
                             const std::string& file);
 
 /// YAML, schema limber/driver_calibration/1. @throws InputError naming file, line and field.
-WireCalibration read_wire_calibration(const std::filesystem::path& file);
+WireCalibration read_wire_calibration(const fs::path& file);
 WireCalibration parse_wire_calibration(const std::string& text, const std::string& name);
 std::string to_yaml(const WireCalibration& calibration);
 

@@ -20,8 +20,8 @@ class EnsembleForward {
   /// @throws InputError as ForwardModel.
   EnsembleForward(const ArmDescription& arm, const CompensationModel& model);
 
-  int member_count() const { return static_cast<int>(members_.size()); }
-  const ForwardModel& member(int index) const { return members_[static_cast<std::size_t>(index)]; }
+  int member_count() const { return int(members_.size()); }
+  const ForwardModel& member(int index) const { return members_[index]; }
 
   /// Of a rollout: 3m×(T + 1) each. The standard deviation is the members' own (divided by N), of
   /// each number: 0 for a single network, and 0 in the given first column. Mean rotations in space

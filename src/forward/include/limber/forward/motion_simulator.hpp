@@ -89,13 +89,11 @@ class MotionBatch {
   /// @param to_kpa  n×k, set points where each goes
   void run(const std::vector<MotionState>& from, const Eigen::Ref<const Eigen::MatrixXf>& to_kpa);
 
-  int frame_count(int motion) const {
-    return static_cast<int>(frames_[static_cast<std::size_t>(motion)].cols()) - 1;
-  }
+  int frame_count(int motion) const { return int(frames_[motion].cols()) - 1; }
   /// Backbone of `motion` after frame k, 0 ≤ k ≤ frame_count.
   Eigen::Map<const Backbone> frame(int motion, int k) const;
   /// After its last frame.
-  const MotionState& end(int motion) const { return ends_[static_cast<std::size_t>(motion)]; }
+  const MotionState& end(int motion) const { return ends_[motion]; }
   bool is_free(int motion, const CollisionChecker& checker) const;
 
  private:

@@ -38,7 +38,6 @@ class RecordedRegion {
 
  private:
   const LearntRegion& learnt_;
-  double frame_rate_hz_;
   NoveltyMeasure measure_;
   Pressures fall_kpa_;  // of a frame, with a little slack
   Pressures rise_kpa_;

@@ -30,7 +30,7 @@ class RolloutBatch {
            int frames);
 
   /// Motions in progress; they are in columns 0 … size() − 1.
-  int size() const { return static_cast<int>(motions_.size()); }
+  int size() const { return int(motions_.size()); }
   /// One frame on. @pre no motion has ended.
   void step();
 
@@ -59,7 +59,7 @@ class RolloutBatch {
     int frames;
   };
 
-  const Motion& motion(int column) const { return motions_[static_cast<std::size_t>(column)]; }
+  const Motion& motion(int column) const { return motions_[column]; }
   void grow();
 
   MotionModel model_;

@@ -10,6 +10,8 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "limber/common/cpu_level.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/json.hpp"
 
 namespace limber {
 
@@ -53,7 +55,7 @@ struct Campaign {
 
 /// @throws InputError naming file, line and key: what is no campaign, has no budget, or one in
 /// seconds.
-Campaign read_campaign(const std::filesystem::path& path);
+Campaign read_campaign(const fs::path& path);
 
 std::size_t unit_count(const Campaign& campaign);
 
@@ -76,9 +78,9 @@ const char* cost_unit(const std::string& verb);
 
 /// A flag's values joined by spaces: a cell of a table.
 std::string as_text(const FlagValues& values);
-nlohmann::ordered_json flags_to_json(const Flags& flags);
+Json flags_to_json(const Flags& flags);
 
 /// Text of an arm file with other parameters of its virtual arm. @throws InputError
-std::string arm_with(const std::filesystem::path& arm_file, const Flags& parameters);
+std::string arm_with(const fs::path& arm_file, const Flags& parameters);
 
 }  // namespace limber

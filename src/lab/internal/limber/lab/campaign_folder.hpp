@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "limber/common/filesystem.hpp"
+#include "limber/common/json.hpp"
 #include "limber/lab/campaign.hpp"
 
 namespace limber {
@@ -27,14 +29,14 @@ enum class UnitState { waiting, started, failed, done };
 /// marker of another command, input or version counts. Threads: one at a time.
 class CampaignFolder {
  public:
-  CampaignFolder(std::filesystem::path folder, const Campaign& campaign);
+  CampaignFolder(fs::path folder, const Campaign& campaign);
 
   /// Writes campaign.json. @throws InputError where the folder holds another campaign, or something
   /// else; with `force` another one's finished units stay where they are also this one's.
   void prepare(bool force) const;
 
-  const std::filesystem::path& path() const { return folder_; }
-  std::filesystem::path unit_folder(std::size_t index) const;
+  const fs::path& path() const { return folder_; }
+  fs::path unit_folder(std::size_t index) const;
   UnitState state(const CampaignUnit& unit);
 
   /// @throws InputError where one of these units was finished with other inputs or by another
@@ -45,21 +47,21 @@ class CampaignFolder {
   /// which the caller may have locked.
   void begin(const CampaignUnit& unit);
   /// Its last file.
-  void finish(const CampaignUnit& unit, const nlohmann::ordered_json& result, double wall_time_s);
+  void finish(const CampaignUnit& unit, const Json& result, double wall_time_s);
   void fail(const CampaignUnit& unit, int code);
 
   /// What `finish` wrote: {"varied", "result", "run"}. @pre it is done
   nlohmann::json result(const CampaignUnit& unit);
 
  private:
-  std::filesystem::path marker(const CampaignUnit& unit, const char* state);
+  fs::path marker(const CampaignUnit& unit, const char* state);
   /// Of everything that decides what comes out: command, version, input files.
   std::string identity(const CampaignUnit& unit);
   /// Of the file that a flag names, of limber's own of that name, or of the environments in the
   /// folder.
   const std::string& fingerprint(const std::string& flag, const std::string& path);
 
-  std::filesystem::path folder_;
+  fs::path folder_;
   const Campaign& campaign_;
   /// Of flags' values; empty where one is no input.
   std::map<std::pair<std::string, std::string>, std::string> fingerprints_;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "limber/common/filesystem.hpp"
 #include "limber/lab/campaign_folder.hpp"
 
 namespace limber {
@@ -15,8 +16,7 @@ std::size_t write_campaign_table(const Campaign& campaign, CampaignFolder& folde
 
 /// Joins what `collect` units recorded: recording.h5, or, where that would be larger than what is
 /// read, recording_000.h5 and so on. One unit's recording is in memory at a time.
-std::vector<std::filesystem::path> join_campaign_recordings(const Campaign& campaign,
-                                                            CampaignFolder& folder);
+std::vector<fs::path> join_campaign_recordings(const Campaign& campaign, CampaignFolder& folder);
 
 /// What a unit's files are called in its folder.
 inline constexpr const char* kUnitRecording = "recording.h5";

@@ -8,12 +8,14 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "limber/arm/arm_description.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/json.hpp"
 #include "limber/common/progress.hpp"
 
 namespace limber {
 
 struct DemoSettings {
-  std::filesystem::path folder = "out";
+  fs::path folder = "out";
   ArmDescription arm;
   bool quick = false;
   bool force = false;  ///< replace a folder that limber demo did not make
@@ -28,6 +30,6 @@ struct DemoSettings {
 /// last, summary.json to the folder, and returns the summary (keys in docs/formats.md).
 /// @throws InputError, SystemFault, Interrupted; the folder then lacks summary.json, and the next
 /// run replaces it.
-nlohmann::ordered_json run_demo(const DemoSettings& settings);
+Json run_demo(const DemoSettings& settings);
 
 }  // namespace limber

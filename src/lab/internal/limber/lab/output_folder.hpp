@@ -11,18 +11,18 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "limber/common/filesystem.hpp"
 #include "limber/common/folder_lock.hpp"
 
 namespace limber {
 
 /// Whether `path`, or what it leads to, is `folder` or lies in it. Links and detours don't hide it;
 /// neither has to exist.
-bool lies_in(const std::filesystem::path& path, const std::filesystem::path& folder);
+bool lies_in(const fs::path& path, const fs::path& folder);
 
 /// @param what  may go on: ends the message
 /// @throws InputError naming the first key of `file` that is not as in `wanted`.
-void require_same_run(const std::filesystem::path& file, const nlohmann::json& wanted,
-                      const std::string& what);
+void require_same_run(const fs::path& file, const nlohmann::json& wanted, const std::string& what);
 
 /// The folder of one verb's results, with a manifest of the files that it wrote there
 /// (`.limber-VERB`, docs/formats.md). Files that the manifest does not list, or that have changed
@@ -45,10 +45,10 @@ class OutputFolder {
   /// @param inputs  files and folders that the run reads: none may lie in it
   /// @throws InputError naming the folder and what is wrong with it; SystemFault if it can't be
   /// made or cleared.
-  OutputFolder(std::filesystem::path folder, std::string verb, Start start,
-               const std::vector<std::filesystem::path>& inputs = {});
+  OutputFolder(fs::path folder, std::string verb, Start start,
+               const std::vector<fs::path>& inputs = {});
 
-  const std::filesystem::path& path() const { return folder_; }
+  const fs::path& path() const { return folder_; }
 
   /// Files that stayed in a cleared folder because they are somebody else's: names relative to the
   /// folder, sorted.
@@ -72,7 +72,7 @@ class OutputFolder {
   void remove(const std::string& name);
 
  private:
-  std::filesystem::path manifest_path() const { return folder_ / (".limber-" + verb_); }
+  fs::path manifest_path() const { return folder_ / (".limber-" + verb_); }
   bool read_manifest();
   void write_manifest() const;
   void require_usable(Start start, bool has_manifest) const;
@@ -84,7 +84,7 @@ class OutputFolder {
   void begin(const std::vector<std::string>& names);
   void end(const std::map<std::string, std::string>& hashes);
 
-  std::filesystem::path folder_;
+  fs::path folder_;
   std::string verb_;
   /// Name → content hash; empty while the file is being written.
   std::map<std::string, std::string> files_;

@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/json.hpp"
 #include "limber/lab/tube_runs.hpp"
 
 namespace limber {
@@ -17,8 +19,8 @@ inline constexpr std::uint64_t kCalibrationQueries = 20'000;
 
 struct CalibrationSettings {
   TubeRunSettings runs;
-  std::filesystem::path model_file;
-  std::filesystem::path folder;  ///< of finished runs and the evidence
+  fs::path model_file;
+  fs::path folder;  ///< of finished runs and the evidence
   std::vector<double> levels = {0.90, 0.95};
   double confidence = 0.95;  ///< of every level that is promised, in (0, 1)
   int scale_runs = 500;
@@ -39,7 +41,7 @@ class TooFewPlans : public InputError {
 struct CalibrationResult {
   /// Carries the tube, with every level that passed its test; none if none did.
   CompensationModel model;
-  nlohmann::ordered_json evidence;
+  Json evidence;
   std::vector<std::string> failures;  ///< a sentence for each level that failed test or audit
 };
 
@@ -66,8 +68,8 @@ struct RecordedCalibration {
   ArmDescription arm;
   CompensationModel model;
   std::string model_hash;
-  std::vector<std::filesystem::path> plans;
-  std::vector<std::filesystem::path> recordings;
+  std::vector<fs::path> plans;
+  std::vector<fs::path> recordings;
   std::vector<double> levels = {0.90, 0.95};
   double confidence = 0.95;
 };

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "limber/common/json.hpp"
 #include "limber/common/progress.hpp"
 #include "limber/lab/output_folder.hpp"
 #include "limber/lab/tube_score.hpp"
@@ -84,6 +85,6 @@ TubeRuns run_tube_phase(const TubeRunSettings& settings, const TubePhase& phase,
 
 /// Figures of a phase: environments, solved, coverage of `factor` with its 95 % interval, cost,
 /// first plan, mean radius at the tip, collisions, arrivals.
-nlohmann::ordered_json to_json(const TubeRuns& runs, double factor);
+Json to_json(const TubeRuns& runs, double factor);
 
 }  // namespace limber

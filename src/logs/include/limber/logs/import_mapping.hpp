@@ -42,9 +42,7 @@ struct CommandColumns {
   std::vector<double> offsets;
 
   double offset_of(Eigen::Index column) const {
-    return offsets.empty()       ? 0.0
-           : offsets.size() == 1 ? offsets.front()
-                                 : offsets[static_cast<std::size_t>(column)];
+    return offsets.empty() ? 0.0 : offsets.size() == 1 ? offsets.front() : offsets[column];
   }
 };
 

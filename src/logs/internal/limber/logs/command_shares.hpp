@@ -9,6 +9,8 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "limber/arm/arm_description.hpp"
+#include "limber/common/filesystem.hpp"
+#include "limber/common/json.hpp"
 
 namespace limber {
 
@@ -31,11 +33,11 @@ struct CommandShares {
 /// @param arm      its `commands` do not count
 /// @throws InputError as import_csv, where a segment follows none of the commands, and where some
 /// segment would not be moved apart from those before it.
-CommandShares find_command_shares(const std::vector<std::filesystem::path>& logs,
-                                  const std::filesystem::path& mapping, const ArmDescription& arm);
+CommandShares find_command_shares(const std::vector<fs::path>& logs, const fs::path& mapping,
+                                  const ArmDescription& arm);
 
 /// @param arm  that they were found for
-nlohmann::ordered_json to_json(const CommandShares& shares, const ArmDescription& arm);
+Json to_json(const CommandShares& shares, const ArmDescription& arm);
 /// What was found, and the block for the arm file.
 std::string to_text(const CommandShares& shares, const ArmDescription& arm);
 

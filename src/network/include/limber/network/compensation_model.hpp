@@ -98,7 +98,7 @@ struct ArmFamily {
   Eigen::MatrixXf arms;               ///< k × N, e of the arms that it learnt from
   std::vector<PhysicalTrait> traits;  ///< of virtual arms, whose physics is known
 
-  int size() const { return static_cast<int>(shifts.cols()); }
+  int size() const { return int(shifts.cols()); }
 };
 
 /// Which arm of a family a model is of, as far as its recordings told.
@@ -172,10 +172,8 @@ struct CompensationModel {
     return dimension == Dimension::space ? chamber_count : segment_count;
   }
   /// Numbers of q_t with those of `past_commands` below it, as ForwardModel::step_batch is told.
-  int command_size() const {
-    return channel_count() * (1 + static_cast<int>(past_commands.size()));
-  }
-  int member_count() const { return 1 + static_cast<int>(more_members.size()); }
+  int command_size() const { return channel_count() * (1 + int(past_commands.size())); }
+  int member_count() const { return 1 + int(more_members.size()); }
   /// Member `index` as a model of its own, without the training record. @pre index < member_count()
   CompensationModel member(int index) const;
 

@@ -38,12 +38,12 @@ struct LearntRegion {
   /// one, to which no speed is novel.
   Eigen::VectorXf joint_change;
 
-  int segment_count() const { return static_cast<int>(low_kpa.size()); }
+  int segment_count() const { return int(low_kpa.size()); }
   /// Whether these pressures lie within those that were recorded.
   bool holds(const Eigen::Ref<const Pressures>& kpa) const {
     return (kpa.array() >= low_kpa.array()).all() && (kpa.array() <= high_kpa.array()).all();
   }
-  int point_count() const { return static_cast<int>(axes.cols() - low_kpa.size()) / kPoseSize + 1; }
+  int point_count() const { return int(axes.cols() - low_kpa.size()) / kPoseSize + 1; }
 
   /// How far (pressures, backbone) lies from the middle of what was recorded: 1 on the border,
   /// less inside, growing linearly outside. It is the largest of |a − middle| / half range over the

@@ -32,7 +32,7 @@ class PackedNetwork {
   long multiply_adds() const { return multiply_adds(layer_count()); }
   /// Of the first `count` layers.
   long multiply_adds(int count) const;
-  int layer_count() const { return static_cast<int>(layers_.size()); }
+  int layer_count() const { return int(layers_.size()); }
 
   /// One query. `input` holds input_size numbers; `scratch` 2·padded_width. Returns the output_size
   /// results, somewhere in `scratch`.

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "limber/common/filesystem.hpp"
 #include "limber/network/compensation_model.hpp"
 
 namespace limber {
@@ -53,9 +54,8 @@ void require_family(const CompensationModel& model, const std::string& where);
 void require_one_arm(const CompensationModel& model, const std::string& where);
 
 /// For whoever predicts, plans or moves: `read_model`, and `require_one_arm`.
-CompensationModel read_model_of_one_arm(const std::filesystem::path& path);
+CompensationModel read_model_of_one_arm(const fs::path& path);
 /// The same, and `require_model_of` in the file's name.
-CompensationModel read_model_of_one_arm(const std::filesystem::path& path,
-                                        const ArmDescription& arm);
+CompensationModel read_model_of_one_arm(const fs::path& path, const ArmDescription& arm);
 
 }  // namespace limber

@@ -13,7 +13,7 @@ inline constexpr double kIndependentFrames = 20.0;  // that tell as much as one 
 /// What one plate's offset in one frame counts, beside the prior's |e|² / 2.
 /// @param usual_m  mean offset of the plates  @param plates  of a frame
 inline double offset_share(double usual_m, Eigen::Index plates) {
-  return 1.0 / (kIndependentFrames * usual_m * static_cast<double>(plates));
+  return 1.0 / (kIndependentFrames * usual_m * double(plates));
 }
 
 /// Least squares' weights of the numbers of offsets with these lengths: x, y, x, y, …; in space x,
@@ -21,9 +21,7 @@ inline double offset_share(double usual_m, Eigen::Index plates) {
 inline Eigen::VectorXf offset_weights(const Eigen::ArrayXf& length_m, double share, int numbers) {
   Eigen::VectorXf weights(numbers * length_m.size());
   weights.reshaped(numbers, length_m.size()).rowwise() =
-      (static_cast<float>(share) / length_m.max(static_cast<float>(kSquareUpToM)))
-          .matrix()
-          .transpose();
+      (float(share) / length_m.max(float(kSquareUpToM))).matrix().transpose();
   return weights;
 }
 

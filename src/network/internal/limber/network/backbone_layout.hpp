@@ -29,7 +29,7 @@ class NetworkLayout {
 
   BackboneLayout backbone_layout() const { return layout_; }
   OutputForm output_form() const { return form_; }
-  int segment_count() const { return static_cast<int>(first_gap_.size()); }
+  int segment_count() const { return int(first_gap_.size()); }
   int point_count() const { return point_count_; }
   Dimension dimension() const { return dimension_; }
   int command_size() const { return command_size_; }  ///< n, and n for each earlier one
@@ -49,7 +49,7 @@ class NetworkLayout {
   int change_row() const { return no_load_row() + no_load_size(); }
 
   /// First gap of a segment; its shape stands for all of the unloaded segment.
-  int first_gap(int segment) const { return first_gap_[static_cast<std::size_t>(segment)]; }
+  int first_gap(int segment) const { return first_gap_[segment]; }
 
   /// Backbones 3m×k (base poses) in this layout, backbone_size×k; and back.
   Eigen::MatrixXf encode(const Eigen::Ref<const Eigen::MatrixXf>& base_poses) const;

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "limber/common/json.hpp"
 #include "limber/network/compensation_model.hpp"
 
 namespace limber {
@@ -23,7 +24,7 @@ GapBounds joined(const GapBounds& a, const GapBounds& b);
 void require_bounded(const CompensationModel& model, const std::string& file);
 
 /// The object `bounds` of `train` and `inspect` with --json.
-nlohmann::ordered_json to_json(const GapBounds& bounds);
+Json to_json(const GapBounds& bounds);
 /// One line for people: the range over all gaps.
 std::string to_text(const GapBounds& bounds);
 

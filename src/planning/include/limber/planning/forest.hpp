@@ -63,8 +63,7 @@ class TipGrid {
   int row(float y_m) const { return cell_index(y_m - low_m_.y(), rows_); }
   int cell_index(float distance_m, int count) const;
   std::size_t cell(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-           static_cast<std::size_t>(column);
+    return std::size_t(row) * std::size_t(columns_) + std::size_t(column);
   }
 
   Eigen::Vector2f low_m_ = Eigen::Vector2f::Zero();
@@ -106,7 +105,7 @@ struct Forest {
   Pressures highest_kpa;
   TipGrid tips;  ///< of the held tips
 
-  int size() const { return static_cast<int>(parents.size()); }
+  int size() const { return int(parents.size()); }
   /// Fills in the rest from parents, set points and tips.
   void complete();
 

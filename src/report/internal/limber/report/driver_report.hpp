@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "limber/arm/valve_parameters.hpp"
+#include "limber/common/json.hpp"
 #include "limber/driver/driver_check.hpp"
 
 namespace limber {
@@ -13,10 +14,10 @@ inline constexpr double kMsPerS = 1e3;
 
 /// {"count": …, "p50": …, "p99": …, "p999": …, "max": …} of times in seconds, in ms; null where
 /// there are none.
-nlohmann::ordered_json times_in_ms(const std::vector<double>& seconds);
+Json times_in_ms(const std::vector<double>& seconds);
 
 /// The object of `limber driver check --json`.
-nlohmann::ordered_json to_json(const DriverCheck& check, const IdentifiedValves& valves);
+Json to_json(const DriverCheck& check, const IdentifiedValves& valves);
 
 /// The same in a few lines for people.
 std::string to_text(const DriverCheck& check);

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "limber/common/json.hpp"
 #include "limber/run/executor.hpp"
 #include "limber/world/collision.hpp"
 #include "limber/world/plan.hpp"
@@ -27,7 +28,7 @@ class MotionTrack {
   /// From the next frame on there is one more.
   void add_obstacle(const Obstacle& obstacle);
   void set_outcome(std::string words) { outcome_ = std::move(words); }
-  nlohmann::ordered_json json() const;
+  Json json() const;
 
  private:
   const char* key_;
@@ -35,9 +36,9 @@ class MotionTrack {
   std::vector<Obstacle> obstacles_;
   CollisionChecker checker_;
   std::string outcome_;
-  nlohmann::ordered_json shapes_ = nlohmann::ordered_json::array();
-  nlohmann::ordered_json pressures_kpa_ = nlohmann::ordered_json::array();
-  nlohmann::ordered_json clearances_m_ = nlohmann::ordered_json::array();
+  Json shapes_ = Json::array();
+  Json pressures_kpa_ = Json::array();
+  Json clearances_m_ = Json::array();
 };
 
 /// A run as it was recorded. @param key  "virtual_arm" or "arm"
@@ -52,6 +53,6 @@ std::string miss_text(const PoseGoal& goal, const Backbone& shape);
 /// The same of a run, or why there is nothing to say of its end.
 std::string outcome_text(const PoseGoal& goal, const ExecutionResult& result);
 /// When and where; null if none appeared.
-nlohmann::ordered_json appeared_to_json(const std::optional<AppearedObstacle>& appeared);
+Json appeared_to_json(const std::optional<AppearedObstacle>& appeared);
 
 }  // namespace limber

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "limber/common/json.hpp"
 #include "limber/report/report_page.hpp"
 #include "limber/run/plan_trial.hpp"
 
@@ -81,7 +82,7 @@ struct PaperFinding {
 std::vector<PaperFinding> compare_with_paper(const std::vector<PlanningRow>& rows);
 
 /// table.json: a list with one object per row.
-nlohmann::ordered_json to_json(const std::vector<PlanningRow>& rows);
+Json to_json(const std::vector<PlanningRow>& rows);
 
 /// Table I with all plans executed; Table I with the paper's one plan per cell; times; the
 /// comparison.

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "limber/common/json.hpp"
 #include "limber/report/planning_table.hpp"
 #include "limber/run/plan_trial.hpp"
 
@@ -50,7 +51,7 @@ class RunCount {
 };
 
 /// runs.json: a list with one object per row.
-nlohmann::ordered_json to_json(const std::vector<RunRow>& rows);
+Json to_json(const std::vector<RunRow>& rows);
 
 ReportTable run_table(const std::vector<RunRow>& rows);
 

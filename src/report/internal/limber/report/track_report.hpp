@@ -4,6 +4,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "limber/common/json.hpp"
 #include "limber/run/executor.hpp"
 #include "limber/run/plan_trial.hpp"
 #include "limber/run/track_run.hpp"
@@ -22,12 +23,12 @@ std::string execution_times_picture(const ArmDescription& arm, const Environment
                                     const Plan& plan, const ExecutionResult& result);
 
 /// The keys of `plan --json` and `execute --json`, with environment, model and seed before them.
-nlohmann::ordered_json planning_to_json(const PlanTrial& trial, const Environment& environment);
+Json planning_to_json(const PlanTrial& trial, const Environment& environment);
 /// @pre the trial has been executed.
-nlohmann::ordered_json execution_to_json(const PlanTrial& trial, const Environment& environment);
+Json execution_to_json(const PlanTrial& trial, const Environment& environment);
 
 /// Keys of `execute --track --json` (docs/tracking.md).
-nlohmann::ordered_json to_json(const TrackRun& run);
+Json to_json(const TrackRun& run);
 std::string to_text(const TrackRun& run);
 
 /// The path wanted, the tip's own, and the distance between them over time, as an SVG file's text.

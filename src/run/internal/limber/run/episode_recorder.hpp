@@ -27,11 +27,9 @@ class EpisodeRecorder {
   /// @throws SystemFault as require_state_of: such a state is kept out of the recording.
   bool add(const ArmState& state, const Pressures& setpoint_kpa, int motion_index);
 
-  int frame_count() const { return static_cast<int>(time_s_.size()); }
+  int frame_count() const { return int(time_s_.size()); }
   /// Frames that had a backbone.
-  int tracked_count() const {
-    return static_cast<int>(std::count(tracked_.begin(), tracked_.end(), 1));
-  }
+  int tracked_count() const { return int(std::count(tracked_.begin(), tracked_.end(), 1)); }
 
   /// The episode; the recorder is empty afterwards. @throws SystemFault if no frame had a
   /// backbone.

@@ -70,7 +70,7 @@ class Replanner {
 
  private:
   double clearance_m(const Backbone& shape) const { return near_.clearance(shape).value_m; }
-  std::uint64_t seed_of_next() const { return seed_ + static_cast<std::uint64_t>(replans_); }
+  std::uint64_t seed_of_next() const { return seed_ + std::uint64_t(replans_); }
   bool has_more_to_gain(double error_m, bool has_arrived) const;
   void learn_from(const Plan& ended, const Pose& measured);
   bool stays_in_goal(const Plan& plan) const;

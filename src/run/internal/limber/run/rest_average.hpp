@@ -16,7 +16,7 @@ namespace limber {
 class RestAverage {
  public:
   /// @param frames  that a mean is taken over; one has no halves, so at least two are
-  explicit RestAverage(int frames) : frames_(static_cast<std::size_t>(std::max(2, frames))) {}
+  explicit RestAverage(int frames) : frames_(std::size_t(std::max(2, frames))) {}
 
   void observe(const std::optional<Backbone>& measured);
 

@@ -46,9 +46,7 @@ class SafetyGate {
   std::string check_shape(const ArmState& state);
 
   /// What a channel may be told now.
-  const PressureLimits& limits_kpa(int channel) const {
-    return limits_kpa_[static_cast<std::size_t>(channel)];
-  }
+  const PressureLimits& limits_kpa(int channel) const { return limits_kpa_[channel]; }
 
  private:
   struct Frame {

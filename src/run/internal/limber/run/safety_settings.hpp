@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "limber/arm/arm_description.hpp"
+#include "limber/common/filesystem.hpp"
 
 namespace limber {
 
@@ -36,7 +37,7 @@ struct SafetySettings {
 
 /// The mapping `safety` of an arm file; defaults where there is none.
 /// @throws InputError naming line and key.
-SafetySettings load_safety(const std::filesystem::path& arm_file);
+SafetySettings load_safety(const fs::path& arm_file);
 
 /// How far a plate may move in one frame: as `safety` says, or four lengths of the arm per second,
 /// half as much again as the fastest seen of the virtual arms where set points jump

@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include "limber/common/filesystem.hpp"
+
 namespace limber {
 
 /// Where the tip is to be over time, straight between the points. Times start at 0.
@@ -33,6 +35,6 @@ struct TipPath {
 /// may start anywhere, and are counted from the first.
 /// @throws InputError naming file and line: a column missing, a number not finite, a time not later
 /// than the one before or over an hour after the first, fewer than two points.
-TipPath read_tip_path(const std::filesystem::path& path);
+TipPath read_tip_path(const fs::path& path);
 
 }  // namespace limber

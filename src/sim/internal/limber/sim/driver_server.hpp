@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "limber/arm/arm_description.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/sim/misassembly.hpp"
 #include "limber/sim/virtual_arm.hpp"
 
@@ -54,7 +55,7 @@ struct ServerSettings {
   /// request that comes before the next one gets the same again. 0: each request has its own.
   double sampled_s = 0.0;
   std::optional<ServerFault> fault;
-  std::filesystem::path device_log;  ///< what the simulated device was told, and when; empty: none
+  fs::path device_log;  ///< what the simulated device was told, and when; empty: none
   VirtualArmOptions arm;
   std::optional<Misassembly> misassembly;
 };

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "limber/common/filesystem.hpp"
 #include "limber/driver/process_driver.hpp"
 
 namespace limber {
@@ -14,9 +15,9 @@ struct StudioSettings {
 
   std::string listen = "127.0.0.1";  ///< address or name of this machine to listen at
   int port = kDefaultPort;           ///< 0: any that is free
-  std::filesystem::path project = ".";
-  std::filesystem::path arm;    ///< shown first
-  std::filesystem::path model;  ///< shown first; empty: the simple model
+  fs::path project = ".";
+  fs::path arm;    ///< shown first
+  fs::path model;  ///< shown first; empty: the simple model
   /// How `arm` is reached: command, calibration, safety, and who is told of vents. None: nothing
   /// but models and virtual arms is moved.
   std::optional<ProcessDriverSettings> driver;

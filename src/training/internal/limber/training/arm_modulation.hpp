@@ -42,12 +42,12 @@ class ArmModulation {
  private:
   using Storage = std::vector<Scalar, CacheLineAllocator<Scalar>>;
 
-  int hidden_layers() const { return static_cast<int>(first_row_.size()) - 1; }
+  int hidden_layers() const { return int(first_row_.size()) - 1; }
   int rows() const { return first_row_.back(); }
   Scalar* gains(int group, int layer) {
     return share_.data() + (std::ptrdiff_t{group} * rows() + first_row(layer)) * stride_;
   }
-  int first_row(int layer) const { return first_row_[static_cast<std::size_t>(layer)]; }
+  int first_row(int layer) const { return first_row_[layer]; }
   void gather_vectors(const Scalar* parameters, int group);
 
   ParameterLayout layout_;

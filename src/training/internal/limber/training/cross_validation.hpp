@@ -8,6 +8,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "limber/arm/arm_description.hpp"
+#include "limber/common/json.hpp"
 #include "limber/data/valve_identification.hpp"
 #include "limber/training/trainer.hpp"
 
@@ -51,7 +52,7 @@ struct CrossValidation {
   std::optional<PredictionError> prediction_error;  ///< of the chosen networks' runs
   std::optional<Tube> tube;                         ///< of the same runs
   std::string widest_where;                         ///< RunErrors::widest_where of them
-  const WayTried& best() const { return tried[static_cast<std::size_t>(chosen)]; }
+  const WayTried& best() const { return tried[chosen]; }
   int epochs() const { return best().epochs; }
   bool operator==(const CrossValidation&) const = default;
 };
@@ -97,7 +98,7 @@ CrossValidation cross_validate(const ArmDescription& arm, const std::vector<Epis
                                                  const TrainingHooks& hooks = {});
 
 /// The object `cross_validation` of `train --json`, and of the file by which a stopped run goes on.
-nlohmann::ordered_json to_json(const CrossValidation& found);
+Json to_json(const CrossValidation& found);
 /// @throws InputError naming `where` and the field.
 CrossValidation read_cross_validation(const std::string& text, const std::string& where);
 /// For people, and for the model's record.

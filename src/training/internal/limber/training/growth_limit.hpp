@@ -14,7 +14,7 @@ class GrowthLimit {
  public:
   /// @param limit  0: nothing is shortened
   GrowthLimit(Scalar limit, int stride) : limit_(limit), stride_(stride) {
-    put_in_.resize(is_on() ? static_cast<std::size_t>(stride) : 0);
+    put_in_.resize(is_on() ? std::size_t(stride) : 0);
     size_.resize(put_in_.size());
   }
 
@@ -38,7 +38,7 @@ class GrowthLimit {
   /// Of carried + direct; `changed` is shortened along with them.
   void shorten(Storage& carried, Storage& direct, Storage& changed) {
     std::fill(size_.begin(), size_.end(), Scalar(0));
-    const int size = static_cast<int>(carried.size());
+    const int size = int(carried.size());
     for (int row = 0; row < size; row += stride_) {
       for (int i = 0; i < stride_; ++i) {
         const Scalar whole = carried[row + i] + direct[row + i];

@@ -24,18 +24,16 @@ class ParameterLayout {
   /// @param widths  inputs, hidden layers, outputs: at least two numbers ≥ 1
   explicit ParameterLayout(std::vector<int> widths, ArmVectorTable arms = {});
 
-  int layer_count() const { return static_cast<int>(widths_.size()) - 1; }
-  int inputs(int layer) const { return widths_[static_cast<std::size_t>(layer)]; }
-  int outputs(int layer) const { return widths_[static_cast<std::size_t>(layer) + 1]; }
+  int layer_count() const { return int(widths_.size()) - 1; }
+  int inputs(int layer) const { return widths_[layer]; }
+  int outputs(int layer) const { return widths_[std::size_t(layer) + 1]; }
   /// Numbers in the flat vector.
   Eigen::Index size() const { return arm_offset(arms_.count); }
   const ArmVectorTable& arms() const { return arms_; }
   Eigen::Index arm_offset(int arm) const { return arms_at_ + Eigen::Index(arm) * arms_.size; }
   /// Of what e does to hidden layer `layer`.
-  Eigen::Index modulation_offset(int layer) const {
-    return modulation_offsets_[static_cast<std::size_t>(layer)];
-  }
-  Eigen::Index weight_offset(int layer) const { return offsets_[static_cast<std::size_t>(layer)]; }
+  Eigen::Index modulation_offset(int layer) const { return modulation_offsets_[layer]; }
+  Eigen::Index weight_offset(int layer) const { return offsets_[layer]; }
   Eigen::Index bias_offset(int layer) const {
     return weight_offset(layer) + Eigen::Index(inputs(layer)) * outputs(layer);
   }

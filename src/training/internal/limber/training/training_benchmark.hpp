@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "limber/common/filesystem.hpp"
 #include "limber/training/trainer.hpp"
 
 namespace limber {
@@ -41,7 +42,7 @@ TrainingSpeed measure_training_speed(const ArmDescription& arm, const TrainingDa
 
 /// Writes what the first epoch of each stage starts from, as safetensors, so that a peer can train
 /// on the same: tables, initial parameters, window starts in their order.
-void write_training_tables(const std::filesystem::path& path, const ArmDescription& arm,
+void write_training_tables(const fs::path& path, const ArmDescription& arm,
                            const TrainingData& data, const TrainingSettings& settings);
 
 }  // namespace limber

@@ -82,7 +82,7 @@ struct StateMap {
   bool reads_velocity() const { return change_scale.size() > 0; }
   bool is_gated() const { return form == OutputForm::gated_change; }
   /// Number of the network's outputs.
-  int output_count() const { return static_cast<int>(output_scale.size()) * (is_gated() ? 2 : 1); }
+  int output_count() const { return int(output_scale.size()) * (is_gated() ? 2 : 1); }
 };
 
 /// Loss and gradient over a chunk of windows: the network is rolled over each window with its own

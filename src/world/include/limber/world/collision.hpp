@@ -70,10 +70,10 @@ class CollisionChecker {
                              const Eigen::Ref<const Backbone>& to,
                              double below_m = std::numeric_limits<double>::infinity()) const;
 
-  int obstacle_count() const { return static_cast<int>(obstacles_.size()); }
-  int gap_count() const { return static_cast<int>(radius_m_.size()); }
+  int obstacle_count() const { return int(obstacles_.size()); }
+  int gap_count() const { return int(radius_m_.size()); }
   /// Half width of the gap's segment + actuator radius + margin + full room.
-  double radius_m(int gap) const { return radius_m_[static_cast<std::size_t>(gap)]; }
+  double radius_m(int gap) const { return radius_m_[gap]; }
 
  private:
   void add_room();

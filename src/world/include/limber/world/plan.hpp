@@ -85,7 +85,7 @@ struct Plan {
 
   /// Whose arm this is (arm/arm_identity.hpp).
   ArmIdentity arm() const { return {arm_name, arm_hash, arm_description}; }
-  int frame_count() const { return static_cast<int>(frames.size()); }
+  int frame_count() const { return int(frames.size()); }
   /// Time of the last frame, hold included.
   double duration_s() const;
 };

@@ -23,7 +23,7 @@ class PressureIndex {
   void within(const Eigen::Ref<const Eigen::VectorXf>& query, float radius,
               std::vector<int>& found) const;
 
-  int size() const { return static_cast<int>(points_.size()) / dimension_; }
+  int size() const { return int(points_.size()) / dimension_; }
 
  private:
   static constexpr std::size_t kLeafSize = 32;
@@ -37,7 +37,7 @@ class PressureIndex {
   };
 
   const float* point(int i) const {
-    return points_.data() + static_cast<std::size_t>(i) * static_cast<std::size_t>(dimension_);
+    return points_.data() + std::size_t(i) * std::size_t(dimension_);
   }
   float squared_distance(int i, const float* query) const;
   void split(std::size_t cell);

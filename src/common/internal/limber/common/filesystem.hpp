@@ -1,0 +1,9 @@
+#pragma once
+
+#include <filesystem>
+
+namespace limber {
+
+namespace fs = std::filesystem;
+
+}  // namespace limber
