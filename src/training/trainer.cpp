@@ -16,7 +16,6 @@
 #include "limber/common/random_stream.hpp"
 #include "limber/common/refuse_if.hpp"
 #include "limber/data/episode_slice.hpp"
-#include "limber/data/mirrored_episode.hpp"
 #include "rollout.hpp"
 #include "shuffle.hpp"
 #include "training_run.hpp"
