@@ -9,7 +9,6 @@
 #include "limber/common/random_stream.hpp"
 #include "limber/data/simple_model.hpp"
 #include "limber/report/evaluation_plots.hpp"
-#include "src/training/yardstick_fits.hpp"
 #include "training/toy_arm.hpp"
 
 namespace limber {

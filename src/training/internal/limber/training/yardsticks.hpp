@@ -30,6 +30,23 @@ struct YardstickReport {
   std::vector<std::string> episode_names;  ///< "episode 7", with the log that it came from
 };
 
+/// Which fit predicts a frame: none that it was fitted to.
+class Folds {
+ public:
+  /// @param elsewhere  the fit comes from another recording: one fold
+  Folds(const std::vector<Episode>& episodes, bool elsewhere);
+
+  int count() const { return count_; }
+  int of(int episode, int frame) const;
+  /// The episodes, or pieces of a single one, that fold `fold` is fitted to.
+  std::vector<Episode> training(const std::vector<Episode>& episodes, int fold) const;
+
+ private:
+  bool single_ = false;
+  int frames_ = 0;  // of a single episode
+  int count_ = 1;
+};
+
 /// Holds the pose; holds the velocity; a linear model of one step, run freely; the fitted simple
 /// model. The last two are fitted to `fit_to`, or, where that is empty, to the recording itself, a
 /// fifth of it left out in turn: what predicts an episode has not been fitted to it.
