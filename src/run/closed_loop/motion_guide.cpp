@@ -1,6 +1,8 @@
 #include "motion_guide.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -78,6 +80,32 @@ void widen(PlateRoom& room, const Eigen::VectorXd& missed_m, double kept_m) {
   if (is_wider) {
     room.growth = {};
   }
+}
+
+/// Simulates set points frame by frame, with the clearance of every motion between frames.
+/// @param setpoint_kpa  of frame k = 0 … frames − 1, the arm being in that state before it
+/// @param needed_m  what has to be kept from obstacles, beyond the checker's own margins
+RestForecast forecast(
+    const MotionModel& model, const CollisionChecker& checker, MotionState state,
+    std::size_t frames,
+    const std::function<Pressures(std::size_t k, const MotionState& before)>& setpoint_kpa,
+    double needed_m) {
+  RestForecast result;
+  double smallest_m = std::numeric_limits<double>::infinity();  // clearance so far
+  MotionModel::Workspace workspace;
+  Backbone before = state.backbone;
+  for (std::size_t k = 0; k < frames; ++k) {
+    before = state.backbone;
+    model.step(setpoint_kpa(k, state), state, workspace);
+    const Clearance clearance = checker.motion_clearance(before, state.backbone, smallest_m);
+    smallest_m = clearance.value_m;
+    if (result.is_safe() && !(clearance.value_m >= needed_m)) {
+      result.unsafe_frame = int(k);
+      result.unsafe_obstacle = clearance.obstacle;
+    }
+  }
+  result.end = tip_pose(state.backbone);
+  return result;
 }
 
 }  // namespace
@@ -196,6 +224,13 @@ std::optional<MotionAdvice> MotionGuide::lead(const Plan& plan, std::size_t next
   }
   has_waited_ = !has_waited_ && !is_free(plan, next, soon, kTimesOff * feedback.off_plan());
   return MotionAdvice{has_waited_ ? MotionAdvice::Kind::wait : MotionAdvice::Kind::go_on};
+}
+
+RestForecast MotionGuide::Ahead::forecast_of(const MotionModel& model,
+                                             const std::vector<Pressures>& setpoints_kpa) const {
+  return forecast(
+      model, checker, from, setpoints_kpa.size(),
+      [&](std::size_t k, const MotionState&) { return setpoints_kpa[k]; }, needed_m);
 }
 
 RestForecast MotionGuide::led_forecast(const Plan& plan, std::size_t next, const Ahead& way,

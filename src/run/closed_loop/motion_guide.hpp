@@ -5,15 +5,25 @@
 #include <string>
 
 #include "limber/forward/error_room.hpp"
+#include "limber/forward/motion_simulator.hpp"
 #include "limber/planning/planner.hpp"
 #include "limber/run/arm_estimate.hpp"
 #include "limber/run/closed_loop.hpp"
 #include "limber/run/plan_controller.hpp"
+#include "limber/world/collision.hpp"
 #include "plan_repair.hpp"
-#include "rest_forecast.hpp"
 #include "shape_feedback.hpp"
 
 namespace limber {
+
+/// What becomes of an arm that follows set points from a state.
+struct RestForecast {
+  Pose end;               ///< of the tip, after the last of them
+  int unsafe_frame = -1;  ///< first whose motion keeps less than was asked for, from 0; −1: none
+  int unsafe_obstacle = -1;  ///< the obstacle it is too near to
+
+  bool is_safe() const { return unsafe_frame < 0; }
+};
 
 /// Says what an arm in mid-motion does after its next frame (docs/planning.md, Closed loop). One
 /// that is led goes on where the plan is free, also for an arm as far beside it as this one is, and
@@ -61,11 +71,7 @@ class MotionGuide {
     double needed_m;
 
     RestForecast forecast_of(const MotionModel& model,
-                             const std::vector<Pressures>& setpoints_kpa) const {
-      return forecast(
-          model, checker, from, setpoints_kpa.size(),
-          [&](std::size_t k, const MotionState&) { return setpoints_kpa[k]; }, needed_m);
-    }
+                             const std::vector<Pressures>& setpoints_kpa) const;
   };
   /// Whether an arm that is led goes on or waits. None: it needs another way.
   std::optional<MotionAdvice> lead(const Plan& plan, std::size_t next,

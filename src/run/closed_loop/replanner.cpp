@@ -9,7 +9,7 @@
 #include "limber/common/interrupt.hpp"
 #include "limber/planning/planner_factory.hpp"
 #include "plan_repair.hpp"
-#include "sampled_plan.hpp"
+#include "sampled_motions.hpp"
 
 namespace limber {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "limber/common/interrupt.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/forward/motion_simulator.hpp"
 #include "limber/forward/rollout_batch.hpp"
@@ -30,6 +31,7 @@ constexpr int kRounds = 3;  // around the best
 constexpr std::size_t kBest = 16;
 constexpr int kAroundEach = 8;
 constexpr double kSpread = 0.4;  // around the best, of how far they go
+constexpr int kTries = 300;      // of the best sampled motions, that are checked as plans
 
 class MotionSampler {
  public:
@@ -152,6 +154,33 @@ std::vector<SampledMotion> sampled_motions(const PlanningProblem& problem, std::
                                            std::uint64_t seed) {
   const auto count = std::size_t(queries / kQueriesOfMotion);
   return MotionSampler(problem, seed).run(std::max(kLeastMotions, count));
+}
+
+std::optional<Plan> sampled_plan(const PlanningProblem& problem,
+                                 const std::vector<SampledMotion>& motions,
+                                 const SampledPlanAsked& asked, std::uint64_t seed,
+                                 const PlanCheck& check) {
+  CheckedPlans plans(problem, check);
+  const double better_effort = std::max(asked.better_effort, asked.least_effort);
+  for (const bool is_preferred : {true, false}) {
+    int tried = 0;
+    for (const SampledMotion& motion : motions) {
+      if (!(motion.error_m <= asked.max_error_m && motion.effort >= asked.least_effort) ||
+          (motion.effort >= better_effort) != is_preferred) {
+        continue;
+      }
+      if (++tried > kTries || interrupt_requested()) {
+        break;
+      }
+      if (!plans.end_of(motion.waypoints_kpa)) {
+        continue;
+      }
+      if (std::optional<Plan> plan = plans.checked(motion.waypoints_kpa, "sampled", seed)) {
+        return plan;
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace limber

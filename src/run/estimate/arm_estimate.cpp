@@ -9,7 +9,6 @@
 #include "limber/run/rest_average.hpp"
 #include "limber/run/rest_miss.hpp"
 #include "limber/run/state_lag.hpp"
-#include "pressure_lag.hpp"
 #include "pressure_loss.hpp"
 #include "shape_filter.hpp"
 

@@ -1,13 +1,17 @@
 #include "limber/run/executor.hpp"
 
+#include <atomic>
+#include <chrono>
+#include <cmath>
 #include <cstddef>
+#include <functional>
+#include <future>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "background_question.hpp"
 #include "limber/arm/arm_identity.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
@@ -16,9 +20,9 @@
 #include "limber/run/controller.hpp"
 #include "limber/run/gated_driver.hpp"
 #include "limber/run/plan_controller.hpp"
+#include "limber/world/straight_motion.hpp"
 #include "run_message.hpp"
 #include "run_watch.hpp"
-#include "start_approach.hpp"
 
 namespace limber {
 
@@ -29,6 +33,86 @@ const char* to_string(ExecutionStatus status) {
 }
 
 namespace {
+
+bool has_arrived(const ArmDescription& arm, const ArmDriver& driver,
+                 const Pressures& setpoint_kpa) {
+  constexpr double kArrived = 0.01;  // of the limit, as planning's hold has it
+  for (Eigen::Index i = 0; i < setpoint_kpa.size(); ++i) {
+    const double limit = arm.limits_of_channel(int(i)).largest_kpa();
+    if (!(std::abs(double(driver.state().pressure_kpa[i]) - double(setpoint_kpa[i])) <=
+          kArrived * limit)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Leads an arm at rest to `start_kpa`, straight in pressure space, and holds it there until it has
+/// settled: a plan takes the arm to have long stood at its start, so slow valves get their time.
+/// Does nothing where no pressure is asked for.
+/// @param before_each  called before every set point
+void approach_start(const ArmDescription& arm, ArmDriver& driver, const Pressures& start_kpa,
+                    const std::function<void()>& before_each) {
+  if (start_kpa.isZero()) {
+    return;
+  }
+  constexpr double kSettlingS = 3.0;  // at least: what full reversals take, and shapes to rest
+  constexpr double kLongestSettlingS = 60.0;
+  const Pressures vented_kpa = Pressures::Zero(arm.channel_count());
+  for (const Pressures& setpoint_kpa :
+       straight_setpoints(vented_kpa, start_kpa, arm.pressure_step_limit_kpa())) {
+    before_each();
+    driver.command(setpoint_kpa);
+  }
+  const int min_frames = arm.frames_in(kSettlingS);
+  const int max_frames = arm.frames_in(kLongestSettlingS);
+  for (int k = 0; k < min_frames || (k < max_frames && !has_arrived(arm, driver, start_kpa)); ++k) {
+    before_each();
+    driver.command(start_kpa);
+  }
+}
+
+/// One of a controller's questions at a time. In real time it is worked out on a thread of its own,
+/// so that no set point waits for it; in simulated time at once, so that runs can be repeated.
+///
+/// Threads: used by one. The destructor stops the other, if there is one, and waits for it.
+class BackgroundQuestion {
+ public:
+  explicit BackgroundQuestion(bool in_real_time) : in_real_time_(in_real_time) {}
+  ~BackgroundQuestion() { stop_ = true; }
+  BackgroundQuestion(const BackgroundQuestion&) = delete;
+  BackgroundQuestion& operator=(const BackgroundQuestion&) = delete;
+
+  /// @pre the one before was answered
+  void begin(std::function<void()> question) {
+    if (in_real_time_) {
+      answered_ = std::async(std::launch::async, [this, asked = std::move(question)] {
+        const StopScope scope(&stop_);
+        asked();
+      });
+    } else {
+      question();
+    }
+  }
+
+  /// Whether it is still being worked out.
+  bool is_busy() const {
+    return answered_.valid() &&
+           answered_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
+  }
+
+  /// Of one that is not busy: throws what it threw, once.
+  void end() {
+    if (answered_.valid()) {
+      answered_.get();
+    }
+  }
+
+ private:
+  bool in_real_time_;
+  std::atomic<bool> stop_{false};
+  std::future<void> answered_;  // waits when it goes, with `stop_` still there
+};
 
 class Execution {
  public:
@@ -269,6 +353,14 @@ ExecutionResult execute(const ArmDescription& arm, const Environment& environmen
       settings);
   const ObserverGuard observer(truth, execution);
   return execution.run();
+}
+
+Environment with_appeared(const Environment& environment, const ExecutionResult& result) {
+  Environment all = environment;
+  if (result.appeared) {
+    all.obstacles.push_back(result.appeared->circle);
+  }
+  return all;
 }
 
 Recording recording_of(const ArmDescription& arm, const std::string& source, const Plan& plan,

@@ -1,5 +1,9 @@
 #include "limber/run/track_run.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
 #include <fmt/format.h>
 
 #include "limber/arm/names.hpp"
@@ -10,6 +14,18 @@
 namespace limber {
 
 namespace {
+
+constexpr double kTimeRounding_s = 1e-9;  // of differences between times of a long run
+
+std::optional<TrackError> error_of(const std::vector<double>& distances_m) {
+  if (distances_m.empty()) {
+    return std::nullopt;
+  }
+  const double squares =
+      std::inner_product(distances_m.begin(), distances_m.end(), distances_m.begin(), 0.0);
+  const auto frames = int(distances_m.size());
+  return TrackError{std::sqrt(squares / frames), std::ranges::max(distances_m), frames};
+}
 
 /// Empty if it was seen to its end, and struck nothing.
 std::string why_not_followed(const ExecutionResult& result) {
@@ -33,6 +49,21 @@ void require_width(const ArmDescription& arm) {
 }
 
 }  // namespace
+
+TrackErrors track_errors(const TipPath& path, const Episode& episode, int start_frame) {
+  std::vector<double> first_m;
+  std::vector<double> later_m;
+  for (int t = start_frame; t < episode.frame_count(); ++t) {
+    const double since_s = episode.time_s[t] - episode.time_s[start_frame];
+    if (!episode.was_tracked(t)) {
+      continue;
+    }
+    const Eigen::Vector2d tip_m = tip_position_m(backbone_at(episode.backbone, t));
+    const double distance_m = (tip_m - path.at(since_s)).norm();
+    (since_s <= path.lap_s() + kTimeRounding_s ? first_m : later_m).push_back(distance_m);
+  }
+  return {error_of(first_m), error_of(later_m)};
+}
 
 TipTracker tracker_for(const ArmDescription& arm, const MotionModel& model, const TipPath& path,
                        const std::string& source, const TipTrackerSettings& settings,

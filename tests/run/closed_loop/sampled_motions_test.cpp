@@ -6,7 +6,6 @@
 
 #include "planning/play_model.hpp"
 #include "src/run/closed_loop/plan_repair.hpp"
-#include "src/run/closed_loop/sampled_plan.hpp"
 #include "support/fake_arm.hpp"
 
 namespace limber {

@@ -1,4 +1,4 @@
-#include "src/run/estimate/pressure_lag.hpp"
+#include "src/run/estimate/pressure_loss.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
-#include "limber/run/track_errors.hpp"
+#include "limber/run/track_run.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace limber {

@@ -5,7 +5,6 @@
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"
 #include "limber/run/executor.hpp"
-#include "limber/run/track_errors.hpp"
 #include "limber/run/track_run.hpp"
 #include "support/bending_arms.hpp"
 #include "support/fake_arm.hpp"
