@@ -9,7 +9,7 @@
 #include "limber/common/refuse_if.hpp"
 #include "limber/data/episode_slice.hpp"
 #include "limber/training/yardsticks.hpp"
-#include "pressure_coverage.hpp"
+#include "scene_json.hpp"
 
 namespace limber {
 

@@ -1,7 +1,9 @@
 #include "scene_json.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
+#include <vector>
 
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/json.hpp"
@@ -9,6 +11,8 @@
 #include "limber/common/random_stream.hpp"
 #include "limber/common/refuse_if.hpp"
 #include "limber/common/yaml_reader.hpp"
+#include "limber/network/arm_family.hpp"
+#include "limber/network/physical_traits.hpp"
 #include "limber/report/scene_json.hpp"
 
 namespace limber {
@@ -35,6 +39,38 @@ Cells without_holes(const Cells& cells) {
     }
   }
   return filled;
+}
+
+/// What e tells of arms: its value by e, the range over the arms that the family learnt from, and
+/// how e changes along with it.
+Json traits_to_json(const ArmFamily& family) {
+  Json list = Json::array();
+  for (const PhysicalTrait& trait : family.traits) {
+    const TraitWords words = words_of_trait(trait.name);
+    const auto in_words = [&](float value) { return words.per_si * double(value); };
+    const Eigen::VectorXf told =
+        (trait.slope.transpose() * family.arms).transpose().array() + trait.middle;
+    const Eigen::VectorXf along = trait.along / float(words.per_si);
+    const Eigen::VectorXf slope = float(words.per_si) * trait.slope;
+    list.push_back({{"name", trait.name},
+                    {"text", words.text},
+                    {"unit", words.unit},
+                    {"of_arm_file", in_words(trait.of_file)},
+                    {"low", in_words(told.minCoeff())},
+                    {"high", in_words(told.maxCoeff())},
+                    {"middle", in_words(trait.middle)},
+                    {"slope", std::vector<float>(slope.begin(), slope.end())},
+                    {"along", std::vector<float>(along.begin(), along.end())}});
+  }
+  return list;
+}
+
+constexpr int kCells = 24;  // per side
+constexpr int kMaxPairs = 15;
+
+int cell_of(double kpa, const PressureLimits& limits) {
+  const double share = (kpa - limits.lower_kpa) / (limits.upper_kpa - limits.lower_kpa);
+  return std::clamp(int(share * kCells), 0, kCells - 1);
 }
 
 }  // namespace
@@ -115,6 +151,36 @@ Json reach_to_json(const ArmDescription& arm) {
     middles.push_back(rounded_to((row + 0.5) * cell_m, 1e4));
   }
   return {{"cell_m", cell_m}, {"middles_m", middles}};
+}
+
+Json family_to_json(const CompensationModel& model) {
+  const Eigen::Index size = model.family ? model.family->size() : 0;
+  const Eigen::VectorXf e =
+      model.member_of_family ? model.member_of_family->e : Eigen::VectorXf::Zero(size);
+  return {{"is_family", is_family(model)},
+          {"e", std::vector<float>(e.begin(), e.end())},
+          {"traits", model.family ? traits_to_json(*model.family) : Json::array()}};
+}
+
+Json coverage_to_json(const ArmDescription& arm, const std::vector<Episode>& episodes) {
+  Json json = {{"cells", kCells}, {"pairs", Json::array()}};
+  const auto segments = int(arm.segments.size());
+  for (int i = 0; i < segments; ++i) {
+    for (int j = i + 1; j < segments && json["pairs"].size() < kMaxPairs; ++j) {
+      std::vector<int> frames(std::size_t{kCells} * kCells, 0);
+      const PressureLimits& across = arm.segments[i].pressure_limit_kpa;
+      const PressureLimits& up = arm.segments[j].pressure_limit_kpa;
+      for (const Episode& episode : episodes) {
+        for (Eigen::Index t = 0; t < episode.pressure_kpa.rows(); ++t) {
+          const int column = cell_of(double(episode.pressure_kpa(t, i)), across);
+          const int row = cell_of(double(episode.pressure_kpa(t, j)), up);
+          ++frames[row * kCells + column];
+        }
+      }
+      json["pairs"].push_back({{"segments", {i, j}}, {"frames", frames}});
+    }
+  }
+  return json;
 }
 
 }  // namespace limber

@@ -10,7 +10,6 @@
 #include "arm_station.hpp"
 #include "connections.hpp"
 #include "experiment_folder.hpp"
-#include "family_json.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/filesystem.hpp"

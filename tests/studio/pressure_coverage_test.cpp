@@ -1,4 +1,4 @@
-#include "src/studio/pressure_coverage.hpp"
+#include "src/studio/scene_json.hpp"
 
 #include <gmock/gmock.h>
 
