@@ -1,4 +1,4 @@
-#include "src/planning/search/plan_changes.hpp"
+#include "src/planning/search/plan_improver.hpp"
 
 #include <algorithm>
 #include <set>

@@ -1,4 +1,4 @@
-#include "src/planning/certified/given_waypoints.hpp"
+#include "src/planning/certified/certified_planner.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <chrono>
+#include <cstdint>
 #include <memory>
 
+#include "asked_problem.hpp"
 #include "limber/planning/planner.hpp"
 
 namespace limber {
@@ -27,5 +30,14 @@ enum class Valves { as_given, left_out };
 /// @param jobs    threads of the searches with smaller clearances; 0: one for each core
 std::unique_ptr<Planner> make_certified_planner(std::unique_ptr<Planner> planner, int jobs,
                                                 Valves valves = Valves::as_given);
+
+using SteadyTime = std::chrono::steady_clock::time_point;
+
+/// If nothing was found that keeps the clearance asked for: names in `result` the largest clearance
+/// with which there is a plan. Its tries share what the limits' patience keeps back, as far as the
+/// search, begun at `start`, has left it.
+void try_smaller_clearances(Planner& planner, const PlanningProblem& asked, AskedProblem& shared,
+                            const PlannerLimits& limits, SteadyTime start, std::uint64_t seed,
+                            const PlannerCallback& callback, PlanResult& result);
 
 }  // namespace limber
