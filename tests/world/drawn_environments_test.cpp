@@ -3,8 +3,10 @@
 #include <Eigen/Geometry>
 
 #include "limber/arm/no_load_model.hpp"
+#include "limber/common/error.hpp"
 #include "limber/world/collision.hpp"
 #include "limber/world/inverse_kinematics.hpp"
+#include "planning/dense_oracle.hpp"
 #include "support/drawn_environment.hpp"
 #include "support/property.hpp"
 
@@ -13,6 +15,7 @@ namespace {
 
 constexpr double kRoundingM = 1e-9;  // of geometry in double precision
 constexpr double kMovedM = 2e-4;     // two bounds, each so near the true clearance where it is < 0
+constexpr double kFloatM = 1e-5;     // float32 shapes of arms of 2 m
 constexpr double kReachedM = 1e-6;   // Newton's 1e-10 m through the command's inverse
 
 struct Drawn {
@@ -93,6 +96,51 @@ TEST(DrawnEnvironments, ClearanceDoesNotChangeWhereArmAndObstaclesMoveTogether) 
     const double there_m = CollisionChecker(drawn.arm, obstacles).clearance(there).value_m;
     RC_ASSERT(here_m == there_m ||
               std::abs(here_m - there_m) <= (here_m > 0.0 ? kRoundingM : kMovedM));
+  });
+}
+
+// What planners go by is never more than what brute force finds at any moment.
+TEST(DrawnEnvironments, ClearanceOfAMotionIsNoMoreThanThatOfAnyInstant) {
+  constexpr int kSamplesPerGap = 4;
+  constexpr int kSlower = 5;
+  expect_law(
+      "a motion's clearance is a bound from below",
+      [] {
+        Drawn drawn(drawn_number());
+        const std::vector<Obstacle>& obstacles = drawn.environment.obstacles;
+        RC_PRE(!obstacles.empty());
+        const Pressures kpa = drawn::pressures(drawn.arm, drawn.random);
+        const Backbone from = drawn.shape(kpa).cast<float>();
+        const Backbone to =
+            drawn.shape(kpa + 0.1F * (drawn::pressures(drawn.arm, drawn.random) - kpa))
+                .cast<float>();
+        double sampled_m = std::numeric_limits<double>::infinity();
+        for (const float t : {0.0F, float(drawn.random.uniform()), 1.0F}) {
+          const Backbone now = (1.0F - t) * from + t * to;
+          sampled_m =
+              std::min(sampled_m, oracle::clearance(drawn.arm, now, obstacles, kSamplesPerGap));
+        }
+        const CollisionChecker checker(drawn.arm, obstacles);
+        RC_ASSERT(checker.motion_clearance(from, to).value_m <= std::max(sampled_m, 0.0) + kFloatM);
+        RC_ASSERT(!checker.is_motion_free(from, to) || sampled_m >= -kFloatM);
+      },
+      kSlower);
+}
+
+TEST(DrawnEnvironments, OfArmsInSpaceAreRefusedByName) {
+  expect_law("an environment is of an arm in the plane", [] {
+    const std::uint64_t number = drawn_number();
+    RandomStream random(number, 0);
+    const std::string text = environment_to_yaml(Drawn(number).environment);
+    const ArmDescription arm = drawn::space_arm(number, random);
+    std::string said = "accepted";
+    try {
+      (void)read_environment(YamlReader::from_text(text, "e.yaml"), arm);
+    } catch (const InputError& error) {
+      said = error.what();
+    }
+    RC_ASSERT(said.find("an environment can't use an arm in space yet, and '" + arm.name) !=
+              std::string::npos);
   });
 }
 
