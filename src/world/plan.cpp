@@ -26,7 +26,7 @@ void require_limits_of(const Plan& plan, const ArmDescription& arm, const std::s
             "{}: {}: {} pairs found; arm '{}' has {} segments", file, key, plan.limits.size(),
             arm.name, arm.channel_count());
   for (std::size_t i = 0; i < plan.limits.size(); ++i) {
-    const PressureLimits& own = arm.segments[i].pressure_limit_kpa;
+    const PressureLimits own = arm.limits_of_channel(int(i));
     if (!own.contains(plan.limits[i])) {
       throw InputError(fmt::format(
           "{}: {}[{}]: {} {unit} found; the limits of arm '{}' are {} {unit}", file, key, i,
