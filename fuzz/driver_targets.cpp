@@ -15,9 +15,7 @@ namespace {
 constexpr int kFrames = 6;
 constexpr float kStepKpa = 1.0F;
 
-/// One line of either side.
-void read_driver_line(const Input& input) {
-  const HostHello host = host_hello(small_arm());
+void read_line_for(const Input& input, const HostHello& host) {
   const auto either = [](auto&& read) {
     try {
       read();
@@ -30,7 +28,14 @@ void read_driver_line(const Input& input) {
     const DriverReply reply = parse_state(input.bytes, host);
     (void)parse_state(state_line(reply.seq, reply.state, reply.bodies), host);
   });
+  either([&] { (void)parse_vent_answer(input.bytes, host); });
   either([&] { (void)parse_request(input.bytes, host); });
+}
+
+/// One line of either side.
+void read_driver_line(const Input& input) {
+  read_line_for(input, host_hello(small_arm()));
+  read_line_for(input, host_hello(small_space_arm()));
 }
 
 /// A run of a few frames with a driver that answers with the input's lines. Every fault of a driver
@@ -82,8 +87,17 @@ std::string conversation(bool in_space) {
 std::vector<std::string> line_seeds() {
   const std::string text = conversation(false);
   const std::size_t end = text.find('\n');
-  return {text.substr(0, end), text.substr(end + 1, text.find('\n', end + 1) - end - 1),
-          set_line(1, 0.5, Pressures::Zero(1)), to_line(host_hello(small_arm())),
+  ArmState in_space;
+  in_space.pressure_kpa = Pressures::Zero(3);
+  in_space.space_backbone.emplace(small_space_arm().point_count(), 7);
+  in_space.space_backbone->setZero();
+  in_space.space_backbone->col(6).setOnes();
+  return {to_line(host_hello(small_space_arm())),
+          state_line(1, in_space),
+          text.substr(0, end),
+          text.substr(end + 1, text.find('\n', end + 1) - end - 1),
+          set_line(1, 0.5, Pressures::Zero(1)),
+          to_line(host_hello(small_arm())),
           R"({"type":"fault","message":"no air"})"};
 }
 

@@ -1,10 +1,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include <nlohmann/json.hpp>
+
 #include "limber/arm/characterisation.hpp"
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/logs/command_shares.hpp"
 #include "limber/logs/log_import.hpp"
 #include "limber/run/tip_path.hpp"
 #include "support/log_truth.hpp"
@@ -63,11 +66,50 @@ void import_generic(const Input& input) {
   import(input, one_segment(), {}, import_csv);
 }
 
+void import_in_space(const Input& input) {
+  import(input, small_space_arm(), {}, import_csv);
+}
+
 void import_takes(const Input& input) {
   ImportOptions options;
   options.command_logs = {commands_of_takes()};
   options.time_offset_s = 0.0;
   import(input, two_plates(), options, import_motive);
+}
+
+/// Pressures of two seconds, of chambers.
+const std::filesystem::path& commands_in_space() {
+  static const std::filesystem::path file = [] {
+    auto path = scratch_folder() / "chambers.log.csv";
+    const std::string names = "time_s,pressure_0_kpa,pressure_1_kpa,pressure_2_kpa";
+    write_file_atomically(path, LogTruth::table(names, 40, 20.0, [](double t) {
+                            return fmt::format(",{:.4f},{:.4f},{:.4f}", 50.0 + 45.0 * std::sin(t),
+                                               50.0 + 45.0 * std::sin(2.0 * t),
+                                               50.0 + 45.0 * std::cos(t));
+                          }));
+    return path;
+  }();
+  return file;
+}
+
+void import_takes_in_space(const Input& input) {
+  ImportOptions options;
+  options.command_logs = {commands_in_space()};
+  options.time_offset_s = 0.0;
+  import(input, small_space_arm(), options, import_motive);
+}
+
+/// A mapping of an arm's own commands, kBreak and a log.
+void find_shares(const Input& input) {
+  const std::size_t end = std::min(input.bytes.find(kBreak), input.bytes.size());
+  const auto mapping = scratch_folder() / "map.log.csv";
+  write_file_atomically(mapping, input.bytes.substr(0, end));
+  write_file_atomically(input.file,
+                        input.bytes.substr(std::min(end + kBreak.size(), input.bytes.size())));
+  naming(input.file, [&] {
+    const CommandShares shares = find_command_shares({input.file}, mapping, one_segment());
+    (void)to_text(shares, one_segment());
+  });
 }
 
 std::vector<std::string> generic_seeds() {
@@ -152,7 +194,10 @@ std::vector<std::string> track_seeds() {
 
 std::vector<Target> log_targets() {
   return {{"csv_log", "log.csv", import_generic, generic_seeds},
+          {"space_csv_log", "log.csv", import_in_space},
           {"motive", "log.csv", import_takes, take_seeds},
+          {"space_motive", "log.csv", import_takes_in_space},
+          {"command_shares", "log.csv", find_shares},
           {"bench", "bench.csv", fit_bench, bench_seeds},
           {"track", "track.csv", read_track, track_seeds}};
 }

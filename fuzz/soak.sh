@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # libFuzzer on every target, one after another: what `ctest --preset soak -R fuzz_hours` runs.
-#   fuzz/soak.sh [SECONDS [TARGET…]]       600 s of each by default: four hours
+#   fuzz/soak.sh [SECONDS [TARGET…]]       600 s of each by default: six hours
 # What it finds lies in build/fuzz/found/TARGET, what it learns in build/fuzz/corpora/TARGET. It prints a
 # row for each target, and ends with 1 where it found anything, with 77 where there is no clang.
 set -euo pipefail

@@ -12,6 +12,7 @@
 #include "limber/common/printable.hpp"
 #include "limber/common/utf8.hpp"
 #include "support/sample_arm.hpp"
+#include "support/space_arm.hpp"
 
 namespace limber::fuzz {
 
@@ -54,7 +55,7 @@ void write_plainly(const std::filesystem::path& path, std::string_view bytes) {
 std::vector<Target> all_targets() {
   std::vector<Target> all;
   for (const auto& group : {yaml_targets(), json_targets(), tensor_targets(), log_targets(),
-                            name_targets(), driver_targets(), studio_targets()}) {
+                            folder_targets(), name_targets(), driver_targets(), studio_targets()}) {
     all.insert(all.end(), group.begin(), group.end());
   }
   return all;
@@ -104,6 +105,16 @@ ArmDescription one_segment_with(int gaps) {
 
 const ArmDescription& small_arm() {
   static const ArmDescription arm = one_segment_with(2);
+  return arm;
+}
+
+const ArmDescription& small_space_arm() {
+  static const ArmDescription arm = [] {
+    ArmDescription one = testing_support::space_arm();
+    one.segments.resize(1);
+    one.segments[0].gaps = 2;
+    return one;
+  }();
   return arm;
 }
 

@@ -30,6 +30,7 @@ std::vector<Target> yaml_targets();
 std::vector<Target> json_targets();
 std::vector<Target> tensor_targets();
 std::vector<Target> log_targets();
+std::vector<Target> folder_targets();
 std::vector<Target> name_targets();
 std::vector<Target> driver_targets();
 std::vector<Target> studio_targets();
@@ -51,6 +52,8 @@ const std::filesystem::path& scratch_folder();
 ArmDescription one_segment_with(int gaps);
 /// Two gaps, so that inputs are small.
 const ArmDescription& small_arm();
+/// In space: one segment of three chambers, two gaps.
+const ArmDescription& small_space_arm();
 /// limber's own arm of three segments.
 const ArmDescription& three_segments();
 /// Of a file in limber's source.

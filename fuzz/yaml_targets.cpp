@@ -1,3 +1,4 @@
+#include "limber/arm/characterisation.hpp"
 #include "limber/arm/no_load_model.hpp"
 #include "limber/arm/valve_parameters.hpp"
 #include "limber/common/error.hpp"
@@ -26,10 +27,11 @@ void read_arm_file(const Input& input) {
   (void)virtual_arm_parameters(arm);
   const ArmDescription again = read_arm_keys(arm_keys_to_yaml(arm), input.file);
   require(again.hash() == arm.hash(), "an arm's keys are another arm's");
+  (void)with_strain_polynomials(std::string(input.bytes), arm);  // where characterize writes it
   const NoLoadModel model(arm);
-  Backbone backbone(arm.point_count(), 3);
-  model.backbone(Pressures::Zero(arm.segment_count()), backbone);
-  require(backbone.allFinite(), "an arm at rest that is nowhere");
+  Eigen::VectorXf poses(arm.point_count() * pose_size(arm.dimension));
+  model.poses(Pressures::Zero(arm.channel_count()), poses);
+  require(poses.allFinite(), "an arm at rest that is nowhere");
 }
 
 void read_environment_file(const Input& input) {
@@ -46,8 +48,32 @@ void read_mapping_file(const Input& input) {
   (void)read_import_mapping(input.file, has_motors ? driven_by_motors() : three_segments());
 }
 
+void read_space_mapping_file(const Input& input) {
+  (void)read_import_mapping(input.file, small_space_arm());
+}
+
+/// What a recording of a virtual arm, or a campaign's flags, say of its physics.
+void read_physics(const Input& input) {
+  for (const Dimension dimension : {Dimension::plane, Dimension::space}) {
+    try {
+      const VirtualArmParameters read =
+          with_differences({}, std::string(input.bytes), dimension, "physics");
+      const std::string again = physics_differences({}, read);
+      require(physics_differences({}, with_differences({}, again, dimension, "again")) == again,
+              "physics that is another once written");
+    } catch (const InputError&) {
+      if (dimension == Dimension::space) {
+        throw;
+      }
+    }
+  }
+}
+
 void read_valve_file(const Input& input) {
-  (void)read_valves(input.file);
+  const IdentifiedValves valves = read_valves(input.file);
+  (void)to_text(valves);
+  (void)why_unusable(valves.parameters, three_segments());
+  (void)why_unusable(valves.parameters, small_space_arm());
 }
 
 void read_calibration_file(const Input& input) {
@@ -101,6 +127,8 @@ std::vector<Target> yaml_targets() {
   return {{"arm", "arm.yaml", read_arm_file, arm_seeds},
           {"environment", "environment.yaml", read_environment_file, environment_seeds},
           {"mapping", "mapping.yaml", read_mapping_file},
+          {"space_mapping", "mapping.yaml", read_space_mapping_file},
+          {"physics", "", read_physics},
           {"valves", "valves.yaml", read_valve_file, valve_seeds},
           {"calibration", "calibration.yaml", read_calibration_file, calibration_seeds},
           {"campaign", "campaign.yaml", read_campaign_file}};

@@ -26,6 +26,8 @@ using PlainJson = nlohmann::json;
 constexpr std::size_t kLengthBytes = 8;
 constexpr std::size_t kAlignment = 8;
 constexpr std::uint64_t kMaxHeader = 100'000'000;  // the format's own limit
+// Of a dimension: beside one of 0, no data bound it.
+constexpr std::size_t kMaxSize = std::size_t{1} << 40U;
 constexpr const char* kMetadataKey = "__metadata__";
 constexpr const char* kFloats = "F32";
 constexpr const char* kShorts = "I16";
@@ -75,7 +77,8 @@ std::size_t element_count(const std::vector<std::size_t>& shape, const std::stri
                           const std::string& where) {
   std::size_t count = 1;
   for (const std::size_t size : shape) {
-    if (size != 0 && count > std::numeric_limits<std::size_t>::max() / sizeof(float) / size) {
+    if (size > kMaxSize ||
+        (size != 0 && count > std::numeric_limits<std::size_t>::max() / sizeof(float) / size)) {
       refuse(where,
              fmt::format("tensor {}: shape [{}] is too large", name, fmt::join(shape, ", ")));
     }

@@ -8,7 +8,8 @@ void validate_frames(const Episode& episode, const EpisodeCheck& check, int chan
   const Eigen::Index frames = episode.time_s.size();
   check.shape("pressure_kpa", episode.pressure_kpa, frames, channel_count);
   check.shape("setpoint_kpa", episode.setpoint_kpa, frames, channel_count);
-  check.shape("backbone", episode.backbone, frames, pose_size(episode.dimension) * point_count);
+  check.shape("backbone", episode.backbone, frames,
+              Eigen::Index{pose_size(episode.dimension)} * point_count);
   check.finite("pressure_kpa", episode.pressure_kpa);
   check.finite("setpoint_kpa", episode.setpoint_kpa);
   check.finite("backbone", episode.backbone);

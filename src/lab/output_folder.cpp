@@ -39,8 +39,8 @@ bool begins_with(const fs::path& path, const fs::path& folder) {
 /// A name that stays within the folder, in its one spelling.
 bool is_plain(const std::string& name) {
   const fs::path path(name);
-  return !name.empty() && path.is_relative() && path.has_filename() &&
-         path.lexically_normal() == path && *path.begin() != "..";
+  return !name.empty() && name.find('\0') == std::string::npos && path.is_relative() &&
+         path.has_filename() && path.lexically_normal() == path && *path.begin() != "..";
 }
 
 /// Whether no part of the path from the folder to the file is a link.
@@ -171,8 +171,9 @@ void OutputFolder::write_manifest() const {
 bool OutputFolder::is_own(const std::string& name) const {
   const auto listed = files_.find(name);
   const fs::path file = folder_ / name;
+  std::error_code error;  // such as a name too long for a file
   if (listed == files_.end() || !is_reached_plainly(folder_, name) ||
-      !fs::is_regular_file(fs::symlink_status(file))) {
+      !fs::is_regular_file(fs::symlink_status(file, error))) {
     return false;
   }
   return listed->second.empty() || listed->second == file_hash(file);
@@ -196,7 +197,7 @@ void OutputFolder::clear() {
     // Folders that are empty now; `remove` keeps the others.
     for (fs::path parent = fs::path(name).parent_path(); !parent.empty();
          parent = parent.parent_path()) {
-      if (fs::is_directory(fs::symlink_status(folder_ / parent))) {
+      if (fs::is_directory(fs::symlink_status(folder_ / parent, error))) {
         fs::remove(folder_ / parent, error);
       }
     }

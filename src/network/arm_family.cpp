@@ -79,7 +79,7 @@ void validate(const PhysicalTrait& trait, int size, const std::string& where) {
 Eigen::Index hidden_units(const std::vector<Layer>& layers) {
   Eigen::Index units = 0;
   for (std::size_t i = 0; i + 1 < layers.size(); ++i) {
-    units += layers[i].weight.rows();
+    units += layers[i].bias.size();  // not yet checked against the weights of a file
   }
   return units;
 }

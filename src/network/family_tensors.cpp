@@ -86,6 +86,9 @@ void read_family_into(CompensationModel& model, const Safetensors& content, Tens
   if (tensors.has(prefix + "gains")) {
     log_gains = tensors.matrix(prefix + "gains");
   } else {  // an earlier family: e was read by the first layer alone
+    refuse_if(shifts.cols() > ArmFamily::kMaxSize,
+              "{}: tensor {}columns has {} columns; expected 1 to {}", where, prefix, shifts.cols(),
+              ArmFamily::kMaxSize);
     const Eigen::Index units = hidden_units(model.layers);
     if (shifts.rows() == model.layers.front().weight.rows()) {
       shifts.conservativeResizeLike(Eigen::MatrixXf::Zero(units, shifts.cols()));

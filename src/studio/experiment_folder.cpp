@@ -106,7 +106,9 @@ nlohmann::json ExperimentFolder::read(const std::string& file) const {
 nlohmann::json ExperimentFolder::table() const {
   // A list, which limber's reader of objects takes as a part of one.
   const std::string text = read_file(project_.inside(name_ + "/table.json"));
-  return parse_json_object("{\"rows\":" + text + "}", name_ + "/table.json").at("rows");
+  const nlohmann::json object = parse_json_object("{\"rows\":" + text + "}", name_ + "/table.json");
+  (void)JsonReader(object, name_ + "/table.json").at("rows").elements("a list of rows");
+  return object.at("rows");
 }
 
 Json ExperimentFolder::rows() const {

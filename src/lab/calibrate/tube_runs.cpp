@@ -19,6 +19,7 @@
 #include "limber/common/statistics.hpp"
 #include "limber/common/units.hpp"
 #include "limber/lab/planning_experiment.hpp"
+#include "limber/lab/tube_calibration.hpp"
 #include "limber/lab/witnessed_environment.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/sim/virtual_arm.hpp"
@@ -60,21 +61,21 @@ Json to_json(const TubeRun& run) {
   return json;
 }
 
-GrowingErrors read_errors(const JsonReader& json) {
+GrowingErrors read_errors(const JsonReader& json, int plates) {
   const std::vector<JsonReader> rows = json.elements("a list of errors");
   json.refuse_if(rows.size() != kStartShares.size(), "{} found; expected {}", rows.size(),
                  kStartShares.size());
   GrowingErrors errors;
   for (std::size_t g = 0; g < rows.size(); ++g) {
-    constexpr std::size_t kAny = std::string::npos;
-    errors.of[g] = {rows[g].at("plate_m").numbers(kAny, "distances in metres", 0.0),
+    errors.of[g] = {rows[g].at("plate_m").numbers(std::size_t(plates), "distances in metres", 0.0),
                     rows[g].at("end_m").number(0.0), rows[g].at("end_heading_rad").number(0.0)};
     errors.tip_share[g] = rows[g].at("tip_share").number(0.0);
   }
   return errors;
 }
 
-TubeRun read_tube_run(const JsonReader& json) {
+/// @param plates  of the arm
+TubeRun read_tube_run(const JsonReader& json, int plates) {
   TubeRun run;
   run.number = json.at("number").count(std::uint64_t{1} << 53U);
   run.status = json.at("status").text();
@@ -90,7 +91,7 @@ TubeRun read_tube_run(const JsonReader& json) {
     run.expected_error_m = json.at("expected_error_m").number(0.0);
   }
   if (json.has("errors")) {
-    run.errors = read_errors(json.at("errors"));
+    run.errors = read_errors(json.at("errors"), plates);
   }
   return run;
 }
@@ -200,8 +201,13 @@ class PhaseRunner {
   std::vector<TubeRun> read_block(const fs::path& path) const {
     const nlohmann::json root = read_json_object(path);
     const JsonReader json(root, path.string());
-    auto runs = mapped<TubeRun>(json.at("runs").elements("a list of runs"),
-                                [&](const JsonReader& run) { return read_tube_run(run); });
+    auto runs =
+        mapped<TubeRun>(json.at("runs").elements("a list of runs"), [&](const JsonReader& run) {
+          TubeRun found = read_tube_run(run, settings_.arm.point_count());
+          run.refuse_if(found.executed && phase_.shape == nullptr && !found.errors,
+                        "executed, without errors; expected those that give the tube its shape");
+          return found;
+        });
     if (json.at("phase").text() != phase_.name || runs.size() != std::size_t(block_size_)) {
       json.at("runs").refuse(
           fmt::format("{} runs found; expected {} of phase '{}': remove the file to run them again",

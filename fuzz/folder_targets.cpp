@@ -1,0 +1,100 @@
+#include <cstdlib>
+
+#include <nlohmann/json.hpp>
+
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
+#include "limber/lab/tube_runs.hpp"
+#include "limber/network/untrained_model.hpp"
+#include "src/studio/experiment_folder.hpp"
+#include "target.hpp"
+
+namespace limber::fuzz {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What `limber experiment` left in a project, as the studio reads it: the table, kPartBreak, and a
+/// trial that it shows.
+constexpr std::string_view kPartBreak = "\n=====\n";
+constexpr const char* kTrialFile = "x/trials/hard_051_network_1.json";
+
+void read_experiment(const Input& input) {
+  static const fs::path project = [] {
+    setenv("LIMBER_DATA_DIR", LIMBER_SOURCE_DIR, 1);
+    const fs::path data = LIMBER_SOURCE_DIR "/tests/data/closed_loop";
+    fs::path path = scratch_folder() / "project_of_results";
+    const ArmDescription& arm = three_segments();
+    const nlohmann::json experiment = {{"arm", {{"name", arm.name}, {"hash", arm.hash()}}}};
+    fs::create_directories(path / "x/plans");
+    fs::create_directories(path / "x/trials");
+    write_file_atomically(path / "x/experiment.json", experiment.dump());
+    fs::copy_file(data / "hard_051.plan.json", path / "x/plans/hard_051_network_1.json");
+    for (const char* name : {"hard_051.yaml", "ten_hours.safetensors"}) {
+      fs::copy_file(data / name, path / name);
+    }
+    return path;
+  }();
+  const std::size_t end = std::min(input.bytes.find(kPartBreak), input.bytes.size());
+  write_file_atomically(project / "x/table.json", input.bytes.substr(0, end));
+  write_file_atomically(project / kTrialFile,
+                        input.bytes.substr(std::min(end + kPartBreak.size(), input.bytes.size())));
+  const ProjectFolder folder(project);
+  const ExperimentFolder experiment(folder, "x");
+  (void)experiment.rows().dump();
+  (void)experiment.runs(0).dump();
+  (void)experiment.run(fs::path(kTrialFile).stem());
+}
+
+/// A folder whose list of own files is the input: only what lies in it may be removed.
+void open_output_folder(const Input& input) {
+  const fs::path parent = scratch_folder() / "outputs";
+  const fs::path folder = parent / "out";
+  fs::create_directories(folder / "plots");
+  for (const char* name : {"kept", "out/a", "out/plots/b.svg"}) {
+    write_file_atomically(parent / name, "a");
+  }
+  write_file_atomically(folder / ".limber-x", input.bytes);
+  const OutputFolder opened(folder, "x", OutputFolder::Start::forced);
+  (void)opened.about_left();
+  require(fs::exists(parent / "kept"), "a list of own files removed another's");
+  require_same_run(input.file, {{"schema", "limber/output/1"}}, "run");
+}
+
+/// Runs that a stopped calibration had finished. Where they are too few, it goes on, and is stopped.
+void read_tube_runs(const Input& input) {
+  static const TubeRunSettings settings = [] {
+    request_interrupt();
+    TubeRunSettings of;
+    of.arm = small_arm();
+    of.executed_arm = small_arm();
+    of.model = untrained_model(small_arm(), BackboneLayout::gap_poses, {2}, 1);
+    of.model.set_arm(small_arm());
+    of.jobs = 1;
+    of.progress = Progress::Mode::quiet;
+    return of;
+  }();
+  static OutputFolder folder(scratch_folder() / "tube", "calibrate", OutputFolder::Start::fresh);
+  fs::create_directories(folder.path() / "runs");
+  fs::copy_file(input.file, folder.path() / "runs/shape.0000.json",
+                fs::copy_options::overwrite_existing);
+  const TubePhase phase{"shape", 2};
+  try {
+    const TubeRuns runs = run_tube_phase(settings, phase, &folder);
+    (void)to_json(runs, 1.0).dump();
+    (void)narrowest_tube(runs.errors(), small_arm().length_m());
+  } catch (const Interrupted&) {
+  }
+}
+
+}  // namespace
+
+std::vector<Target> folder_targets() {
+  return {{"experiment", "", read_experiment},
+          {"output_folder", "output.json", open_output_folder},
+          {"tube_runs", "shape.0000.json", read_tube_runs}};
+}
+
+}  // namespace limber::fuzz
