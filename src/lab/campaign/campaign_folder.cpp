@@ -193,7 +193,12 @@ void CampaignFolder::fail(const CampaignUnit& unit, int code) {
 }
 
 nlohmann::json CampaignFolder::result(const CampaignUnit& unit) {
-  return read_json_object(marker(unit, "done"));
+  const fs::path path = marker(unit, "done");
+  nlohmann::json found = read_json_object(path);
+  const JsonReader reader(found, path.string());
+  (void)reader.at("result");
+  (void)reader.at("run").at("wall_time_s").number(0.0);
+  return found;
 }
 
 fs::path CampaignFolder::marker(const CampaignUnit& unit, const char* state) {
