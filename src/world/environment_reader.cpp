@@ -230,7 +230,6 @@ PoseGoal read_goal(const YamlReader& node) {
 /// @param are_measured  of an arm in motion, whose valves may overshoot
 void require_pressures_fit(const YamlReader& node, const Pressures& kpa, const ArmDescription& arm,
                            bool are_measured = false) {
-  require_planar(arm, "an environment");
   node.refuse_if(kpa.size() != arm.channel_count(),
                  "{} {}s found; expected {}, one per segment of arm '{}'", kpa.size(),
                  arm.command.name, arm.channel_count(), arm.name);
@@ -319,6 +318,7 @@ Environment read_environment(const YamlReader& root) {
 }
 
 Environment read_environment(const YamlReader& root, const ArmDescription& arm) {
+  require_planar(arm, "an environment");
   Environment environment = read_environment(root);
   if (environment.start) {
     require_start_fits(root, *environment.start, arm);
