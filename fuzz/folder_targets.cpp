@@ -1,5 +1,3 @@
-#include <cstdlib>
-
 #include <nlohmann/json.hpp>
 
 #include "limber/common/atomic_file.hpp"
@@ -23,18 +21,9 @@ constexpr const char* kTrialFile = "x/trials/hard_051_network_1.json";
 
 void read_experiment(const Input& input) {
   static const fs::path project = [] {
-    setenv("LIMBER_DATA_DIR", LIMBER_SOURCE_DIR, 1);
-    const fs::path data = LIMBER_SOURCE_DIR "/tests/data/closed_loop";
     fs::path path = scratch_folder() / "project_of_results";
-    const ArmDescription& arm = three_segments();
-    const nlohmann::json experiment = {{"arm", {{"name", arm.name}, {"hash", arm.hash()}}}};
-    fs::create_directories(path / "x/plans");
     fs::create_directories(path / "x/trials");
-    write_file_atomically(path / "x/experiment.json", experiment.dump());
-    fs::copy_file(data / "hard_051.plan.json", path / "x/plans/hard_051_network_1.json");
-    for (const char* name : {"hard_051.yaml", "ten_hours.safetensors"}) {
-      fs::copy_file(data / name, path / name);
-    }
+    write_file_atomically(path / "x/experiment.json", "{}");
     return path;
   }();
   const std::size_t end = std::min(input.bytes.find(kPartBreak), input.bytes.size());
@@ -45,7 +34,6 @@ void read_experiment(const Input& input) {
   const ExperimentFolder experiment(folder, "x");
   (void)experiment.rows().dump();
   (void)experiment.runs(0).dump();
-  (void)experiment.run(fs::path(kTrialFile).stem());
 }
 
 /// A folder whose list of own files is the input: only what lies in it may be removed.

@@ -6,19 +6,15 @@
 #include <fmt/format.h>
 
 #include "limber/common/atomic_file.hpp"
-#include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/filesystem.hpp"
 #include "limber/common/json.hpp"
 #include "limber/common/json_reader.hpp"
 #include "limber/common/refuse_if.hpp"
-#include "limber/world/environment.hpp"
 
 namespace limber {
 
 namespace {
-
-constexpr std::size_t kMaxLooks = 200;  // at files of a kind, for one of a hash
 
 constexpr const char* kTexts[] = {"environment", "model", "planner", "controller", "disturbance"};
 constexpr const char* kShown[] = {
@@ -43,9 +39,12 @@ Json value_or_null(const nlohmann::json& json, const char* key) {
   return json.is_object() && json.contains(key) ? Json(json.at(key)) : Json(nullptr);
 }
 
-Json run_to_json(const std::string& id, const nlohmann::json& trial) {
+/// @param plan  its name in the project, if there is one
+Json run_to_json(const std::string& plan, const nlohmann::json& trial) {
   const nlohmann::json execution = trial.value("execution", nlohmann::json());
-  Json json = {{"id", id}};
+  const bool has_plan =
+      !value_or_null(trial.value("belongs_to", nlohmann::json()), "plan").is_null();
+  Json json = {{"plan", has_plan ? Json(plan) : Json(nullptr)}};
   for (const char* key : {"status", "cost_kpa"}) {
     json[key] = value_or_null(trial, key);
   }
@@ -53,29 +52,6 @@ Json run_to_json(const std::string& id, const nlohmann::json& trial) {
     json[key] = value_or_null(execution, key);
   }
   return json;
-}
-
-/// The first of the project's files that `fits`. @param first  begins with files of that name
-template <class Fits>
-std::string find_by_hash(const ProjectFolder& project, ProjectItem kind, const std::string& first,
-                         const char* what, const Fits& fits) {
-  std::vector<std::string> names = project.names(kind);
-  std::stable_partition(names.begin(), names.end(), [&](const std::string& name) {
-    return fs::path(name).stem() == first || name.ends_with(":" + first);
-  });
-  names.resize(std::min(names.size(), kMaxLooks));
-  for (const std::string& name : names) {
-    try {
-      if (fits(project.find(kind, name))) {
-        return name;
-      }
-    } catch (const InputError&) {  // a file of another arm, or a broken one
-    }
-  }
-  throw InputError(fmt::format(
-      "the {} that this plan was made for is not in the project folder, or it has changed since: "
-      "copy the file that limber experiment used into the folder",
-      what));
 }
 
 }  // namespace
@@ -145,44 +121,13 @@ Json ExperimentFolder::runs(std::size_t row) const {
   for (const std::string& id : ids) {
     const nlohmann::json trial = read("trials/" + id + ".json");
     if (is_of(rows[row], trial.value("belongs_to", nlohmann::json::object()))) {
-      runs.push_back(run_to_json(id, trial));
+      runs.push_back(run_to_json(name_ + "/plans/" + id + ".json", trial));
     }
     if (runs.size() == kMaxRuns) {
       break;
     }
   }
   return runs;
-}
-
-ExperimentFolder::Run ExperimentFolder::run(const std::string& id) const {
-  const nlohmann::json trial = read("trials/" + id + ".json");
-  const JsonReader belongs = JsonReader(trial, id).at("belongs_to");
-  const nlohmann::json settings = read("experiment.json");
-  const JsonReader arm_was = JsonReader(settings, name_ + "/experiment.json").at("arm");
-  if (belongs.at("plan").is_null()) {
-    throw InputError(id + ": no plan was found in this trial");
-  }
-  const fs::path file = project_.inside(name_ + "/plans/" + id + ".json");
-  Run run{{}, "", read_plan(file)};
-  if (!run.plan.certified) {
-    throw InputError(id + ": the plan has no certificate");
-  }
-  run.scene.arm = find_by_hash(
-      project_, ProjectItem::arm, arm_was.at("name").text(), "arm",
-      [&](const fs::path& path) { return load_arm(path).hash() == arm_was.at("hash").text(); });
-  const ArmDescription arm = load_arm(project_.find(ProjectItem::arm, run.scene.arm));
-  require_plan_of(run.plan, arm, id);
-  run.environment = find_by_hash(
-      project_, ProjectItem::environment, belongs.at("environment").text(), "environment",
-      [&](const fs::path& path) {
-        return environment_hash(load_environment(path, arm)) == run.plan.environment_hash;
-      });
-  if (!run.plan.model_hash.empty()) {
-    run.scene.model =
-        find_by_hash(project_, ProjectItem::model, "", "network",
-                     [&](const fs::path& path) { return file_hash(path) == run.plan.model_hash; });
-  }
-  return run;
 }
 
 }  // namespace limber

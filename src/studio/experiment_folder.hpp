@@ -7,9 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/common/json.hpp"
-#include "limber/world/plan.hpp"
 #include "project_folder.hpp"
-#include "studio_scene.hpp"
 
 namespace limber {
 
@@ -26,17 +24,8 @@ class ExperimentFolder {
 
   /// The rows of table.json, the first kMaxRows.
   Json rows() const;
-  /// The trials of a row, kMaxRuns of them: how each was planned and executed.
+  /// The trials of a row, kMaxRuns of them: how each was planned and executed, and its plan.
   Json runs(std::size_t row) const;
-
-  /// A run's plan, with the project's files that it was made for, found by their hashes.
-  struct Run {
-    SceneNames scene;
-    std::string environment;
-    Plan plan;
-  };
-  /// @throws InputError if there is no such plan, it has changed, or one of its files is gone.
-  Run run(const std::string& id) const;
 
   static constexpr std::size_t kMaxRows = 500;
   static constexpr std::size_t kMaxRuns = 500;

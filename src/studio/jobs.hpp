@@ -47,11 +47,10 @@ struct FollowJob : SceneJob {
 };
 /// Models moved by hand, side by side, from rest.
 struct DriveJob : SceneJob {};
-/// A plan that `limber experiment` has made.
-struct OpenJob {
-  std::uint64_t request = 0;
-  std::string folder;
-  std::string run;
+/// A plan that was saved, run or made by `limber experiment`. The scene is the one in use: where
+/// the plan was made for its arm and its model, it stays in use.
+struct OpenJob : SceneJob {
+  std::string plan;  ///< as the project folder has it
 };
 /// The model's errors on a recording, and what the recording covers.
 struct MeasureJob : SceneJob {
@@ -113,8 +112,13 @@ void run_follow_job(const FollowJob& job, const StudioScene& scene, const std::a
                     EventQueue& events);
 void run_drive_job(const DriveJob& job, const StudioScene& scene, const DriveTarget& target,
                    const std::atomic<bool>& stop, EventQueue& events);
-void run_open_job(const OpenJob& job, const ProjectFolder& project, EventQueue& events,
-                  const std::function<void(FoundPlan)>& found);
+/// Finds the arm, the model and the environment that the plan was made for, and certifies it again.
+/// @param scene_of  loads these
+/// @param found     called with the plan
+/// @throws InputError if one of them is not there, or the certificate fails.
+void run_open_job(const OpenJob& job, const ProjectFolder& project,
+                  const std::function<const StudioScene&(const SceneNames&)>& scene_of,
+                  EventQueue& events, const std::function<void(FoundPlan)>& found);
 void run_measure_job(const MeasureJob& job, const ProjectFolder& project, const StudioScene& scene,
                      const std::atomic<bool>& stop, EventQueue& events);
 void run_fit_job(const FitJob& job, const ProjectFolder& project, const StudioScene& scene,

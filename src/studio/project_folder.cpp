@@ -24,6 +24,7 @@ constexpr std::size_t kMaxName = 100;
 const char* ending_of(ProjectItem kind) {
   return kind == ProjectItem::model       ? ".safetensors"
          : kind == ProjectItem::recording ? ".h5"
+         : kind == ProjectItem::plan      ? ".json"
                                           : ".yaml";
 }
 
@@ -51,14 +52,17 @@ bool is_of(ProjectItem kind, const fs::path& file) {
       return !says("limber/forest/");
     case ProjectItem::recording:
       return head.starts_with("\x89HDF\r\n");
+    case ProjectItem::plan:
+      return says("\"limber/plan/");
   }
   return false;
 }
 
+/// Empty for kinds of which limber brings none.
 fs::path own_folder(ProjectItem kind) {
   constexpr std::array<const char*, 3> kFolders = {"arms", "families", "environments"};
-  return kind == ProjectItem::recording ? fs::path()
-                                        : data_folder() / kFolders.at(std::size_t(kind));
+  return std::size_t(kind) < kFolders.size() ? data_folder() / kFolders.at(std::size_t(kind))
+                                             : fs::path();
 }
 
 bool is_experiment(const fs::directory_entry& entry) {
@@ -116,7 +120,7 @@ std::vector<std::string> ProjectFolder::names(ProjectItem kind) const {
   }
   std::set<std::string> found;
   std::error_code error;
-  look_through([&](const fs::directory_entry& entry) {
+  look_through(kind == ProjectItem::plan, [&](const fs::directory_entry& entry) {
     const bool is_file = entry.is_regular_file(error) && is_of(kind, entry.path());
     // A link that leads out of the folder could not be opened.
     if (is_file && (!entry.is_symlink(error) ||
@@ -151,7 +155,7 @@ std::vector<std::string> ProjectFolder::families() const {
 
 std::vector<std::string> ProjectFolder::experiments() const {
   std::vector<std::string> result;
-  look_through([&](const fs::directory_entry& entry) {
+  look_through(false, [&](const fs::directory_entry& entry) {
     if (is_experiment(entry)) {
       result.push_back(name_of(entry.path()));
     }
@@ -160,7 +164,7 @@ std::vector<std::string> ProjectFolder::experiments() const {
 }
 
 template <class Use>
-void ProjectFolder::look_through(const Use& use) const {
+void ProjectFolder::look_through(bool into_plans_of_runs, const Use& use) const {
   std::error_code error;
   int looked_at = 0;
   fs::recursive_directory_iterator entry(folder_, fs::directory_options::skip_permission_denied,
@@ -172,7 +176,7 @@ void ProjectFolder::look_through(const Use& use) const {
       continue;
     }
     if (is_experiment(*entry) ||  // thousands of trials
-        entry->path().extension() == kPlansOfRun) {
+        (!into_plans_of_runs && entry->path().extension() == kPlansOfRun)) {
       entry.disable_recursion_pending();
     }
     use(*entry);
@@ -188,8 +192,7 @@ fs::path ProjectFolder::find(ProjectItem kind, const std::string& name) const {
   if (name.starts_with(kOwn)) {
     const std::string own = name.substr(kOwn.size());
     const fs::path file = own_folder(kind) / (own + ending_of(kind));
-    if (kind == ProjectItem::recording || !is_plain_name(own) ||
-        !fs::is_regular_file(file, error)) {
+    if (own_folder(kind).empty() || !is_plain_name(own) || !fs::is_regular_file(file, error)) {
       refuse_name(name);
     }
     return file;

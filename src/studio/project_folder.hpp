@@ -9,7 +9,7 @@
 
 namespace limber {
 
-enum class ProjectItem { arm, model, environment, recording };
+enum class ProjectItem { arm, model, environment, recording, plan };
 
 /// Files that the studio offers: those of a project folder by their path in it
 /// ("environments/mine.yaml"), limber's own by their name ("limber:01_pillar"), and files that the
@@ -24,7 +24,8 @@ class ProjectFolder {
   std::string give(ProjectItem kind, const fs::path& file);
 
   /// Names of all files of a kind: given ones, the project's, limber's own. Looks kMaxDepth folders
-  /// deep, at kMaxEntries files and folders, and never into an experiment's or a run's plans.
+  /// deep, at kMaxEntries files and folders, never into an experiment, and into a run's plans for
+  /// plans alone.
   std::vector<std::string> names(ProjectItem kind) const;
 
   /// Those of the models that are of no arm alone.
@@ -55,10 +56,10 @@ class ProjectFolder {
  private:
   /// use(entry) for what is looked at.
   template <class Use>
-  void look_through(const Use& use) const;
+  void look_through(bool into_plans_of_runs, const Use& use) const;
 
   fs::path folder_;  // canonical
-  std::map<std::string, fs::path> given_[4];
+  std::map<std::string, fs::path> given_[5];
 };
 
 }  // namespace limber

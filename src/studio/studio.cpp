@@ -176,6 +176,7 @@ class Studio::Server {
                         {"families", project_.families()},
                         {"environments", project_.names(ProjectItem::environment)},
                         {"recordings", project_.names(ProjectItem::recording)},
+                        {"plans", project_.names(ProjectItem::plan)},
                         {"first_arm", first_arm_},
                         {"first_model", first_model_},
                         {"driver", driver_ ? driver_->command : ""},
@@ -280,7 +281,7 @@ class Studio::Server {
       answer(response, {{"runs", ExperimentFolder(project_, body.at("folder").text()).runs(row)}});
     });
     post_job("/api/plan/open", [](const JsonReader& body) {
-      return OpenJob{request_of(body), body.at("folder").text(), body.at("run").text()};
+      return OpenJob{{request_of(body), scene_of(body)}, body.at("plan").text()};
     });
     post_job("/api/fit", [](const JsonReader& body) {
       return FitJob{request_of(body), scene_of(body)};

@@ -95,7 +95,11 @@ void Tab::run(const Job& job) {
     run_plan_job(*plan, scene(plan->scene), stop_job_, events_,
                  [this](FoundPlan found) { keep(std::move(found)); });
   } else if (const auto* open = std::get_if<OpenJob>(&job)) {
-    run_open_job(*open, project_, events_, [this](FoundPlan found) { keep(std::move(found)); });
+    const auto scene_of = [this](const SceneNames& names) -> const StudioScene& {
+      return scene(names);
+    };
+    run_open_job(*open, project_, scene_of, events_,
+                 [this](FoundPlan found) { keep(std::move(found)); });
   } else if (const auto* drive = std::get_if<DriveJob>(&job)) {
     run_drive_job(*drive, scene(drive->scene), target_, stop_job_, events_);
   } else if (const auto* follow = std::get_if<FollowJob>(&job)) {

@@ -17,6 +17,7 @@ using ::testing::ThrowsMessage;
 
 const char* const kArm = "schema: limber/arm/1\n";
 const char* const kEnvironment = "schema: limber/environment/1\n";
+const char* const kPlan = R"({"schema": "limber/plan/2"})";
 
 class Project : public ::testing::Test {
  protected:
@@ -30,6 +31,10 @@ class Project : public ::testing::Test {
     write_file_atomically(root_ / "project/runs/first.h5", "\x89HDF\r\n\x1a\n");
     write_file_atomically(root_ / "project/runs/text.h5", "no recording");
     write_file_atomically(root_ / "project/runs/first.plans/00.yaml", kEnvironment);
+    write_file_atomically(root_ / "project/runs/first.plans/00.json", kPlan);
+    write_file_atomically(root_ / "project/plans/mine.json", kPlan);
+    write_file_atomically(root_ / "project/plans/notes.json", "{}");
+    write_file_atomically(root_ / "project/table/plans/trial.json", kPlan);
     write_file_atomically(root_ / "project/table/experiment.json", "{}");
     write_file_atomically(root_ / "project/models/family.safetensors", R"({"family.arms":{}})");
     write_file_atomically(root_ / "project/models/member.safetensors",
@@ -70,6 +75,17 @@ TEST_F(Project, OffersRecordingsFamiliesAndExperiments) {
   EXPECT_THAT(project.families(), Not(Contains("models/member.safetensors")));
   EXPECT_THAT(project.experiments(), ElementsAre("table"));
   EXPECT_THAT(project.names(ProjectItem::environment), Not(Contains(HasSubstr("trials"))));
+}
+
+TEST_F(Project, OffersPlansOfRunsTooAndFindsThoseOfExperiments) {
+  const ProjectFolder project(root_ / "project");
+  EXPECT_THAT(project.names(ProjectItem::plan),
+              ElementsAre("plans/mine.json", "runs/first.plans/00.json"));
+  EXPECT_EQ(project.find(ProjectItem::plan, "table/plans/trial.json"),
+            root_ / "project/table/plans/trial.json");
+  for (const char* name : {"limber:mine", "environments/mine.yaml", "../plans/mine.json"}) {
+    EXPECT_THROW((void)project.find(ProjectItem::plan, name), InputError) << name;
+  }
 }
 
 TEST_F(Project, FindsWhatItOffers) {

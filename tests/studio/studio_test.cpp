@@ -319,8 +319,8 @@ TEST_F(StudioServer, APageGetsACertifiedPlanAndSavesIt) {
   EXPECT_THAT(page.read_until("event: plan"), HasSubstr("event: plan"));
   EXPECT_THAT(page.read_until("event: result"), HasSubstr("\"status\":\"solved\""));
 
-  const nlohmann::json open = {
-      {"tab", request["tab"]}, {"request", 8}, {"folder", "none"}, {"run", "none"}};
+  nlohmann::json open = {
+      {"tab", request["tab"]}, {"request", 8}, {"arm", ""}, {"model", ""}, {"plan", "none.json"}};
   EXPECT_THAT(post("/api/plan/open", open.dump()), StartsWith("HTTP/1.1 200"));
   EXPECT_THAT(page.read_until("\"request\":8"), HasSubstr("event: fault"));
 
@@ -335,6 +335,19 @@ TEST_F(StudioServer, APageGetsACertifiedPlanAndSavesIt) {
   EXPECT_THAT(post("/api/environment", save.dump()), HasSubstr("environments/first.yaml"));
   EXPECT_EQ(environment_hash(load_environment(folder_ / "project/environments/first.yaml")),
             read_plan(folder_ / "project/plans/first.json").environment_hash);
+
+  open["request"] = 9;
+  open["plan"] = "plans/first.json";
+  EXPECT_THAT(get("/api/project"), HasSubstr(R"("plans":["plans/first.json"])"));
+  EXPECT_THAT(post("/api/plan/open", open.dump()), StartsWith("HTTP/1.1 200"));
+  EXPECT_THAT(page.read_until("\"environments/first.yaml\""),
+              HasSubstr("event: opened\ndata: {\"request\":9,\"arm\":\"limber:three_segment\","
+                        "\"model\":\"\",\"environment\":\"environments/first.yaml\""));
+  const nlohmann::json again = {{"tab", request["tab"]}, {"name", "again"}, {"overwrite", false}};
+  EXPECT_THAT(post("/api/plan/save", again.dump()), HasSubstr("plans/again.json"));
+  EXPECT_EQ(read_file(folder_ / "project/plans/again.json"),
+            read_file(folder_ / "project/plans/first.json"));
+
   save["name"] = "../first";
   EXPECT_THAT(post("/api/environment", save.dump()), StartsWith("HTTP/1.1 400"));
 }

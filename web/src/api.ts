@@ -39,6 +39,7 @@ export type Project = {
   families: string[]; // those of the models that are of no arm alone
   environments: string[];
   recordings: string[];
+  plans: string[];
   first_arm: string;
   first_model: string;
   driver: string; // its command; empty: none
@@ -55,6 +56,7 @@ export type Plan = {
   request: number;
   time_s?: number;
   first_s?: number; // none: it was opened, not searched for
+  warnings?: string[]; // of one that was opened; else the search's result has them
   cost_kpa: number;
   duration_s: number;
   frame_rate_hz: number;
@@ -142,7 +144,7 @@ export type Row = {
 };
 export type Experiment = { folder: string; rows: Row[] };
 export type TrialRun = {
-  id: string;
+  plan: string | null;
   status: string;
   cost_kpa: number | null;
   goal_reached: boolean | null;

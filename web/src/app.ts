@@ -1,4 +1,4 @@
-import { type Arm, type Environment, get, listen, type Opened, post, type Project, type Refusal } from './api';
+import { type Arm, type Environment, get, listen, post, type Project, type Refusal } from './api';
 import { ArmLink } from './arm_link';
 import { toWorld } from './camera';
 import { byId, changeText, h, refilled, tool } from './dom';
@@ -10,11 +10,11 @@ import { History } from './history';
 import { onKey, tabAfter } from './keys';
 import { Latency } from './latency';
 import type { Mode } from './mode';
+import { Opening } from './opening';
 import type { Scene } from './picture';
 import { PlanMode } from './plan_mode';
 import { LivePlanner } from './planner';
 import { PlayMode } from './play_mode';
-import { playOf } from './results';
 import { ResultsMode } from './results_mode';
 import { fragmentOf, linkOf } from './scene_link';
 import { Stage } from './stage';
@@ -49,6 +49,7 @@ export class App {
   margin_m: number | null = null; // that plans keep from obstacles; null: what the model's error asks for
   view = { tree: false, tube: false, reach: true };
   readonly planner = new LivePlanner(() => this.tab, (seen = true) => this.refreshSoon(seen));
+  readonly opening = new Opening(this);
   readonly armLink = new ArmLink(() => this.tab, () => this.armChanged());
   stage!: Stage;
   readonly modes = {
@@ -234,19 +235,6 @@ export class App {
     const { armName: arm, model, environmentName } = this;
     history.replaceState(null, '', fragmentOf({ arm, model, environmentName, environment }));
     return location.href;
-  }
-
-  /** A plan of an experiment, with all that it was made for: it is played as its row was executed, as far as Play can. */
-  async onOpened({ request, arm, model, environment, plan }: Opened): Promise<void> {
-    if (!this.planner.isAwaited(request)) return;
-    if (!(await this.open(arm, environment))) return;
-    this.choose(model);
-    this.planner.take(plan);
-    this.link();
-    const { options, leftOut } = playOf(this.modes.results.played!);
-    Object.assign(this.modes.play.options, options);
-    this.enter('play');
-    if (leftOut) this.say(`Played without what the experiment had: ${leftOut}`);
   }
 
   /** After another arm, model or environment was chosen. */

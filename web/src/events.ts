@@ -18,7 +18,7 @@ export function handlersOf(app: App): Handlers {
     arm: (status) => armLink.onStatus(status),
     arm_frame: (frame) => armLink.onFrame(frame),
     arm_run: (motion) => modes.play.onArmRun(motion),
-    opened: (opened) => void app.attempt(() => app.onOpened(opened)),
+    opened: (opened) => void app.attempt(() => app.opening.onOpened(opened)),
     measuring: ({ request, share }) => modes.results.onMeasuring(request, share),
     measured: (measured) => modes.results.onMeasured(measured),
     fault: ({ request, message }) =>

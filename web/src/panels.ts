@@ -110,7 +110,7 @@ export function planPanel(planner: LivePlanner, unit: string, simple: boolean, k
             ] as [string, string][])
           : []),
       ]),
-      ...(result?.warnings ?? []).filter((text) => !text.startsWith(kOfTheSimpleModel)).map((text) => h('p', { class: 'warning' }, text)));
+      ...(plan.warnings ?? result?.warnings ?? []).filter((text) => !text.startsWith(kOfTheSimpleModel)).map((text) => h('p', { class: 'warning' }, text)));
   }
   if (searching) {
     return h('div', { class: 'status busy' }, h('strong', {}, 'Searching …'),

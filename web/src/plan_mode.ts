@@ -87,6 +87,7 @@ export class PlanMode implements Mode {
         field('Environment', choice(project.environments, app.environmentName, (name) =>
           reopen(async () =>
             app.mayLose('Open another environment?') && app.open(app.armName, name)))),
+        project.plans.length > 0 && field('Saved plan', choice(project.plans, '', (name) => this.openPlan(name), 'Open …')),
         field('Name', this.name),
         h('div', { class: 'row' }, button('Save environment', () => void app.attempt(async () => this.said(await this.saveEnvironment()))),
           button('Copy link', () => void app.attempt(() => this.copyLink()),
@@ -101,9 +102,24 @@ export class PlanMode implements Mode {
     byId('tools').replaceChildren();
     changeText(byId('said'), '');
     if (app.planner.searching || this.fitting) app.endWork();
+    app.planner.giveUp();
     app.planner.end();
+    this.endFitting();
+  }
+  private endFitting(): void {
     this.fitting = '';
     ++this.request;
+  }
+  private openPlan(name: string): void {
+    const { app } = this;
+    if (app.mayLose('Open the plan?')) {
+      this.endFitting(); // the tab does one thing at a time
+      app.opening.ask(name, () => {
+        app.enter('plan');
+        app.say(`Opened ${name}: its certificate was checked again, and holds`);
+      });
+    }
+    this.show(); // nothing is chosen in the list
   }
   /** The clearance of plans from now on; null: what the model's error asks for. */
   private keep(margin_m: number | null): void {
@@ -240,7 +256,10 @@ export class PlanMode implements Mode {
     const { app } = this;
     const name = this.name.value;
     const environment = app.isChanged || !app.isInFile ? await this.saveEnvironment() : '';
-    if (environment !== null) this.said(await this.save('plan/save', {}, name), environment);
+    if (environment === null) return;
+    const plan = await this.save('plan/save', {}, name);
+    if (plan !== null) this.list('plans', plan);
+    this.said(plan, environment);
   }
   /** The environment's file becomes what is open, unless that has changed meanwhile. @return as `save` */
   private async saveEnvironment(): Promise<string | null> {
@@ -249,7 +268,6 @@ export class PlanMode implements Mode {
     const environment = this.named();
     const name = await this.save('environment', { arm: app.armName, environment });
     if (name === null) return null;
-    app.project = { ...app.project, environments: [...new Set([...app.project.environments, name])] };
     if (app.environment === from) {
       app.history.change(environment); // no step: undo would take back nothing that is seen
       this.nameOf = app.saved = environment;
@@ -257,8 +275,14 @@ export class PlanMode implements Mode {
       app.environmentName = name;
       app.link();
     }
-    this.show();
+    this.list('environments', name);
     return name;
+  }
+  /** Among the project's files too, from now on. */
+  private list(kind: 'environments' | 'plans', name: string): void {
+    const { app } = this;
+    app.project = { ...app.project, [kind]: [...new Set([...app.project[kind], name])] };
+    this.show();
   }
   private said(name: string | null, first = ''): void {
     if (name !== null) this.app.say(`Saved ${first && `${first} and `}${name}`);

@@ -71,7 +71,7 @@ function runsOf(runs: TrialRun[] | null, play: (run: TrialRun) => void): HTMLEle
   const list = runs === null
     ? h('p', { class: 'hint' }, 'Reading …')
     : h('ul', { class: 'runs' }, ...runs.map((run, k) => h('li', {},
-        button(`${k} · ${endOf(run)}`, () => play(run), { disabled: run.status !== 'solved', title: 'Play this plan' }))));
+        button(`${k} · ${endOf(run)}`, () => play(run), { disabled: run.plan === null, title: 'Play this plan' }))));
   return h('tr', {}, h('td', { colspan: 4 }, list));
 }
 

@@ -1,16 +1,15 @@
-import { type Experiment, get, type Measured, post, type Row, type TrialRun } from './api';
+import { type Experiment, get, type Measured, post, type TrialRun } from './api';
 import type { App } from './app';
 import { button, choice, field, h } from './dom';
 import type { Mode } from './mode';
 import type { Scene } from './picture';
-import { coverageMaps, experimentTable, horizonChart } from './results';
+import { coverageMaps, experimentTable, horizonChart, playOf } from './results';
 
 /** What was made before: the last experiment's runs to play, and the model's errors on recordings. */
 export class ResultsMode implements Mode {
   private experiment: Experiment | null = null;
   private open: number | null = null; // the row whose runs are shown
   private runs: TrialRun[] | null = null;
-  played: Row | null = null; // of the run that was clicked last
   private table = h('div');
   private onRecording = h('section');
   private recording = '';
@@ -80,18 +79,18 @@ export class ResultsMode implements Mode {
     });
   }
 
-  private play({ id }: TrialRun): void {
-    const { app } = this;
-    if (!app.mayLose('Open the scene of this run?')) return;
-    this.played = this.experiment?.rows[this.open ?? 0] ?? null;
-    const request = app.planner.expect();
+  /** As its row was executed, as far as Play can. */
+  private play({ plan }: TrialRun): void {
+    const { app, experiment, open } = this;
+    if (plan === null || experiment === null || open === null || !app.mayLose('Open the scene of this run?')) return;
+    const { options, leftOut } = playOf(experiment.rows[open]);
     this.measuring = false; // the tab does one thing at a time
     this.refresh();
-    void app.attempt(() => post<void>('plan/open', { tab: app.tab, request, folder: this.experiment?.folder, run: id })
-      .catch((error: Error) => {
-        app.planner.refuse(request);
-        throw error;
-      }));
+    app.opening.ask(plan, () => {
+      Object.assign(app.modes.play.options, options);
+      app.enter('play');
+      if (leftOut) app.say(`Played without what the experiment had: ${leftOut}`);
+    });
   }
 
   private measure(): void {

@@ -107,6 +107,12 @@ pageTest('what is saved is a file that limber verifies', async (page) => {
   await page.waitForFunction(() => document.querySelector('.status.good') && !document.querySelector('.status em'));
   await page.getByRole('button', { name: 'Save plan' }).click();
   await page.getByText('Saved environments/other.yaml and plans/other.json').waitFor();
+  await page.getByLabel('Saved plan').selectOption('plans/my own.json');
+  await page.getByText('Opened plans/my own.json: its certificate was checked again, and holds').waitFor();
+  assert.match(await page.textContent('.status.good'), /Certified plan/);
+  assert.match(page.url(), /my\+own/, 'its environment is open');
+  await page.getByRole('tab', { name: 'Play' }).click();
+  await page.waitForSelector('.tracks li');
   const [others, its] = ['environments/other.yaml', 'plans/other.json'].map((name) => join(shared.studio.project, name));
   execFileSync(program, ['verify', '--model', network, '--environment', others, '--plan', its]);
 });

@@ -35,13 +35,14 @@ it('a plan is saved with its environment where no file has that', async () => {
   });
   const said: string[] = [];
   const app = {
-    project: { environments: [] }, environment: {}, isChanged: true, isInFile: true, say: (text: string) => said.push(text), link: () => {},
+    project: { environments: [], plans: [] }, environment: {}, isChanged: true, isInFile: true, say: (text: string) => said.push(text), link: () => {},
     history: { change: () => {} },
   };
   const mode = new PlanMode(app as never) as unknown as { savePlan: () => Promise<void>; name: { isConnected: boolean } };
   mode.name.isConnected = false;
   await mode.savePlan();
   expect(said).toEqual(['Saved /api/environment and /api/plan/save']);
+  expect(app.project).toEqual({ environments: ['/api/environment'], plans: ['/api/plan/save'] });
   app.isChanged = false;
   await mode.savePlan();
   app.isInFile = false; // but of a link

@@ -3,7 +3,7 @@ import type { Row, TrialRun } from '../src/api';
 import { coveredShare, endOf, playOf, wayOf } from '../src/results';
 
 const run: TrialRun = {
-  id: 'a', status: 'solved', cost_kpa: 400, goal_reached: true, collided: false, stopped_ahead: false,
+  plan: 'plans/a.json', status: 'solved', cost_kpa: 400, goal_reached: true, collided: false, stopped_ahead: false,
   distance_to_goal_cm: 0.314,
 };
 const row = { environment: '01', model: 'network', planner: 'default', controller: 'open', disturbance: '' } as Row;

@@ -4,7 +4,7 @@ import { fragmentOf, linkOf } from '../src/scene_link';
 
 const project: Project = {
   version: '1', folder: '/p', arms: ['limber:three_segment', 'mine'], models: ['model.safetensors'],
-  environments: ['limber:01_pillar', 'limber:02_two_pillars'], families: [], recordings: [], first_arm: 'limber:three_segment',
+  environments: ['limber:01_pillar', 'limber:02_two_pillars'], families: [], recordings: [], plans: [], first_arm: 'limber:three_segment',
   first_model: 'model.safetensors', driver: '', driver_arm: '', driver_limit_scale: 1,
 };
 const environment: Environment = {
