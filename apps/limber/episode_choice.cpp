@@ -13,6 +13,7 @@
 #include "limber/common/filesystem.hpp"
 #include "limber/data/recording_inspection.hpp"
 #include "limber/data/recording_part.hpp"
+#include "limber/data/space_fit.hpp"
 
 namespace limber {
 
@@ -161,6 +162,9 @@ std::vector<std::string> leave_out_broken(const ArmDescription& arm,
   std::vector<Episode> together;
   for (const NamedEpisodes* part : parts) {
     together.insert(together.end(), part->episodes.begin(), part->episodes.end());
+  }
+  if (arm.is_spatial() && !is_enough_for_space_fit(together)) {
+    return {};
   }
   const EpisodeErrors errors = episode_errors(arm, together);
   std::vector<std::string> broken;

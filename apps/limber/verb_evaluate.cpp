@@ -22,6 +22,12 @@ namespace limber {
 
 namespace {
 
+double open_loop_cm(const Evaluation& evaluation) {
+  const TipErrors& errors =
+      evaluation.network ? evaluation.network->open_loop : evaluation.no_load_open_loop;
+  return errors.position_cm.mean;
+}
+
 class EvaluateVerb final : public Verb {
  public:
   EvaluateVerb()
@@ -62,22 +68,38 @@ class EvaluateVerb final : public Verb {
     const Recording recording = asked_with(read_recording_of(arm, data_), network, data_);
     tell_if_trained_on(flags, network, data_hash);
     const ForwardModel* compared = network ? &*network : nullptr;
-    const Evaluation evaluation = compare(no_load, compared, recording, flags.jobs);
-    const YardstickReport yardsticks =
-        measure_yardsticks(arm, no_load, compared, recording.episodes,
+    Evaluation evaluation = compare(no_load, compared, recording.episodes, flags.jobs);
+    NamedEpisodes counted;
+    counted.add(data_, recording.episodes);
+    const std::vector<std::string> broken = leave_out(flags, arm, counted);
+    const bool all_count = counted.episodes.size() == recording.episodes.size();
+    if (!all_count) {
+      const double with_cm = open_loop_cm(evaluation);
+      evaluation = compare(no_load, compared, counted.episodes, flags.jobs);
+      warn(flags, "with what is left out the open-loop tip error is {:.2f} cm, without it {:.2f}",
+           with_cm, open_loop_cm(evaluation));
+    }
+    YardstickReport yardsticks =
+        measure_yardsticks(arm, no_load, compared, counted.episodes,
                            episodes_to_fit(arm, network, recording.setpoints_only()), flags.jobs);
-    write_pictures(flags, arm, no_load, compared, recording, yardsticks);
+    if (!all_count) {
+      yardsticks.episode_names = counted.names;  // by their numbers in the file
+    }
+    write_pictures(flags, arm, no_load, compared, counted.episodes, yardsticks);
+    write_tables(flags, no_load, compared, recording);
     Json json = to_json(evaluation);
     json["commands_are"] = commands_are(recording.setpoints_only());
-    json.update(to_json(yardsticks, recording.episodes), true);
+    json["broken_episodes"] = broken;
+    json.update(to_json(yardsticks, counted.episodes), true);
     std::string text = to_text(evaluation) + to_text(yardsticks);
     if (recording.setpoints_only()) {
       text += "all models were asked with set points\n";
     }
     if (network) {
-      add_ensemble(*network, arm, recording, flags.jobs, json, text);
-      add_unseen_error(*network, arm, recording, flags.jobs, json, text);
+      add_ensemble(*network, arm, counted.episodes, flags.jobs, json, text);
+      add_unseen_error(*network, arm, counted.episodes, flags.jobs, json, text);
     }
+    json["warnings"] = flags.warnings;
     print_result(flags, json, text);
     return kExitDone;
   }
@@ -111,19 +133,35 @@ class EvaluateVerb final : public Verb {
     warn(flags, "{}", fault);
   }
 
-  /// --plots and --predictions.
+  /// Takes out what `train` leaves out of --unseen, and says so. @return what is broken
+  std::vector<std::string> leave_out(const CommonFlags& flags, const ArmDescription& arm,
+                                     NamedEpisodes& episodes) const {
+    leave_out_twins(flags, episodes);
+    std::vector<std::string> broken = leave_out_broken(arm, {&episodes});
+    for (const std::string& one : broken) {
+      warn(flags, "left out as broken: {}", one);
+    }
+    return broken;
+  }
+
+  /// --plots.
   void write_pictures(const CommonFlags& flags, const ArmDescription& arm,
                       const ForwardModel& no_load, const ForwardModel* network,
-                      const Recording& recording, const YardstickReport& yardsticks) const {
+                      const std::vector<Episode>& episodes,
+                      const YardstickReport& yardsticks) const {
     if (!plots_.empty()) {
-      const EvaluationPlots plots =
-          plot_evaluation(arm, no_load, network, recording.episodes, flags.jobs);
+      const EvaluationPlots plots = plot_evaluation(arm, no_load, network, episodes, flags.jobs);
       for (const auto& path : write_evaluation_plots(plots_, plots)) {
         say(flags, "wrote {}", path.string());
       }
       write_file_atomically(horizon_plot_path(), error_over_horizon_svg(yardsticks));
       say(flags, "wrote {}", horizon_plot_path().string());
     }
+  }
+
+  /// --predictions: of all episodes, so that their numbers are the file's.
+  void write_tables(const CommonFlags& flags, const ForwardModel& no_load,
+                    const ForwardModel* network, const Recording& recording) const {
     if (!predictions_.empty()) {
       for (const auto& path :
            write_predictions(predictions_, no_load, network, recording.episodes, flags.jobs)) {
@@ -134,21 +172,23 @@ class EvaluateVerb final : public Verb {
 
   /// Errors of an ensemble's networks and of their mean; nothing of a single network.
   void add_ensemble(const ForwardModel& network, const ArmDescription& arm,
-                    const Recording& recording, int jobs, Json& json, std::string& text) const {
+                    const std::vector<Episode>& episodes, int jobs, Json& json,
+                    std::string& text) const {
     if (network.compensation().member_count() <= 1) {
       return;
     }
     const EnsembleForward ensemble(arm, network.compensation());
-    const EnsembleEvaluation errors = evaluate_ensemble(ensemble, recording.episodes, jobs);
+    const EnsembleEvaluation errors = evaluate_ensemble(ensemble, episodes, jobs);
     json["ensemble"] = to_json(errors);
     text += "network: the member that validated best, as used for planning\n" + to_text(errors);
   }
 
   /// The model's error on this recording, which is stored with --out.
   void add_unseen_error(const ForwardModel& network, const ArmDescription& arm,
-                        const Recording& recording, int jobs, Json& json, std::string& text) const {
+                        const std::vector<Episode>& episodes, int jobs, Json& json,
+                        std::string& text) const {
     CompensationModel model = network.compensation();
-    note_unseen(arm, model, recording.episodes, jobs);
+    note_unseen(arm, model, episodes, jobs);
     const std::optional<PredictionError>& error = model.prediction_error;
     json["prediction_error"] = nullptr;
     if (error) {
@@ -192,9 +232,9 @@ class EvaluateVerb final : public Verb {
 
   /// @throws InputError that names both files if the prediction diverges to infinity.
   Evaluation compare(const ForwardModel& no_load, const ForwardModel* network,
-                     const Recording& recording, int jobs) const {
+                     const std::vector<Episode>& episodes, int jobs) const {
     try {
-      return evaluate(no_load, network, recording.episodes, jobs);
+      return evaluate(no_load, network, episodes, jobs);
     } catch (const InputError& error) {
       throw InputError(
           fmt::format("{}{}{}: {}", data_, model_.empty() ? "" : " with ", model_, error.what()));

@@ -2,8 +2,11 @@
 are named, arms are fitted to recordings, and networks are set beside yardsticks."""
 
 import csv
+import json
+import re
 import unittest
 
+import h5py
 from program import InFolder
 
 ARM = ("--arm", "two_segment")
@@ -69,6 +72,33 @@ class SimpleModel(InFolder):
         text = [self.run_limber("characterize", *ARM, "--recording", data).stdout.splitlines()[0]
                 for data in ("broken.h5", "good.h5")]
         self.assertEqual(*text)
+
+    def test_neither_broken_logs_nor_twins_count_in_the_errors(self):
+        self.break_a_log()
+        self.import_all("broken.h5")
+        good = [f"logs/episode_{i:03}.csv" for i in range(EPISODES) if i != BROKEN]
+        self.run_limber("import", "csv", *good, *ARM, "--mapping", "logs/mapping.yaml", "--out", "good.h5",
+                        "--force")
+        without = self.run_json("evaluate", *ARM, "--data", "good.h5")
+        self.assertEqual((without["broken_episodes"], without["warnings"]), ([], []))
+        with h5py.File(self.folder / "broken.h5", "r+") as file:
+            file.copy("episodes/000001", file["episodes"], f"{EPISODES:06}")
+        result = self.run_limber("evaluate", *ARM, "--data", "broken.h5", "--predictions", "tables", "--json")
+        found = json.loads(result.stdout)
+        for key in ("frames", "no_load", "baselines", "horizons"):
+            self.assertEqual(found[key], without[key], key)
+        self.assertEqual(len(found["broken_episodes"]), 1)
+        twin, broken, figures = found["warnings"]
+        self.assertIn(f"left out: broken.h5, episode {EPISODES}", twin)
+        self.assertIn(f"left out as broken: broken.h5, episode {BROKEN}", broken)
+        own = without["no_load"]["open_loop"]["position_error_cm"]["mean"]
+        self.assertRegex(figures, rf"tip error is [0-9.]+ cm, without it {own:.2f}$")
+        self.assertEqual(found["warnings"], re.findall(r"^warning: (.*)$", result.stderr, flags=re.M))
+        self.assertEqual([re.search(r"episode (\d+)", episode["name"])[1] for episode in found["episodes"]],
+                         [str(i) for i in range(EPISODES) if i != BROKEN])
+        with open(self.folder / "tables" / "open_loop.csv", encoding="utf-8") as file:
+            self.assertEqual({row["episode"] for row in csv.DictReader(file)},
+                             {str(i) for i in range(EPISODES + 1)})
 
     def test_an_arm_is_fitted_to_recordings(self):
         found = self.run_json("characterize", *ARM, "--recording", "good.h5", "--out", "fitted.yaml")
