@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <iterator>
+#include <numeric>
 #include <string>
 #include <system_error>
 #include <tuple>
@@ -44,7 +45,8 @@ struct OutlinedRecordings {
 
   NamedEpisodes all;  ///< times and texts (read_recording_outline)
   std::vector<Place> places;
-  std::vector<int> arms;  ///< add_arms_of
+  std::vector<int> arms;            ///< add_arms_of
+  std::vector<std::string> broken;  ///< which are not among them
 };
 
 using Place = OutlinedRecordings::Place;
@@ -68,31 +70,47 @@ std::vector<Episode> read_at(const std::vector<Place>& places, std::span<const i
   return episodes;
 }
 
-OutlinedRecordings outline_recordings(const ArmDescription& arm,
-                                      const std::vector<std::string>& paths) {
+/// Without twins and, unless `keep_broken`, broken episodes. Only files of one arm are read for
+/// them: what differs from episode to episode, virtual arms do, has no others to compare with.
+OutlinedRecordings outline_recordings(const CommonFlags& flags, const ArmDescription& arm,
+                                      const std::vector<std::string>& paths, bool keep_broken,
+                                      EpisodeReader& reader) {
   OutlinedRecordings outlines;
   for (const std::string& path : paths) {
     Recording one = read_recording_outline(path);
     require_sizes_of(one, arm, path);
-    add_arms_of(one, outlines.arms);
-    for (int i = 0; i < int(one.episodes.size()); ++i) {
-      outlines.places.push_back({path, i});
+    reader.note_source(path);
+    std::vector<int> arms = outlines.arms;
+    add_arms_of(one, arms);
+    NamedEpisodes all;
+    all.add(path, std::move(one.episodes));
+    NamedEpisodes kept;
+    const std::size_t first = outlines.arms.size();
+    const bool is_one_arm = arms[first] == std::ranges::max(arms);
+    if (is_one_arm) {
+      kept.add(path, reader.read_part(path, {}));
+      leave_out_twins(flags, kept);
     }
-    outlines.all.add(path, std::move(one.episodes));
+    if (is_one_arm && !keep_broken) {
+      std::ranges::move(leave_out_broken(arm, {&kept}), std::back_inserter(outlines.broken));
+    }
+    for (std::size_t i = 0; i < all.names.size(); ++i) {
+      if (!is_one_arm || std::ranges::find(kept.names, all.names[i]) != kept.names.end()) {
+        outlines.places.push_back({path, int(i)});
+        outlines.arms.push_back(arms[first + i]);
+        outlines.all.names.push_back(std::move(all.names[i]));
+        outlines.all.episodes.push_back(std::move(all.episodes[i]));
+      }
+    }
   }
   return outlines;
 }
 
 /// What hold_back_arms() makes of them: the episodes that validate are read, and all others are
 /// TrainingData::slices.
-/// @param reader  reads them, and must live as long as that; the files are noted as its sources.
+/// @param reader  reads them, and must live as long as that
 EpisodeChoice choose_sliced(OutlinedRecordings outlines, double fraction, std::uint64_t seed,
                             EpisodeReader& reader) {
-  for (std::size_t i = 0; i < outlines.places.size(); ++i) {
-    if (outlines.places[i].number == 0) {
-      reader.note_source(outlines.places[i].path);
-    }
-  }
   EpisodeChoice choice;
   TrainingData& data = choice.data;
   data = hold_back_arms(std::move(outlines.all.episodes), outlines.arms, fraction, seed);
@@ -151,10 +169,18 @@ void DataFlags::add_old_data_to(CLI::App& app, CLI::Option* from) {
       ->needs(from);
 }
 
-TrainingData DataFlags::load_old(const CommonFlags& flags, EpisodeReader& reader) const {
-  std::vector<Episode> episodes = reader.read_all(old_data_).episodes;
-  return episodes.empty() ? TrainingData()
-                          : hold_back_validation(std::move(episodes), kValidationShare, flags.seed);
+EpisodeChoice DataFlags::load_old(const CommonFlags& flags, const ArmDescription& arm,
+                                  EpisodeReader& reader) const {
+  EpisodeChoice choice;
+  if (!old_data_.empty()) {
+    NamedEpisodes old = reader.read_all(old_data_);
+    leave_out_twins(flags, old);
+    if (!keep_broken_) {
+      choice.broken = leave_out_broken(arm, {&old});
+    }
+    choice.data = hold_back_validation(std::move(old.episodes), kValidationShare, flags.seed);
+  }
+  return choice;
 }
 
 IdentifiedValves DataFlags::valves_of(const std::vector<Episode>& episodes,
@@ -167,11 +193,10 @@ IdentifiedValves DataFlags::valves_of(const std::vector<Episode>& episodes,
 EpisodeChoice DataFlags::load_arms(const CommonFlags& flags, const ArmDescription& arm,
                                    EpisodeReader& reader, int slice_frames,
                                    IdentifiedValves& valves) const {
-  refuse_if(
-      !validation_.empty() || !unseen_.empty() || keep_broken_,
-      "--family: leave out --validation, --unseen and --keep-broken: whole arms are held back, "
-      "and every episode is learnt from");
-  OutlinedRecordings outlines = outline_recordings(arm, data_);
+  refuse_if(!validation_.empty() || !unseen_.empty(),
+            "--family: leave out --validation and --unseen: whole arms are held back");
+  OutlinedRecordings outlines = outline_recordings(flags, arm, data_, keep_broken_, reader);
+  std::vector<std::string> broken = std::move(outlines.broken);
   const std::int64_t frames = frame_count(outlines.all.episodes);
   if (frames > slice_frames) {
     say(flags, "{} frames: each epoch reads them in slices of about {}, and none stays in memory",
@@ -179,16 +204,19 @@ EpisodeChoice DataFlags::load_arms(const CommonFlags& flags, const ArmDescriptio
     const double share = std::min(kValidationShare, kMostHeldBack / double(frames));
     EpisodeChoice choice = choose_sliced(std::move(outlines), share, flags.seed, reader);
     choice.data.slices.slice_frames = slice_frames;
+    choice.broken = std::move(broken);
     valves = valves_of(training_sample(choice.data), arm);
     return choice;
   }
-  NamedEpisodes all = reader.read_all(data_);
-  valves = valves_of(all.episodes, arm);
+  std::vector<int> every(outlines.places.size());
+  std::iota(every.begin(), every.end(), 0);
+  std::vector<Episode> episodes = read_at(outlines.places, every, reader);
+  valves = valves_of(episodes, arm);
   EpisodeChoice choice;
-  choice.data =
-      hold_back_arms(std::move(all.episodes), outlines.arms, kValidationShare, flags.seed);
+  choice.broken = std::move(broken);
+  choice.data = hold_back_arms(std::move(episodes), outlines.arms, kValidationShare, flags.seed);
   for (const int held : choice.data.held_back) {
-    choice.validation.push_back(all.names[held]);
+    choice.validation.push_back(outlines.all.names[held]);
   }
   return choice;
 }

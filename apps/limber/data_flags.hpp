@@ -33,13 +33,14 @@ class DataFlags {
   /// @param valves  found in --data
   EpisodeChoice load(const CommonFlags& flags, const ArmDescription& arm, EpisodeReader& reader,
                      bool may_be_little, IdentifiedValves& valves) const;
-  /// --family: arms are held back, and nothing is left out.
+  /// --family: arms are held back.
   /// @param reader  must outlive what is returned: of more frames than `slice_frames`, slices of
   /// about as many are read when they are needed.
   EpisodeChoice load_arms(const CommonFlags& flags, const ArmDescription& arm,
                           EpisodeReader& reader, int slice_frames, IdentifiedValves& valves) const;
   /// --old-data: what is replayed, and what the old errors are measured on.
-  TrainingData load_old(const CommonFlags& flags, EpisodeReader& reader) const;
+  EpisodeChoice load_old(const CommonFlags& flags, const ArmDescription& arm,
+                         EpisodeReader& reader) const;
 
  private:
   IdentifiedValves valves_of(const std::vector<Episode>& episodes, const ArmDescription& arm) const;

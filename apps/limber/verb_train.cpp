@@ -111,7 +111,7 @@ class TrainVerb final : public Verb {
     TrainingSettings settings = make_settings(flags, start.has_value());
     IdentifiedValves valves;
     // First: --validation and --unseen are compared with all that is learnt from.
-    const TrainingData old_data = files_.load_old(flags, reader);
+    const EpisodeChoice old = files_.load_old(flags, arm, reader);
     EpisodeChoice choice =
         family_
             ? files_.load_arms(flags, arm, reader, slice_frames_, valves)
@@ -120,7 +120,8 @@ class TrainVerb final : public Verb {
       return train_on_little(flags, arm, choice, reader.sources(), valves);
     }
     TrainingData& data = choice.data;
-    data.replay = old_data.training;
+    data.replay = old.data.training;
+    std::ranges::copy(old.broken, std::back_inserter(choice.broken));
     say_episodes(flags, choice);
     say_training(flags, data, settings);
     keep_known_valves(flags, arm, start, valves);
@@ -142,7 +143,7 @@ class TrainVerb final : public Verb {
     write(result);
     std::optional<FineTuningReport> changes;
     if (start && result.status != TrainingStatus::interrupted) {
-      changes = compare_models(arm, *start, result.model, data.validation, old_data.validation,
+      changes = compare_models(arm, *start, result.model, data.validation, old.data.validation,
                                flags.jobs);
     }
     return finish(flags, arm, result, changes, choice, std::nullopt);

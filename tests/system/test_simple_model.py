@@ -42,6 +42,11 @@ class SimpleModel(InFolder):
         return self.run_json("import", "csv", *logs, *ARM, "--mapping", "logs/mapping.yaml",
                              "--out", out)
 
+    def import_good(self):
+        good = [f"logs/episode_{i:03}.csv" for i in range(EPISODES) if i != BROKEN]
+        self.run_limber("import", "csv", *good, *ARM, "--mapping", "logs/mapping.yaml", "--out", "good.h5",
+                        "--force")
+
     def test_broken_logs_are_named_everywhere(self):
         self.assertEqual(self.import_all("back.h5")["episode_errors"]["outliers"], [])
         self.break_a_log()
@@ -55,9 +60,7 @@ class SimpleModel(InFolder):
     def test_nothing_is_learnt_from_a_broken_log(self):
         self.break_a_log()
         self.import_all("broken.h5")
-        good = [f"logs/episode_{i:03}.csv" for i in range(EPISODES) if i != BROKEN]
-        self.run_limber("import", "csv", *good, *ARM, "--mapping", "logs/mapping.yaml", "--out", "good.h5",
-                        "--force")
+        self.import_good()
         models = {}
         for name, data, more in (("left_out", "broken.h5", ()), ("without", "good.h5", ()),
                                  ("kept", "broken.h5", ("--keep-broken",))):
@@ -73,12 +76,32 @@ class SimpleModel(InFolder):
                 for data in ("broken.h5", "good.h5")]
         self.assertEqual(*text)
 
+    def test_neither_old_data_nor_a_familys_arm_has_broken_logs_or_twins(self):
+        self.break_a_log()
+        self.import_all("broken.h5")
+        self.import_good()
+        with h5py.File(self.folder / "broken.h5", "r+") as file:
+            file.copy("episodes/000001", file["episodes"], f"{EPISODES:06}")
+        self.run_limber("collect", *ARM, "--schedule", "random", "--count", 8, "--hold-s", 2, "--episodes", 3,
+                        "--seed", 6, "--out", "new.h5")
+        self.run_limber("train", *ARM, "--data", "good.h5", "--hidden", 8, "--epochs", 3, "--out", "old.safetensors")
+        train = ("train", *ARM, "--data", "new.h5", "--epochs", 3, "--out", "m.safetensors", "--force")
+        family = ("--family", "--family-size", 2, "--hidden", 8, "--data")
+        for more in (("--from", "old.safetensors", "--old-data"), family, ("--slice-frames", 300, *family)):
+            found = {data: self.run_json(*train, *more, data) for data in ("broken.h5", "good.h5")}
+            self.assertEqual(found["broken.h5"]["loss"], found["good.h5"]["loss"], more)
+            broken, = found["broken.h5"]["broken_episodes"]
+            self.assertIn(f"broken.h5, episode {BROKEN}", broken)
+            self.assertTrue(any(said.startswith(f"left out: broken.h5, episode {EPISODES}")
+                                for said in found["broken.h5"]["warnings"]))
+            kept = self.run_json(*train, "--keep-broken", *more, "broken.h5")
+            self.assertEqual(kept["broken_episodes"], [])
+            self.assertNotEqual(kept["loss"], found["good.h5"]["loss"], more)
+
     def test_neither_broken_logs_nor_twins_count_in_the_errors(self):
         self.break_a_log()
         self.import_all("broken.h5")
-        good = [f"logs/episode_{i:03}.csv" for i in range(EPISODES) if i != BROKEN]
-        self.run_limber("import", "csv", *good, *ARM, "--mapping", "logs/mapping.yaml", "--out", "good.h5",
-                        "--force")
+        self.import_good()
         without = self.run_json("evaluate", *ARM, "--data", "good.h5")
         self.assertEqual((without["broken_episodes"], without["warnings"]), ([], []))
         with h5py.File(self.folder / "broken.h5", "r+") as file:
