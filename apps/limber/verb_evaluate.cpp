@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <iterator>
 
@@ -79,9 +81,8 @@ class EvaluateVerb final : public Verb {
       warn(flags, "with what is left out the open-loop tip error is {:.2f} cm, without it {:.2f}",
            with_cm, open_loop_cm(evaluation));
     }
-    YardstickReport yardsticks =
-        measure_yardsticks(arm, no_load, compared, counted.episodes,
-                           episodes_to_fit(arm, network, recording.setpoints_only()), flags.jobs);
+    YardstickReport yardsticks = measure(flags, arm, no_load, compared, counted.episodes,
+                                         episodes_to_fit(arm, network, recording.setpoints_only()));
     if (!all_count) {
       yardsticks.episode_names = counted.names;  // by their numbers in the file
     }
@@ -142,6 +143,17 @@ class EvaluateVerb final : public Verb {
       warn(flags, "left out as broken: {}", one);
     }
     return broken;
+  }
+
+  /// What takes longest.
+  static YardstickReport measure(const CommonFlags& flags, const ArmDescription& arm,
+                                 const ForwardModel& no_load, const ForwardModel* network,
+                                 const std::vector<Episode>& episodes,
+                                 const std::vector<Episode>& fit_to) {
+    Progress progress("evaluating", "%", 100, flags.progress());
+    return measure_yardsticks(
+        arm, no_load, network, episodes, fit_to, flags.jobs,
+        [&](double share) { progress.update(std::uint64_t(std::lround(100.0 * share))); });
   }
 
   /// --plots.

@@ -127,12 +127,13 @@ std::vector<int> horizons_of(const std::vector<Episode>& episodes) {
 
 class Measurement {
  public:
-  /// @param note  told after each horizon of a curve
-  Measurement(
-      const std::vector<Episode>& episodes, YardstickReport& report,
-      std::function<void()> note = [] {})
-      : episodes_(episodes), report_(report), note_(std::move(note)) {
+  /// @param curves  that will be added
+  /// @param note    told the share that is done after each horizon of a curve; may be empty
+  Measurement(const std::vector<Episode>& episodes, YardstickReport& report, int curves,
+              const std::function<void(double)>& note)
+      : episodes_(episodes), report_(report), note_(note) {
     report_.horizon_frames = horizons_of(episodes);
+    steps_ = curves * int(report_.horizon_frames.size());
   }
 
   void add(const char* key, const char* label, const PiecePrediction& predict_piece) {
@@ -164,14 +165,19 @@ class Measurement {
       if (frames == report_.horizon_frames.back()) {
         errors.episode_cm = episode_means(predicted, episodes_);
       }
-      note_();
+      ++done_;
+      if (note_) {
+        note_(double(done_) / double(steps_));
+      }
     }
     report_.predictors.push_back(std::move(errors));
   }
 
   const std::vector<Episode>& episodes_;
   YardstickReport& report_;
-  std::function<void()> note_;
+  const std::function<void(double)>& note_;
+  int steps_ = 0;
+  int done_ = 0;
 };
 
 std::string fitted_to_words(const std::vector<Episode>& episodes,
@@ -227,14 +233,15 @@ std::vector<Episode> Folds::training(const std::vector<Episode>& episodes, int f
 YardstickReport measure_yardsticks(const ArmDescription& arm, const ForwardModel& no_load,
                                    const ForwardModel* network,
                                    const std::vector<Episode>& episodes,
-                                   const std::vector<Episode>& fit_to, int jobs) {
+                                   const std::vector<Episode>& fit_to, int jobs,
+                                   const std::function<void(double)>& note) {
   require_episodes_of(episodes, arm);
   require_episodes_of(fit_to, arm, "training data");
   YardstickReport report;
   for (const Episode& episode : episodes) {
     report.episode_names.push_back(episode_name(std::ssize(report.episode_names), episode.log));
   }
-  Measurement measurement(episodes, report);
+  Measurement measurement(episodes, report, network != nullptr ? 6 : 5, note);
   measurement.add_model("no_load", "no load", no_load, jobs);
   if (network != nullptr) {
     measurement.add_model("network", "network", *network, jobs);
@@ -279,11 +286,7 @@ YardstickReport measure_horizons(const ForwardModel& no_load, const ForwardModel
                                  const std::function<void(double)>& note) {
   require_episodes_of(episodes, no_load.no_load());
   YardstickReport report;
-  std::size_t done = 0;
-  Measurement measurement(episodes, report, [&] {
-    const std::size_t curves = network != nullptr ? 3 : 2;
-    note(double(++done) / double(curves * report.horizon_frames.size()));
-  });
+  Measurement measurement(episodes, report, network != nullptr ? 3 : 2, note);
   measurement.add_model("no_load", "no load", no_load, jobs);
   if (network != nullptr) {
     measurement.add_model("network", "network", *network, jobs);

@@ -171,7 +171,10 @@ class SimpleModel(InFolder):
             self.assertEqual(rows[0]["network_x3_m"], "", "the first frame is given")
             self.assertNotEqual(rows[1]["network_x3_m"], "")
         self.run_limber("evaluate", *ARM, "--data", "test.h5", "--predictions", "tables", code=2)
-        text = self.run_limber("evaluate", *ARM, "--data", "test.h5").stdout
+        said = self.run_limber("evaluate", *ARM, "--data", "test.h5")
+        self.assertRegex(said.stderr, r"evaluating 100/100 %, .*/s, took ")
+        self.assertEqual(self.run_limber("evaluate", *ARM, "--data", "test.h5", "--quiet").stderr, "")
+        text = said.stdout
         self.assertIn("fitted simple model", text)
         self.assertIn("its episodes in 2 parts", text)
 

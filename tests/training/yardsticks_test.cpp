@@ -148,7 +148,13 @@ TEST(YardstickReport, HasEveryHorizonInJson) {
 TEST(Yardsticks, HorizonsAloneAreTheSameAndTellHowFarTheyAre) {
   const ArmDescription arm = three_segment_arm();
   const std::vector<Episode> episodes = {linear_episode(400, 1)};
-  const YardstickReport all = measured(episodes);
+  std::vector<double> all_shares;
+  const YardstickReport all =
+      measure_yardsticks(arm, ForwardModel(arm), nullptr, episodes, {}, 1,
+                         [&](double share) { all_shares.push_back(share); });
+  EXPECT_TRUE(std::ranges::is_sorted(all_shares));
+  EXPECT_EQ(all_shares.size(), all.predictors.size() * all.horizon_frames.size());
+  EXPECT_EQ(all_shares.back(), 1.0);
   std::vector<double> shares;
   const YardstickReport some = measure_horizons(ForwardModel(arm), nullptr, episodes, 1,
                                                 [&](double share) { shares.push_back(share); });

@@ -51,14 +51,16 @@ class Folds {
 /// model. The last two are fitted to `fit_to`, or, where that is empty, to the recording itself, a
 /// fifth of it left out in turn: what predicts an episode has not been fitted to it.
 /// @param network  may be null
+/// @param note  told the share that is done; may be empty
 /// @throws InputError as require_episodes_of, and where a prediction of the network is not finite.
 YardstickReport measure_yardsticks(const ArmDescription& arm, const ForwardModel& no_load,
                                    const ForwardModel* network,
                                    const std::vector<Episode>& episodes,
-                                   const std::vector<Episode>& fit_to, int jobs = 0);
+                                   const std::vector<Episode>& fit_to, int jobs = 0,
+                                   const std::function<void(double)>& note = {});
 
 /// The curves alone of what nothing is fitted for, the models and holding the pose: for whoever
-/// waits. @param note  told the share that is done; throws as above.
+/// waits. Takes `note` and throws as above.
 YardstickReport measure_horizons(const ForwardModel& no_load, const ForwardModel* network,
                                  const std::vector<Episode>& episodes, int jobs,
                                  const std::function<void(double)>& note);
