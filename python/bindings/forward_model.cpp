@@ -105,14 +105,6 @@ py::array_t<float> checked_step(const ForwardModel& model, const FloatArray& pre
 
 constexpr py::ssize_t kRowsAtOnce = 1 << 15;  // some 0.2 s of one core; signals wait no longer
 
-/// Ctrl-C, for who has let Python's lock go. @throws what Python's handler raises.
-void answer_signals() {
-  const py::gil_scoped_acquire python;
-  if (PyErr_CheckSignals() != 0) {
-    throw py::error_already_set();
-  }
-}
-
 /// The batch's results; `query` gets inputs and outputs as limber has them.
 template <class Query>
 py::array_t<float> batch(const ForwardModel& model, const FloatArray& previous_kpa,

@@ -156,7 +156,15 @@ void bind_inverse_kinematics(py::module_& module) {
       [](const NoLoadModel& model, const PoseGoal& goal, const Settings& settings,
          RandomStream& random) {
         require_planar_model(model.dimension(), "limber.solve_inverse_kinematics");
-        return solve_inverse_kinematics(model, goal, settings, random);
+        constexpr int kStartsAtOnce = 256;  // some 30 ms; signals wait no longer
+        Settings answering = settings;
+        answering.give_up = [starts = 0]() mutable {
+          if (++starts % kStartsAtOnce == 0) {
+            answer_signals();
+          }
+          return false;
+        };
+        return solve_inverse_kinematics(model, goal, answering, random);
       },
       "model"_a, "goal"_a, "settings"_a, "random"_a, py::call_guard<OthersMayRun>(),
       "Pressures whose no-load tip is at the goal: Newton-Raphson from random starts. "

@@ -46,6 +46,13 @@ OthersMayRun::OthersMayRun() {
   }
 }
 
+void answer_signals() {
+  const py::gil_scoped_acquire python;
+  if (PyErr_CheckSignals() != 0) {
+    throw py::error_already_set();
+  }
+}
+
 std::shared_ptr<py::object> shared(py::object object) {
   return {new py::object(std::move(object)), [](py::object* one) {
             const py::gil_scoped_acquire python;

@@ -31,6 +31,9 @@ class OthersMayRun {
   std::optional<pybind11::gil_scoped_release> released_;
 };
 
+/// Ctrl-C, for who has let Python's lock go. @throws what Python's handler raises.
+void answer_signals();
+
 /// A Python object whose last owner may be a thread without Python's lock.
 std::shared_ptr<pybind11::object> shared(pybind11::object object);
 

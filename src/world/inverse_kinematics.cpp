@@ -22,7 +22,7 @@ constexpr double kMaxDamping = 1e8;     // no step this short will help: the sta
 constexpr double kMinScale = 1e-12;     // [m²]; where every segment is held
 constexpr double kStalledStep = 1e-12;  // relative to the curvature limits
 
-// Nobody can stop the search: at these it takes seconds.
+// At these the search takes seconds.
 constexpr int kMaxStarts = 10'000;
 constexpr int kMaxIterations = 1000;
 

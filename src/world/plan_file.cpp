@@ -102,7 +102,8 @@ std::vector<PressureLimits> read_limits(const JsonReader& root, const Command& c
   if (root.has(key.c_str())) {
     for (const JsonReader& pair : root.at(key.c_str()).elements("a list of [lower, upper]")) {
       const std::vector<double> ends = pair.numbers(2, "numbers [lower, upper]", -kMax, kMax);
-      pair.refuse_if(ends[0] > ends[1], "[{}, {}] found; expected [lower, upper]", ends[0], ends[1]);
+      pair.refuse_if(ends[0] > ends[1], "[{}, {}] found; expected [lower, upper]", ends[0],
+                     ends[1]);
       limits.emplace_back(ends[0], ends[1]);
     }
   }

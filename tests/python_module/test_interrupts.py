@@ -171,6 +171,13 @@ class Interrupts(InFolder):
                               .backbone[None], queries, axis=0)
         self.interrupted_early(lambda: wide.step_batch(kpa, kpa, backbones, out=backbones))
 
+    def test_inverse_kinematics(self):
+        arm = limber.load_arm(limber.data_folder() / "arms" / "five_segment.yaml")
+        beyond = limber.PoseGoal(x_m=20.0, y_m=0.1, position_tolerance_m=1e-9)
+        settings = limber.InverseKinematicsSettings(starts=10000, iterations=1000, convergence_m=1e-12)
+        self.interrupted_early(lambda: limber.solve_inverse_kinematics(
+            limber.NoLoadModel(arm), beyond, settings, limber.RandomStream(1, 0)))
+
     def test_plan_along(self):
         there = np.array([[60.0, 60.0], [-60.0, -60.0]], np.float32)
         waypoints = np.tile(there, (20000, 1))
