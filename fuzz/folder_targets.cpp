@@ -51,7 +51,8 @@ void open_output_folder(const Input& input) {
   require_same_run(input.file, {{"schema", "limber/output/1"}}, "run");
 }
 
-/// Runs that a stopped calibration had finished. Where they are too few, it goes on, and is stopped.
+/// Runs that a stopped calibration had finished. Where they are too few, it goes on, and is
+/// stopped.
 void read_tube_runs(const Input& input) {
   static const TubeRunSettings settings = [] {
     request_interrupt();
