@@ -159,22 +159,31 @@ void leave_out_twins(const CommonFlags& flags, NamedEpisodes& all) {
 
 std::vector<std::string> leave_out_broken(const ArmDescription& arm,
                                           std::initializer_list<NamedEpisodes*> parts) {
-  std::vector<Episode> together;
+  // Of one arm each: those of a virtual arm have others to compare with only where these are of the
+  // same physics.
+  std::map<std::string, std::vector<Episode>> arms;
   for (const NamedEpisodes* part : parts) {
-    together.insert(together.end(), part->episodes.begin(), part->episodes.end());
+    for (const Episode& episode : part->episodes) {
+      arms[episode.physics].push_back(episode);
+    }
   }
-  if (arm.is_spatial() && !is_enough_for_space_fit(together)) {
-    return {};
+  std::map<std::string, EpisodeErrors> errors;
+  for (const auto& [physics, episodes] : arms) {
+    if (!arm.is_spatial() || is_enough_for_space_fit(episodes)) {
+      errors[physics] = episode_errors(arm, episodes);
+    }
   }
-  const EpisodeErrors errors = episode_errors(arm, together);
+  std::map<std::string, std::size_t> next;
   std::vector<std::string> broken;
-  std::size_t i = 0;
   for (NamedEpisodes* part : parts) {
     NamedEpisodes whole;
-    for (std::size_t k = 0; k < part->episodes.size(); ++k, ++i) {
-      if (errors.episodes[i].is_outlier) {
+    for (std::size_t k = 0; k < part->episodes.size(); ++k) {
+      const std::string& physics = part->episodes[k].physics;
+      const EpisodeErrors& all = errors[physics];
+      const std::size_t i = next[physics]++;
+      if (i < all.episodes.size() && all.episodes[i].is_outlier) {
         broken.push_back(fmt::format("{} ({}; the middle one has {:.1f} cm)", part->names[k],
-                                     errors.episodes[i].why, errors.median_cm));
+                                     all.episodes[i].why, all.median_cm));
       } else {
         whole.names.push_back(std::move(part->names[k]));
         whole.episodes.push_back(std::move(part->episodes[k]));

@@ -24,12 +24,6 @@ namespace limber {
 
 namespace {
 
-double open_loop_cm(const Evaluation& evaluation) {
-  const TipErrors& errors =
-      evaluation.network ? evaluation.network->open_loop : evaluation.no_load_open_loop;
-  return errors.position_cm.mean;
-}
-
 class EvaluateVerb final : public Verb {
  public:
   EvaluateVerb()
@@ -46,6 +40,8 @@ class EvaluateVerb final : public Verb {
                    "Write the model here, with its error on this recording: plans then keep "
                    "this distance from obstacles")
         ->needs(model);
+    app.add_flag("--keep-broken", keep_broken_,
+                 "Count also episodes in which the arm does not do what it does in the others");
     app.add_option("--plots", plots_,
                    "Folder for error_over_time.svg and other pictures; of an arm in space "
                    "shapes.html, too, in which it can be turned");
@@ -70,20 +66,13 @@ class EvaluateVerb final : public Verb {
     const Recording recording = asked_with(read_recording_of(arm, data_), network, data_);
     tell_if_trained_on(flags, network, data_hash);
     const ForwardModel* compared = network ? &*network : nullptr;
-    Evaluation evaluation = compare(no_load, compared, recording.episodes, flags.jobs);
     NamedEpisodes counted;
     counted.add(data_, recording.episodes);
     const std::vector<std::string> broken = leave_out(flags, arm, counted);
-    const bool all_count = counted.episodes.size() == recording.episodes.size();
-    if (!all_count) {
-      const double with_cm = open_loop_cm(evaluation);
-      evaluation = compare(no_load, compared, counted.episodes, flags.jobs);
-      warn(flags, "with what is left out the open-loop tip error is {:.2f} cm, without it {:.2f}",
-           with_cm, open_loop_cm(evaluation));
-    }
+    const Evaluation evaluation = compare(no_load, compared, counted.episodes, flags.jobs);
     YardstickReport yardsticks = measure(flags, arm, no_load, compared, counted.episodes,
                                          episodes_to_fit(arm, network, recording.setpoints_only()));
-    if (!all_count) {
+    if (counted.episodes.size() < recording.episodes.size()) {
       yardsticks.episode_names = counted.names;  // by their numbers in the file
     }
     write_pictures(flags, arm, no_load, compared, counted.episodes, yardsticks);
@@ -138,9 +127,12 @@ class EvaluateVerb final : public Verb {
   std::vector<std::string> leave_out(const CommonFlags& flags, const ArmDescription& arm,
                                      NamedEpisodes& episodes) const {
     leave_out_twins(flags, episodes);
-    std::vector<std::string> broken = leave_out_broken(arm, {&episodes});
+    std::vector<std::string> broken;
+    if (!keep_broken_) {
+      broken = leave_out_broken(arm, {&episodes});
+    }
     for (const std::string& one : broken) {
-      warn(flags, "left out as broken: {}", one);
+      warn(flags, "left out as broken: {}; --keep-broken counts it too", one);
     }
     return broken;
   }
@@ -260,6 +252,7 @@ class EvaluateVerb final : public Verb {
   std::string plots_;
   std::vector<std::string> fit_;
   std::string predictions_;
+  bool keep_broken_ = false;
 };
 
 }  // namespace
