@@ -178,6 +178,7 @@ void ArmStation::run_now(const ArmRunJob& job) {
     file = free_name((project_.folder() / "runs" / time_stamped_run_name()).string(), "_", ".h5");
     fs::create_directories(file.parent_path());
     const StudioScene scene(project_, job.found.scene);
+    scene.require_model(job.found.plan.model_hash);
     ProcessDriverSettings driver = driver_;
     // As the arm file has it now: pages read the arm anew too.
     driver.safety = load_safety(project_.find(ProjectItem::arm, arm_));

@@ -62,6 +62,7 @@ using Job = std::variant<PlanJob, RunJob, FollowJob, DriveJob, OpenJob, MeasureJ
 
 /// A plan that was found, with what it was made for.
 struct FoundPlan {
+  std::uint64_t request = 0;  ///< of the work that found it
   SceneNames scene;
   Environment environment;
   Plan plan;

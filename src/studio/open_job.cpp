@@ -8,6 +8,7 @@
 #include "limber/certificate/certificate.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
 #include "limber/common/json.hpp"
 #include "limber/common/refuse_if.hpp"
 #include "limber/common/units.hpp"
@@ -29,6 +30,7 @@ std::string find_made_for(const ProjectFolder& project, ProjectItem kind,
                           const std::vector<std::string>& names, const OpenJob& job,
                           const std::string& what, const RequireIt& require_it) {
   for (const std::string& name : names) {
+    throw_if_interrupted();  // a folder may have many, and large ones
     try {
       require_it(project.find(kind, name));
       return name;
@@ -65,16 +67,45 @@ SceneNames scene_of_plan(const Plan& plan, const OpenJob& job, const ProjectFold
   return names;
 }
 
-/// As limber verify does: what was certified once may have been so by another limber.
-void certify_again(const Plan& plan, const StudioScene& scene, const Environment& environment,
-                   const std::string& name) {
+/// None, the scene's, or those of a network of the project: `limber experiment` makes plans of the
+/// no-load model with them too.
+ValveParameters valves_of_plan(const Plan& plan, const StudioScene& scene, const OpenJob& job,
+                               const ProjectFolder& project) {
+  if (plan.valves_hash.empty()) {
+    return {};  // also before a network that has some, as limber verify --no-valves
+  }
+  ValveParameters valves = scene.motion().valves().parameters();
+  if (valves.hash() != plan.valves_hash) {
+    find_made_for(project, ProjectItem::model,
+                  names_after(job.scene.model, project, ProjectItem::model), job,
+                  fmt::format("a network with valves (hash {})", plan.valves_hash),
+                  [&](const fs::path& file) {
+                    valves = read_model(file).valves.value_or(ValveParameters{});
+                    refuse_if(valves.hash() != plan.valves_hash, "other valves");
+                  });
+  }
+  return valves;
+}
+
+Certificate certificate_of(const Plan& plan, const StudioScene& scene,
+                           const ValveParameters& valves, const Environment& environment) {
   const CompensationModel* network = scene.network();
   std::optional<CompensationModel> followed;  // of a plan that a closed loop has made
   if (network != nullptr && plan.arm_of_family.size() > 0) {
     network = &followed.emplace(model_of_followed_arm(*network, plan.arm_of_family));
   }
-  const Certificate certificate =
-      certify(plan, scene.arm(), network, scene.motion().valves().parameters(), environment);
+  return certify(plan, scene.arm(), network, valves, environment);
+}
+
+/// As limber verify does: what was certified once may have been so by another limber.
+void certify_again(const Plan& plan, const StudioScene& scene, const ValveParameters& valves,
+                   const Environment& environment, const std::string& name) {
+  Certificate certificate;
+  try {
+    certificate = certificate_of(plan, scene, valves, environment);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", name, error.what()));
+  }
   if (!certificate.certified()) {
     throw InputError(fmt::format("{}: its certificate fails: {}. Plan again", name,
                                  certificate.failures.front().message));
@@ -109,6 +140,7 @@ void run_open_job(const OpenJob& job, const ProjectFolder& project,
   const SceneNames names = scene_of_plan(plan, job, project);
   const StudioScene& scene = scene_of(names);
   scene.require_one_arm();
+  scene.require_model(plan.model_hash);
   // A run writes each plan's environment beside it.
   std::vector<std::string> environments = project.names(ProjectItem::environment);
   environments.push_back(fs::path(job.plan).replace_extension(".yaml").generic_string());
@@ -120,7 +152,7 @@ void run_open_job(const OpenJob& job, const ProjectFolder& project,
         environment = load_environment(file, scene.arm());
         require_plan_in(plan, *environment, job.plan);
       });
-  certify_again(plan, scene, *environment, job.plan);
+  certify_again(plan, scene, valves_of_plan(plan, scene, job, project), *environment, job.plan);
   Json json = {{"request", job.request},
                {"arm", names.arm},
                {"model", names.model},
@@ -128,7 +160,7 @@ void run_open_job(const OpenJob& job, const ProjectFolder& project,
   json["plan"] = plan_to_json(plan);
   json["plan"]["request"] = job.request;
   json["plan"]["warnings"] = warnings_of(plan, scene);
-  found({names, *std::move(environment), std::move(plan)});
+  found({job.request, names, *std::move(environment), std::move(plan)});
   events.push("opened", json.dump());
 }
 

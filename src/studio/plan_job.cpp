@@ -80,7 +80,7 @@ class PlanReporter {
     sent_s_ = time_s;
     Plan kept = plan;
     kept.model_hash = scene_.model_hash();
-    found_({job_.scene, environment_, std::move(kept)});
+    found_({job_.request, job_.scene, environment_, std::move(kept)});
     Json json = plan_to_json(plan);
     json["request"] = job_.request;
     json["time_s"] = time_s;

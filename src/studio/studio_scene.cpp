@@ -71,6 +71,12 @@ void StudioScene::require_one_arm() const {
   }
 }
 
+void StudioScene::require_model(const std::string& hash) const {
+  refuse_if(hash != model_hash_,
+            "'{}': the plan was made with another model, or it has changed since: plan again",
+            names_.model);
+}
+
 ForwardModel StudioScene::model_of(const Eigen::VectorXf& e) const {
   const Eigen::Index size = network_ && network_->family ? network_->family->size() : 0;
   refuse_if(size == 0 || e.size() != size, "e: {} numbers; the model's family has {}", e.size(),

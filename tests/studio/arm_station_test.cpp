@@ -214,6 +214,15 @@ TEST_F(ArmStationTest, WhatVerifyTakesLiesBesideARunsRecording) {
   EXPECT_FALSE(std::filesystem::exists(plans / "01.json")) << "open loop";
 }
 
+TEST_F(ArmStationTest, MovesNothingWhereTheModelIsAnotherThanThePlans) {
+  const auto arm = station("false");
+  const std::string lease = arm->arm();
+  ArmRunJob changed = job();
+  changed.found.plan.model_hash = "0";
+  EXPECT_THAT(arm->run(lease, changed), IsEmpty());
+  EXPECT_THAT(wait_for(*arm, "armed", lease), HasSubstr("made with another model"));
+}
+
 TEST(KeptArm, IsAModelThatTheNextPlanMayBeMadeWith) {
   const TemporaryFolder folder;
   const CompensationModel family =

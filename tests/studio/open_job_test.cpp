@@ -1,13 +1,17 @@
 #include <gmock/gmock.h>
 
 #include "limber/common/atomic_file.hpp"
+#include "limber/common/content_hash.hpp"
+#include "limber/common/data_folder.hpp"
 #include "limber/common/error.hpp"
+#include "limber/planning/planner_factory.hpp"
 #include "src/studio/jobs.hpp"
 
 namespace limber {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
@@ -48,6 +52,22 @@ class OpenPlan : public ::testing::Test {
     write_plan(plan_, plan);
   }
 
+  /// Of the same problem. @param network  null: by the no-load model
+  void plan_with(const CompensationModel* network, const ValveParameters& valves) const {
+    const ArmDescription arm = load_arm(data_folder() / "arms/three_segment.yaml");
+    const ForwardModel forward =
+        network == nullptr ? ForwardModel(arm) : ForwardModel(arm, *network);
+    PlannerLimits limits;
+    limits.iterations = 500;
+    PlanSettings settings;
+    settings.room.margin_m = 0.001;
+    PlanResult result = limber::plan(arm, MotionModel(forward, ValveModel(arm, valves)),
+                                     load_environment(environment_, arm), limits, 1, settings);
+    ASSERT_TRUE(result.plan) << result.reason;
+    result.plan->model_hash = network == nullptr ? "" : file_hash(model_);
+    write_plan(plan_, *result.plan);
+  }
+
   fs::path root_ =
       fs::canonical(fs::temp_directory_path()) / ("limber_open_" + std::to_string(::getpid()));
   fs::path plan_ = root_ / "plans/saved.json";
@@ -59,6 +79,7 @@ class OpenPlan : public ::testing::Test {
 
 TEST_F(OpenPlan, FindsTheFilesThatItWasMadeFor) {
   const FoundPlan found = open();
+  EXPECT_EQ(found.request, 7U);
   EXPECT_EQ(found.scene.arm, "limber:three_segment");
   EXPECT_EQ(found.scene.model, "models/a.safetensors");
   EXPECT_EQ(found.environment.name, "arm 19");
@@ -80,6 +101,30 @@ TEST_F(OpenPlan, OfARunHasItsEnvironmentBesideIt) {
   fs::rename(environment_, root_ / "runs/first.plans/00.yaml");
   (void)open("runs/first.plans/00.json");
   EXPECT_THAT(event(), HasSubstr(R"("environment":"runs/first.plans/00.yaml")"));
+}
+
+// As `limber experiment --model` makes them.
+TEST_F(OpenPlan, OfTheNoLoadModelMayHaveANetworksValves) {
+  plan_with(nullptr, read_model(model_).valves.value());
+  for (const char* in_use : {"", "models/a.safetensors"}) {
+    const FoundPlan found = open("plans/saved.json", {"", in_use});
+    EXPECT_EQ(found.scene.model, "");
+    EXPECT_FALSE(found.plan.valves_hash.empty());
+    EXPECT_THAT(event(), HasSubstr("event: opened"));
+  }
+  fs::remove(model_);
+  EXPECT_THAT([&] { (void)open(); },
+              ThrowsMessage<InputError>(
+                  AllOf(HasSubstr("plans/saved.json: made for a network with valves (hash "),
+                        HasSubstr("which is not in the project folder"))));
+}
+
+// As limber plan --no-valves.
+TEST_F(OpenPlan, OfANetworkMayBeWithoutItsValves) {
+  const CompensationModel network = read_model(model_);
+  ASSERT_TRUE(network.valves);
+  plan_with(&network, {});
+  EXPECT_EQ(open().scene.model, "models/a.safetensors");
 }
 
 TEST_F(OpenPlan, NamesWhatIsMissing) {
