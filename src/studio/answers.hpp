@@ -55,4 +55,11 @@ inline httplib::Server::HandlerResponse refuse(httplib::Response& response, int 
   return httplib::Server::HandlerResponse::Handled;
 }
 
+/// @param why_not  empty: it is done
+inline void require_done(const std::string& why_not, httplib::Response& response) {
+  if (!why_not.empty()) {
+    refuse(response, kConflict, why_not);
+  }
+}
+
 }  // namespace limber

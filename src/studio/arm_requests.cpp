@@ -8,13 +8,6 @@ namespace {
 
 using httplib::Response;
 
-/// @param why_not  empty: it is done
-void require_done(const std::string& why_not, Response& response) {
-  if (!why_not.empty()) {
-    refuse(response, kConflict, why_not);
-  }
-}
-
 void require(bool done, Response& response) {
   require_done(done ? "" : "this page has not armed the arm, or not any more", response);
 }
@@ -36,12 +29,12 @@ void run(ArmStation& station, Tabs& tabs, const JsonReader& body, Response& resp
   job.drop_obstacle = body.at("obstacle").boolean();
   std::optional<FoundPlan> found;
   tabs.with(body.at("tab").text(), [&](Tab& tab) { found = tab.found(); });
-  if (!found) {
-    refuse(response, kConflict, "there is no certified plan to run");
-    return;
+  std::string why_not = why_not_shown(found, body);
+  if (why_not.empty()) {
+    job.found = *std::move(found);
+    why_not = station.run(body.at("lease").text(), std::move(job));
   }
-  job.found = *std::move(found);
-  require_done(station.run(body.at("lease").text(), std::move(job)), response);
+  require_done(why_not, response);
 }
 
 }  // namespace

@@ -43,7 +43,6 @@ SceneNames scene_of(const JsonReader& body) {
 }
 
 std::uint64_t request_of(const JsonReader& body) {
-  constexpr std::uint64_t kMaxRequest = std::uint64_t{1} << 53U;
   return body.at("request").count(kMaxRequest);
 }
 
@@ -204,12 +203,13 @@ class Studio::Server {
     });
     post("/api/plan/save", [this](const JsonReader& body, Response& response) {
       std::optional<FoundPlan> found;
-      with_tab(body, response, [&](Tab& tab) { found = tab.found(); });
-      if (found) {
+      with_tab(body, response, [&](Tab& tab) {
+        found = tab.found();
+        require_done(why_not_shown(found, body), response);
+      });
+      if (response.status == -1) {
         save("plans", ".json", body, response,
              [&](const fs::path& path) { write_plan(path, found->plan); });
-      } else if (response.status == -1) {
-        refuse(response, kConflict, "there is no certified plan to save");
       }
     });
   }
@@ -234,10 +234,9 @@ class Studio::Server {
       const RunJob job{request_of(body), body.at("replan").boolean(),
                        body.at("obstacle").boolean()};
       with_tab(body, response, [&](Tab& tab) {
-        if (tab.found()) {
+        require_done(why_not_shown(tab.found(), body), response);
+        if (response.status == -1) {
           tab.post(job);
-        } else {
-          refuse(response, kConflict, "there is no certified plan to run");
         }
       });
     });

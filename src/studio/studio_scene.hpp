@@ -41,7 +41,7 @@ class StudioScene {
   bool has_virtual_arm() const { return arm_.command.is_pressure_kpa(); }
   /// @throws InputError, with the command that makes it one arm's, if the model is a family's.
   void require_one_arm() const;
-  /// @throws InputError unless model_hash() is that of a plan: its file may have been written since.
+  /// @throws InputError unless that is model_hash(): the file may have been written since.
   void require_model(const std::string& hash) const;
   /// The model of another arm of its family. @throws InputError unless e has the family's size.
   ForwardModel model_of(const Eigen::VectorXf& e) const;

@@ -129,6 +129,15 @@ const StudioScene& Tab::scene(const SceneNames& names) {
   return *scene_;
 }
 
+std::string why_not_shown(const std::optional<FoundPlan>& found, const JsonReader& body) {
+  if (!found) {
+    return "there is no certified plan";
+  }
+  return body.has("plan") && body.at("plan").count(kMaxRequest) != found->request
+             ? "the studio has another plan than this page shows: plan again, or open it again"
+             : "";
+}
+
 std::string Tabs::open() {
   const std::lock_guard lock(mutex_);
   if (tabs_.size() >= kMax) {

@@ -52,6 +52,12 @@ class Tab {
   std::thread worker_;                        // last: it uses all of the above
 };
 
+inline constexpr std::uint64_t kMaxRequest = std::uint64_t{1} << 53U;  // exact in JavaScript
+
+/// What keeps a tab's plan from being the one that its page shows; empty: it is.
+/// @param body  a request; `plan`, where it has one, is the number of the request that found it
+std::string why_not_shown(const std::optional<FoundPlan>& found, const JsonReader& body);
+
 /// All open tabs by their number. A browser holds six connections to one address and an event
 /// stream takes one of them: two are left, for the renewal of a lease and for VENT.
 /// Threads: any.

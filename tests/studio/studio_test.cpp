@@ -330,6 +330,17 @@ TEST_F(StudioServer, APageGetsACertifiedPlanAndSavesIt) {
   EXPECT_TRUE(read_plan(folder_ / "project/plans/first.json").certified);
   EXPECT_EQ(read_plan(folder_ / "project/plans/first.json").margin_m, 0.001);
 
+  nlohmann::json other = save;
+  other["plan"] = 6;
+  EXPECT_THAT(post("/api/plan/save", other.dump()),
+              AllOf(StartsWith("HTTP/1.1 409"), HasSubstr("another plan than this page shows")));
+  const nlohmann::json run = {{"tab", request["tab"]},
+                              {"request", 10},
+                              {"plan", 6},
+                              {"replan", false},
+                              {"obstacle", false}};
+  EXPECT_THAT(post("/api/run", run.dump()), StartsWith("HTTP/1.1 409"));
+
   save["arm"] = request["arm"];
   save["environment"] = request["environment"];
   EXPECT_THAT(post("/api/environment", save.dump()), HasSubstr("environments/first.yaml"));
@@ -343,7 +354,8 @@ TEST_F(StudioServer, APageGetsACertifiedPlanAndSavesIt) {
   EXPECT_THAT(page.read_until("\"environments/first.yaml\""),
               HasSubstr("event: opened\ndata: {\"request\":9,\"arm\":\"limber:three_segment\","
                         "\"model\":\"\",\"environment\":\"environments/first.yaml\""));
-  const nlohmann::json again = {{"tab", request["tab"]}, {"name", "again"}, {"overwrite", false}};
+  const nlohmann::json again = {
+      {"tab", request["tab"]}, {"plan", 9}, {"name", "again"}, {"overwrite", false}};
   EXPECT_THAT(post("/api/plan/save", again.dump()), HasSubstr("plans/again.json"));
   EXPECT_EQ(read_file(folder_ / "project/plans/again.json"),
             read_file(folder_ / "project/plans/first.json"));

@@ -54,6 +54,7 @@ export type Tube = {
 };
 export type Plan = {
   request: number;
+  opened?: number; // by this request; none: it was searched for
   time_s?: number;
   first_s?: number; // none: it was opened, not searched for
   warnings?: string[]; // of one that was opened; else the search's result has them

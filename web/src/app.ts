@@ -174,13 +174,14 @@ export class App {
 
   /**
    * An arm and an environment for it: both, or where one is refused neither.
+   * @param isWanted  asked once they are there
    * @return whether they are open: nothing else was chosen meanwhile
    */
-  async open(armName: string, environmentName: string, environment: Environment | null = null): Promise<boolean> {
+  async open(armName: string, environmentName: string, environment: Environment | null = null, isWanted = () => true): Promise<boolean> {
     const choice = ++this.choice;
     const arm = armName === this.armName ? this.arm : await get<Arm>('arm', { name: armName });
     const shown = environment ?? (await get<Environment>('environment', { name: environmentName, arm: armName }));
-    if (choice !== this.choice) return false;
+    if (choice !== this.choice || !isWanted()) return false;
     this.forget();
     if (arm !== this.arm) {
       const { length_m } = arm;

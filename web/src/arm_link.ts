@@ -1,7 +1,7 @@
 import { type ArmFrame, type ArmStatus, post, vent } from './api';
 import type { RunOptions } from './motion';
 
-export type ArmRun = RunOptions & { limit_scale: number };
+export type ArmRun = RunOptions & { limit_scale: number; plan?: number };
 
 /**
  * The arm behind the driver, as this page sees it. Who arms it holds a lease, renewed by a worker;

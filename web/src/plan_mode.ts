@@ -255,9 +255,10 @@ export class PlanMode implements Mode {
   private async savePlan(): Promise<void> {
     const { app } = this;
     const name = this.name.value;
+    const { number } = app.planner; // another plan may be there when the environment is saved
     const environment = app.isChanged || !app.isInFile ? await this.saveEnvironment() : '';
     if (environment === null) return;
-    const plan = await this.save('plan/save', {}, name);
+    const plan = await this.save('plan/save', { plan: number }, name);
     if (plan !== null) this.list('plans', plan);
     this.said(plan, environment);
   }

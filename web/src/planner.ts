@@ -44,6 +44,10 @@ export class LivePlanner {
   get isCurrent(): boolean {
     return this.plan !== null && this.plan.request === this.request && this.awaited === 0;
   }
+  /** The studio's number of the plan: of the request that found or opened it. */
+  get number(): number | undefined {
+    return this.plan?.opened ?? this.plan?.request;
+  }
   /** When the event happened that the plan answers. [ms of performance.now] */
   get askedAt_ms(): number {
     return this.asked_ms;
@@ -100,9 +104,14 @@ export class LivePlanner {
   giveUp(): void {
     if (this.awaited !== 0) this.forget();
   }
-  /** @return whether that was the plan to be opened: the one before is current again */
-  refuse(request: number): boolean {
+  /**
+   * The plan before is current again.
+   * @param mayBeOpen  in the studio: then the one before is no more
+   * @return whether that was the plan to be opened
+   */
+  refuse(request: number, mayBeOpen = false): boolean {
     if (!this.isAwaited(request)) return false;
+    if (mayBeOpen) this.giveUp();
     this.awaited = 0;
     this.changed();
     return true;
@@ -117,7 +126,7 @@ export class LivePlanner {
   /** One that was opened. */
   take(plan: Plan): void {
     this.awaited = 0;
-    this.onPlan({ ...plan, request: ++this.request });
+    this.onPlan({ ...plan, opened: plan.request, request: ++this.request });
   }
   onPlan(plan: Plan): void {
     if (plan.request !== this.request) return;

@@ -75,7 +75,7 @@ export class PlayMode implements Mode {
     const { app } = this;
     app.refresh();
     const request = ++this.request;
-    void app.attempt(() => post<void>('run', { tab: app.tab, request, ...possible(this.options, app.model) })
+    void app.attempt(() => post<void>('run', { tab: app.tab, request, plan: app.planner.number, ...possible(this.options, app.model) })
       .catch((error: Error) => this.onFault(request, error.message)));
   }
 
@@ -133,7 +133,7 @@ export class PlayMode implements Mode {
       this.trail = [];
       this.armRun = { plan: app.planner.plan, environment: app.environment, motion: null };
       this.player.seek(0);
-      return void app.attempt(() => armLink.run({ ...possible(this.options, app.model), limit_scale: this.armPanel.limitScale }));
+      return void app.attempt(() => armLink.run({ ...possible(this.options, app.model), limit_scale: this.armPanel.limitScale, plan: app.planner.number }));
     }
     if (this.run) this.player.toggle();
   }

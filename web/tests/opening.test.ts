@@ -13,7 +13,11 @@ function page(answer: () => Response = () => new Response('{}')) {
     tab: 't', armName: 'a', model: '', isInFile: true, environment: { name: 'e' }, linked: [] as unknown[], said: '',
     project: { environments: ['environments/mine.yaml'] },
     planner: new LivePlanner(() => 't', () => {}),
-    open: async () => {
+    meanwhile: () => {}, // while the arm and the environment are on their way
+    open: async (_arm: string, _environment: string, _link: null, isWanted: () => boolean) => {
+      await Promise.resolve();
+      app.meanwhile();
+      if (!isWanted()) return false;
       app.planner.forget();
       return true;
     },
@@ -24,7 +28,7 @@ function page(answer: () => Response = () => new Response('{}')) {
   app.planner.take({ cost_kpa: 1 } as never);
   const opening = new Opening(app as never);
   const opened = (environment: string) =>
-    opening.onOpened({ request: sent[0].request, arm: 'a', model: 'm', environment, plan: { cost_kpa: 2 } as never });
+    opening.onOpened({ request: sent[0].request, arm: 'a', model: 'm', environment, plan: { request: sent[0].request, cost_kpa: 2 } as never });
   return { app, opening, sent, opened };
 }
 
@@ -37,6 +41,7 @@ it('a plan is opened with what it was made for, and stands as if it were found h
   expect(app.planner.isCurrent).toBe(false);
   await opened('environments/mine.yaml');
   expect([app.planner.plan?.cost_kpa, app.planner.isCurrent, app.model, app.isInFile]).toEqual([2, true, 'm', true]);
+  expect(app.planner.number).toBe(sent[0].request);
   expect(app.linked).toEqual([null]);
   expect(follows).toHaveBeenCalledOnce();
 });
@@ -66,4 +71,52 @@ it('a plan that nobody waits for any more is not shown', async () => {
   await opened('environments/mine.yaml');
   expect(app.planner.plan).toBeNull();
   expect(follows).not.toHaveBeenCalled();
+});
+
+it('where nobody knows whether it was opened, the one before is no more', async () => {
+  const { app, opening } = page(() => {
+    throw new Error('lost');
+  });
+  opening.ask('plans/a.json', () => {});
+  await vi.waitFor(() => expect(app.said).toBe('The studio does not answer.'));
+  expect([app.planner.plan, app.planner.isAwaited(2 ** 32 + 1)]).toEqual([null, false]);
+});
+
+it('another plan that is opened while the first one’s scene comes is the one that is shown', async () => {
+  const { app, opening, sent, opened } = page();
+  const [first, second] = [vi.fn(), vi.fn()];
+  opening.ask('plans/a.json', first);
+  await vi.waitFor(() => expect(sent).toHaveLength(1));
+  app.meanwhile = () => opening.ask('plans/b.json', second);
+  await opened('environments/mine.yaml');
+  expect([app.planner.isCurrent, app.planner.plan?.cost_kpa, app.model]).toEqual([false, undefined, '']);
+  await vi.waitFor(() => expect(sent).toHaveLength(2));
+  app.meanwhile = () => {};
+  sent.shift();
+  await opened('environments/mine.yaml');
+  expect(app.planner.number).toBe(sent[0].request);
+  expect(first).not.toHaveBeenCalled();
+  expect(second).toHaveBeenCalledOnce();
+});
+
+it('an obstacle that is dragged meanwhile stays, and its plan is awaited', async () => {
+  const { app, opening, sent, opened } = page();
+  const follows = vi.fn();
+  opening.ask('plans/a.json', follows);
+  await vi.waitFor(() => expect(sent).toHaveLength(1));
+  app.meanwhile = () => app.planner.ask({ environment: { name: 'dragged' } } as never, 0);
+  await opened('environments/mine.yaml');
+  expect([app.planner.searching, app.planner.isCurrent, app.model]).toEqual([true, false, '']);
+  expect(follows).not.toHaveBeenCalled();
+});
+
+it('where its scene is refused, no plan is left', async () => {
+  const { app, opening, sent, opened } = page();
+  opening.ask('plans/a.json', () => {});
+  await vi.waitFor(() => expect(sent).toHaveLength(1));
+  app.meanwhile = () => {
+    throw new Error('gone');
+  };
+  await expect(opened('environments/mine.yaml')).rejects.toThrow('gone');
+  expect([app.planner.plan, app.planner.isAwaited(sent[0].request)]).toEqual([null, false]);
 });

@@ -29,13 +29,15 @@ it('a file is replaced under the name that was asked about, whatever is typed me
 it('a plan is saved with its environment where no file has that', async () => {
   fakePage();
   const sent: string[] = [];
-  vi.stubGlobal('fetch', async (path: string) => {
+  vi.stubGlobal('fetch', async (path: string, { body }: { body: string }) => {
     sent.push(path);
+    if (path === '/api/plan/save') expect(JSON.parse(body).plan).toBe(7);
     return new Response(`{"name": "${path}"}`);
   });
   const said: string[] = [];
   const app = {
     project: { environments: [], plans: [] }, environment: {}, isChanged: true, isInFile: true, say: (text: string) => said.push(text), link: () => {},
+    planner: { number: 7 },
     history: { change: () => {} },
   };
   const mode = new PlanMode(app as never) as unknown as { savePlan: () => Promise<void>; name: { isConnected: boolean } };
