@@ -104,7 +104,7 @@ void JsonReader::refuse_found(const std::string& message) const {
 
 JsonReader JsonReader::at(const char* key) const {
   std::string field = field_.empty() ? key : fmt::format("{}.{}", field_, key);
-  refuse_if(!has(key), "{}: {}: missing", file_, field);
+  limber::refuse_if(!has(key), "{}: {}: missing", file_, field);  // of the part, not of this
   return {value_.at(key), file_, std::move(field)};
 }
 

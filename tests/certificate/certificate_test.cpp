@@ -323,6 +323,7 @@ TEST(Certificate, ItsSourcesIncludeNothingThatThePlannerComputesWith) {
                                          "limber/common/cpu_level.hpp",
                                          "limber/common/error.hpp",
                                          "limber/common/interrupt.hpp",
+                                         "limber/common/refuse_if.hpp",
                                          "limber/common/units.hpp",
                                          "limber/network/compensation_model.hpp",
                                          "limber/certificate/certificate.hpp",
