@@ -13,6 +13,7 @@
 #include "limber/common/file_format.hpp"
 #include "limber/common/filesystem.hpp"
 #include "limber/common/mapped.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/utf8.hpp"
 
 namespace limber {
