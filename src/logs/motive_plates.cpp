@@ -159,7 +159,7 @@ Eigen::MatrixXd unit_quaternions(const CsvReader& csv, const std::string& object
                                  const std::vector<double>& time_s, Eigen::MatrixXd rotation) {
   for (Eigen::Index t = 0; t < rotation.rows(); ++t) {
     const double length = rotation.row(t).norm();
-    if (std::isfinite(length) && std::abs(length - 1.0) > kUnitMiss) {
+    if (!std::isnan(length) && std::abs(length - 1.0) > kUnitMiss) {  // NaN: not seen
       csv.refuse(1,
                  fmt::format("the rotation of '{}' at {} s is ({}, {}, {}, {}), of length {:.4g}; "
                              "expected a unit quaternion X, Y, Z, W",
