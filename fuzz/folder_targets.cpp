@@ -14,11 +14,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What `limber experiment` left in a project, as the studio reads it: the table, kPartBreak, and a
-/// trial that it shows.
-constexpr std::string_view kPartBreak = "\n=====\n";
 constexpr const char* kTrialFile = "x/trials/hard_051_network_1.json";
 
+/// What `limber experiment` left in a project, as the studio reads it: the table, kBreak, and a
+/// trial that it shows.
 void read_experiment(const Input& input) {
   static const fs::path project = [] {
     fs::path path = scratch_folder() / "project_of_results";
@@ -26,10 +25,9 @@ void read_experiment(const Input& input) {
     write_file_atomically(path / "x/experiment.json", "{}");
     return path;
   }();
-  const std::size_t end = std::min(input.bytes.find(kPartBreak), input.bytes.size());
-  write_file_atomically(project / "x/table.json", input.bytes.substr(0, end));
-  write_file_atomically(project / kTrialFile,
-                        input.bytes.substr(std::min(end + kPartBreak.size(), input.bytes.size())));
+  const auto [table, trial] = two_files(input.bytes);
+  write_file_atomically(project / "x/table.json", table);
+  write_file_atomically(project / kTrialFile, trial.value_or(""));
   const ProjectFolder folder(project);
   const ExperimentFolder experiment(folder, "x");
   (void)experiment.rows().dump();

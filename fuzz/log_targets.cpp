@@ -18,9 +18,6 @@ namespace limber::fuzz {
 
 namespace {
 
-/// Stands between a mapping and the log, in one input.
-constexpr std::string_view kBreak = "\n=====\n";
-
 const ArmDescription& one_segment() {
   static const ArmDescription arm = sample_arm(1);
   return arm;
@@ -49,11 +46,11 @@ template <class Import>
 void import(const Input& input, const ArmDescription& arm, ImportOptions options,
             Import&& import_logs) {
   options.mapping = default_import_mapping(arm);
-  const std::size_t end = input.bytes.find(kBreak);
-  if (end != std::string_view::npos) {
+  const auto [first, second] = two_files(input.bytes);
+  if (second) {
     const auto mapping = scratch_folder() / "map.log.csv";  // a refusal of it names log.csv, too
-    write_file_atomically(mapping, input.bytes.substr(0, end));
-    write_file_atomically(input.file, input.bytes.substr(end + kBreak.size()));
+    write_file_atomically(mapping, first);
+    write_file_atomically(input.file, *second);
     options.mapping = read_import_mapping(mapping, arm);
   }
   const ImportResult result = import_logs({input.file}, options, arm);
@@ -101,11 +98,10 @@ void import_takes_in_space(const Input& input) {
 
 /// A mapping of an arm's own commands, kBreak and a log.
 void find_shares(const Input& input) {
-  const std::size_t end = std::min(input.bytes.find(kBreak), input.bytes.size());
+  const auto [first, second] = two_files(input.bytes);
   const auto mapping = scratch_folder() / "map.log.csv";
-  write_file_atomically(mapping, input.bytes.substr(0, end));
-  write_file_atomically(input.file,
-                        input.bytes.substr(std::min(end + kBreak.size(), input.bytes.size())));
+  write_file_atomically(mapping, first);
+  write_file_atomically(input.file, second.value_or(""));
   naming(input.file, [&] {
     const CommandShares shares = find_command_shares({input.file}, mapping, one_segment());
     (void)to_text(shares, one_segment());

@@ -92,6 +92,14 @@ std::string run(const Target& target, std::string_view bytes) {
   }
 }
 
+TwoFiles two_files(std::string_view bytes) {
+  const std::size_t end = bytes.find(kBreak);
+  if (end == bytes.npos) {
+    return {bytes, std::nullopt};
+  }
+  return {bytes.substr(0, end), bytes.substr(end + kBreak.size())};
+}
+
 const std::filesystem::path& scratch_folder() {
   static const ScratchFolder folder;
   return folder.path();

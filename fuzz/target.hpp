@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,15 @@ struct Input {
   std::string_view bytes;
   std::filesystem::path file;
 };
+
+/// Stands between the two files of an input that holds two.
+inline constexpr std::string_view kBreak = "\n=====\n";
+
+struct TwoFiles {
+  std::string_view first;
+  std::optional<std::string_view> second;  ///< none: there is no kBreak
+};
+TwoFiles two_files(std::string_view bytes);
 
 /// Something that reads bytes from outside. It may refuse them with an InputError, and in no other
 /// way. Whatever else it throws, a crash, a hang and an allocation beyond measure are findings.

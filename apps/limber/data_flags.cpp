@@ -117,12 +117,11 @@ EpisodeChoice choose_sliced(OutlinedRecordings outlines, double fraction, std::u
   std::vector<Place> learnt;
   auto held = data.held_back.begin();
   for (int i = 0; i < int(outlines.places.size()); ++i) {
-    const auto at = std::size_t(i);
     if (held != data.held_back.end() && *held == i) {
-      choice.validation.push_back(outlines.all.names[at]);
+      choice.validation.push_back(outlines.all.names[i]);
       ++held;
     } else {
-      learnt.push_back(outlines.places[at]);
+      learnt.push_back(outlines.places[i]);
     }
   }
   data.validation = read_at(outlines.places, data.held_back, reader);

@@ -162,29 +162,31 @@ std::vector<std::string> leave_out_broken(const ArmDescription& arm,
                                           std::initializer_list<NamedEpisodes*> parts) {
   // Of one arm each: those of a virtual arm have others to compare with only where these are of the
   // same physics.
-  std::map<std::string, std::vector<Episode>> arms;
+  struct Arm {
+    std::vector<Episode> episodes;
+    EpisodeErrors errors;  // none: too little to fit to
+    std::size_t told = 0;  // so many of them
+  };
+  std::map<std::string, Arm> arms;
   for (const NamedEpisodes* part : parts) {
     for (const Episode& episode : part->episodes) {
-      arms[episode.physics].push_back(episode);
+      arms[episode.physics].episodes.push_back(episode);
     }
   }
-  std::map<std::string, EpisodeErrors> errors;
-  for (const auto& [physics, episodes] : arms) {
-    if (!arm.is_spatial() || is_enough_for_space_fit(episodes)) {
-      errors[physics] = episode_errors(arm, episodes);
+  for (auto& [physics, one] : arms) {
+    if (!arm.is_spatial() || is_enough_for_space_fit(one.episodes)) {
+      one.errors = episode_errors(arm, one.episodes);
     }
   }
-  std::map<std::string, std::size_t> next;
   std::vector<std::string> broken;
   for (NamedEpisodes* part : parts) {
     NamedEpisodes whole;
     for (std::size_t k = 0; k < part->episodes.size(); ++k) {
-      const std::string& physics = part->episodes[k].physics;
-      const EpisodeErrors& all = errors[physics];
-      const std::size_t i = next[physics]++;
-      if (i < all.episodes.size() && all.episodes[i].is_outlier) {
+      Arm& own = arms[part->episodes[k].physics];
+      const std::size_t i = own.told++;
+      if (i < own.errors.episodes.size() && own.errors.episodes[i].is_outlier) {
         broken.push_back(fmt::format("{} ({}; the middle one has {:.1f} cm)", part->names[k],
-                                     all.episodes[i].why, all.median_cm));
+                                     own.errors.episodes[i].why, own.errors.median_cm));
       } else {
         whole.names.push_back(std::move(part->names[k]));
         whole.episodes.push_back(std::move(part->episodes[k]));

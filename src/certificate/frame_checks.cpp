@@ -155,15 +155,14 @@ class FrameChecks {
   void check_limits() {
     for (std::size_t k = 0; k < plan_.frames.size(); ++k) {
       for (Eigen::Index i = 0; i < plan_.frames[k].setpoint_kpa.size(); ++i) {
-        const auto segment = std::size_t(i);
         const double pressure = double(plan_.frames[k].setpoint_kpa[i]);
-        const PressureLimits& own = arm_.segments[segment].pressure_limit_kpa;
+        const PressureLimits& own = arm_.segments[i].pressure_limit_kpa;
         const bool is_in_own = is_within(pressure, own);
-        if (!is_in_own || (!plan_.limits.empty() && !is_within(pressure, plan_.limits[segment]))) {
+        if (!is_in_own || (!plan_.limits.empty() && !is_within(pressure, plan_.limits[i]))) {
           fail("limits", k,
                fmt::format("{} at {} {unit}; {} limits are {} {unit}", segment_name(i), pressure,
                            is_in_own ? "the plan's own" : "its",
-                           to_string(is_in_own ? plan_.limits[segment] : own),
+                           to_string(is_in_own ? plan_.limits[i] : own),
                            fmt::arg("unit", arm_.command.unit)));
           return;
         }

@@ -38,10 +38,9 @@ double turn_error(const SimpleModel& model, const ArmDescription& arm, const Epi
   for (const int t : tracked_frames(episode)) {
     Eigen::Index column = 2;
     for (int i = 0; i < arm.segment_count(); ++i) {
-      const auto at = std::size_t(i);
-      const Eigen::Index end = column + kPoseSize * arm.segments[at].gaps;
+      const Eigen::Index end = column + kPoseSize * arm.segments[i].gaps;
       const double seen = double(episode.backbone(t, end) - episode.backbone(t, column));
-      const SimpleSegment& segment = model.segments[at];
+      const SimpleSegment& segment = model.segments[i];
       squares += std::pow(seen - segment.gain * told(t, i) - segment.offset_rad, 2);
       column = end;
       ++count;

@@ -42,8 +42,7 @@ void require_gaps(const Episode& episode, const ArmDescription& arm, double slac
                   const std::string& where) {
   const std::vector<double> rest_m = rest_positions_m(arm);
   for (int plate = 0; plate + 1 < arm.point_count(); ++plate) {
-    const auto p = std::size_t(plate);
-    const double expected_m = rest_m[p + 1] - rest_m[p];
+    const double expected_m = rest_m[plate + 1] - rest_m[plate];
     const double found_m = median_gap_m(episode, plate);
     const double high_m = slack * kMaxTrackedGap * expected_m;
     const double low_m = kMinTrackedGap / slack * expected_m;

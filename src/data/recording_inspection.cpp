@@ -342,9 +342,8 @@ TransitionCoverage transition_coverage(const Recording& recording,
     // Frame 0 stands for the configuration that the first motion leaves.
     std::optional<Corner> from = corner_at(episode, 0, limits_kpa);
     for (int t = 1; t < episode.frame_count(); ++t) {
-      const auto frame = std::size_t(t);
-      const bool ends = t + 1 == episode.frame_count() ||
-                        episode.motion_index[frame + 1] != episode.motion_index[frame];
+      const bool ends =
+          t + 1 == episode.frame_count() || episode.motion_index[t + 1] != episode.motion_index[t];
       if (!ends) {
         continue;
       }

@@ -128,15 +128,14 @@ void look_at_distances(const Recording& recording, const ArmDescription* arm,
   const std::vector<double> rest = arm != nullptr ? rest_positions_m(*arm) : std::vector<double>();
   for (int plate = 0; plate + 1 < recording.point_count; ++plate) {
     const double distance_m = median_distance_m(recording, plate);
-    const auto p = std::size_t(plate);
     if (distance_m < kSamePlace_m) {
       suspicions.add("two plates at the same place", 0, 0, plates_of_gap(plate));
-    } else if (arm != nullptr && (distance_m > kMaxGapStretch * (rest[p + 1] - rest[p]) ||
-                                  distance_m < kMinGapStretch * (rest[p + 1] - rest[p]))) {
+    } else if (arm != nullptr && (distance_m > kMaxGapStretch * (rest[plate + 1] - rest[plate]) ||
+                                  distance_m < kMinGapStretch * (rest[plate + 1] - rest[plate]))) {
       suspicions.add("plates whose distance is not the arm file's (another unit, order or arm?)", 0,
                      0,
                      fmt::format("{}: {:.4g} m, {:.4g} m by the arm file", plates_of_gap(plate),
-                                 distance_m, rest[p + 1] - rest[p]));
+                                 distance_m, rest[plate + 1] - rest[plate]));
     }
   }
 }

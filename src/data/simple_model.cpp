@@ -102,9 +102,8 @@ FrameMatrix predict(const SimpleModel& model, const ArmDescription& arm, const E
     Pose pose;
     Eigen::Index column = kPoseSize;
     for (int i = 0; i < arm.segment_count(); ++i) {
-      const auto at = std::size_t(i);
-      const SimpleSegment& segment = model.segments[at];
-      const int gaps = arm.segments[at].gaps;
+      const SimpleSegment& segment = model.segments[i];
+      const int gaps = arm.segments[i].gaps;
       const double turn_rad = (segment.gain * turns(t, i) + segment.offset_rad) / gaps;
       const double length_m = no_load.segment_shape(i, commands(t, i)).length_m;
       const Pose step = arc(segment.length_ratio * length_m / gaps, turn_rad);

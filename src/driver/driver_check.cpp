@@ -168,13 +168,12 @@ class Check {
   void step(int segment, double sign) {
     const double wanted = kStepShare * limit_kpa(segment, sign);
     const std::size_t first = hold(alone(segment, wanted), kStepS);
-    const auto s = std::size_t(segment);
     std::vector<double> moved_kpa = readings(segment, first);
     for (double& kpa : moved_kpa) {
-      kpa -= result_.zero_kpa[s];
+      kpa -= result_.zero_kpa[segment];
     }
     StepResponse response =
-        step_response(moved_kpa, arm_.frame_period_s(), wanted, result_.noise_kpa[s]);
+        step_response(moved_kpa, arm_.frame_period_s(), wanted, result_.noise_kpa[segment]);
     response.channel = segment;
     result_.steps.push_back(response);
     ramp_down(alone(segment, wanted));

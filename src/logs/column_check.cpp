@@ -29,8 +29,7 @@ double agreement(const LevelCorrelations& levels, const ArmDescription& arm, Eig
 
 void find_undecidable(const LevelCorrelations& levels, double given, Eigen::Index i,
                       FittedColumn& segment) {
-  const auto at = std::size_t(i);
-  if (!levels.turned[at]) {
+  if (!levels.turned[i]) {
     segment.undecidable = Undecidable::turned_little;
   } else if (!levels.changed[segment.column]) {
     segment.undecidable = Undecidable::told_little;
@@ -44,7 +43,7 @@ void find_undecidable(const LevelCorrelations& levels, double given, Eigen::Inde
     const std::vector<Eigen::Index> order = best_assignment(others);
     if (given - assigned_sum(others, order) < kDecisive) {
       segment.undecidable = Undecidable::told_alike;
-      segment.alike = order[at];
+      segment.alike = order[i];
     }
   }
 }

@@ -209,10 +209,9 @@ LevelCorrelations correlate_levels(const LevelTable& levels, const ArmDescriptio
   std::vector<Eigen::VectorXd> turn_memory;
   std::vector<Eigen::VectorXd> command_memory;
   for (Eigen::Index i = 0; i < n; ++i) {
-    const auto at = std::size_t(i);
-    result.turned[at] = turn.col(i).norm() > kMinTurn_rad * std::sqrt(double(turn.rows()));
-    result.changed[at] = command.col(i).maxCoeff() - command.col(i).minCoeff() >
-                         kMinChange * arm.segments[at].pressure_limit_kpa.half_width_kpa();
+    result.turned[i] = turn.col(i).norm() > kMinTurn_rad * std::sqrt(double(turn.rows()));
+    result.changed[i] = command.col(i).maxCoeff() - command.col(i).minCoeff() >
+                        kMinChange * arm.segments[i].pressure_limit_kpa.half_width_kpa();
     turn_memory.push_back(autocorrelation(turn.col(i), levels.run_ends));
     command_memory.push_back(autocorrelation(command.col(i), levels.run_ends));
   }

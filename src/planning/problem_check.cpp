@@ -42,9 +42,8 @@ double min_tip_radius_m(const PlanningProblem& problem, const CollisionChecker& 
   const double moved_m = std::hypot(goal.x_m - tip.x_m, goal.y_m - tip.y_m);
   const double min_moved_m = std::max(0.0, moved_m - goal.position_tolerance_m);
   const std::vector<double>& full_m = problem.tube->plate_radius_m;
-  const auto before = std::size_t(gap);
-  return checker.radius_m(gap) - std::max(full_m[before], full_m[before + 1]) +
-         full_m[before + 1] * problem.tube->growth.share_after(min_moved_m);
+  return checker.radius_m(gap) - std::max(full_m[gap], full_m[gap + 1]) +
+         full_m[gap + 1] * problem.tube->growth.share_after(min_moved_m);
 }
 
 /// Refused where no point of the goal's disc is far enough from some one obstacle: the distance to

@@ -286,10 +286,9 @@ EpochLoss EpochTrainer::train_epoch(const TrainingStage& stage,
   assert(sums.windows > 0);  // the constructor refuses stages that have none
   EpochLoss result;
   for (int member = 0; member < members_; ++member) {
-    const auto at = std::size_t(member);
-    const double mean = sums.losses[at] / double(sums.windows);
+    const double mean = sums.losses[member] / double(sums.windows);
     result.mean += mean / members_;
-    if (mean > kWorsening * state_.stage_first_loss[at]) {
+    if (mean > kWorsening * state_.stage_first_loss[member]) {
       result.diverged = member;
       result.diverged_loss = mean;
     }

@@ -62,13 +62,12 @@ void roll_out_batch(const ForwardModel& model, const std::vector<Episode>& episo
                      workspace);
     state.leftCols(active).swap(before.leftCols(active));
     for (Eigen::Index j = 0; j < active; ++j) {
-      const auto at = std::size_t(j);
       if (!state.col(j).allFinite()) {
-        ran_off[at] = 1;
+        ran_off[j] = 1;
         state.col(j).setZero();  // the model asks for finite numbers
       }
-      if (ran_off[at] == 0) {
-        const RolloutPiece& piece = pieces[at];
+      if (ran_off[j] == 0) {
+        const RolloutPiece& piece = pieces[j];
         predicted[piece.episode].row(piece.first + k + 1) = state.col(j);
       }
     }

@@ -296,11 +296,10 @@ double CollisionChecker::radius_between_m(int gap, const Eigen::Ref<const Backbo
   if (room_.growth.is_constant()) {
     return full_m;
   }
-  const auto i = std::size_t(gap);
   const double grown_m =
       std::max({grown_room_m<Scalar>(gap, from), grown_room_m<Scalar>(gap + 1, from),
                 grown_room_m<Scalar>(gap, to), grown_room_m<Scalar>(gap + 1, to)});
-  return full_m - std::max(room_.full_m[i], room_.full_m[i + 1]) + grown_m;
+  return full_m - std::max(room_.full_m[gap], room_.full_m[gap + 1]) + grown_m;
 }
 
 template <class Scalar>

@@ -156,13 +156,12 @@ class BaseFrameFit {
       const Eigen::MatrixX2d seen = gaps(unknowns, shape);
       Eigen::Index first = 0;
       for (int s = 0; s < arm_.segment_count(); ++s) {
-        const auto at = std::size_t(s);
-        const Eigen::Index count = arm_.segments[at].gaps;
+        const Eigen::Index count = arm_.segments[s].gaps;
         const Eigen::Index unknown = shortening(shape, s);
         Eigen::VectorXd along = seen.col(0).segment(first, count);
         along.array() += unknown < 0 ? 0.0 : unknowns[unknown];
         // Gaps go together by `unlike_m_`: their mean weighs less than their differences.
-        const double ratio = unlike_m_[at] / along_gap_m_;
+        const double ratio = unlike_m_[s] / along_gap_m_;
         const double mean_weight = 1.0 / std::sqrt(1.0 + double(count) * ratio * ratio);
         const double mean_m = along.mean();
         along.array() += (mean_weight - 1.0) * mean_m;

@@ -79,9 +79,8 @@ std::vector<SideMoved> sides_moved(const ArmDescription& arm, const CalibrationL
   const auto count = Eigen::Index(pulses.size());
   Eigen::MatrixXd gain(count, count);  // columns: right and left of each segment
   for (Eigen::Index k = 0; k < count; ++k) {
-    const auto at = std::size_t(k);
-    const std::vector<double> turns = turns_of(arm, pulses[at]);
-    require_motion(log.pulses[at], pulses[at], turns, noise_rad);
+    const std::vector<double> turns = turns_of(arm, pulses[k]);
+    require_motion(log.pulses[k], pulses[k], turns, noise_rad);
     for (int s = 0; s < arm.segment_count(); ++s) {
       const double turn = turns[s];
       gain(k, 2 * s) = std::log(std::max(kFloorRad, -turn));
@@ -214,16 +213,15 @@ std::vector<WireChannel> sensor_channels(const ArmDescription& arm, const Calibr
     if (!wrong.empty()) {
       throw CalibrationRefused(fmt::format("channel {}: {}", pulse.channel, wrong));
     }
-    const auto r = std::size_t(reading);
     const double sign = valves[segment].sign * direction;
-    if (segments[r] >= 0 && (segments[r] != segment || signs[r] != sign)) {
+    if (segments[reading] >= 0 && (segments[reading] != segment || signs[reading] != sign)) {
       throw CalibrationRefused(fmt::format(
           "reading {} belongs to {} in one pulse and to {} in another, or turns its sign between "
           "its sides: the two sides of a channel have to be one reading, right less left",
-          reading, segment_name(segments[r]), segment_name(segment)));
+          reading, segment_name(segments[reading]), segment_name(segment)));
     }
-    segments[r] = segment;
-    signs[r] = sign;
+    segments[reading] = segment;
+    signs[reading] = sign;
   }
   for (std::size_t r = 0; r < segments.size(); ++r) {
     if (segments[r] < 0) {

@@ -72,10 +72,9 @@ void widen(PlateRoom& room, const Eigen::VectorXd& missed_m, double kept_m) {
   }
   bool is_wider = false;
   for (Eigen::Index plate = 0; plate < missed_m.size(); ++plate) {
-    const auto i = std::size_t(plate);
     const double more_m = missed_m[plate] - kept_m;
-    is_wider = is_wider || more_m > room.full_m[i];
-    room.full_m[i] = std::max(room.full_m[i], more_m);
+    is_wider = is_wider || more_m > room.full_m[plate];
+    room.full_m[plate] = std::max(room.full_m[plate], more_m);
   }
   if (is_wider) {
     room.growth = {};

@@ -67,8 +67,7 @@ void ShapeFeedback::forget() {
 Eigen::VectorXd ShapeFeedback::bends_rad(const Backbone& backbone) const {
   Eigen::VectorXd bends(kpa_per_rad_.size());
   for (Eigen::Index i = 0; i < bends.size(); ++i) {
-    const auto segment = std::size_t(i);
-    bends[i] = double(backbone(plates_[segment + 1], 2)) - double(backbone(plates_[segment], 2));
+    bends[i] = double(backbone(plates_[i + 1], 2)) - double(backbone(plates_[i], 2));
   }
   return bends;
 }
