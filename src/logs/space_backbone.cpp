@@ -140,7 +140,7 @@ Eigen::Matrix3d end_of_strain(const Eigen::Vector3d& omega) {
   Eigen::Matrix3d result;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     // element() is V e_x; another axis is x in a frame turned by a third about (1, 1, 1).
-    const auto turned = [axis](const Eigen::Vector3d& v, Eigen::Index by) {
+    const auto turned = [](const Eigen::Vector3d& v, Eigen::Index by) {
       return Eigen::Vector3d(v[by % 3], v[(1 + by) % 3], v[(2 + by) % 3]);
     };
     const Eigen::Vector3d end = element(1.0, turned(omega, axis)).position_m;

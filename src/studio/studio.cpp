@@ -241,7 +241,7 @@ class Studio::Server {
       });
     });
     post_job("/api/follow", [](const JsonReader& body) {
-      return FollowJob{request_of(body), scene_of(body), body.at("environment").value(),
+      return FollowJob{{request_of(body), scene_of(body)}, body.at("environment").value(),
                        tip_path_in(body)};
     });
     post("/api/drive", [this](const JsonReader& body, Response& response) {
@@ -286,7 +286,7 @@ class Studio::Server {
       return FitJob{request_of(body), scene_of(body)};
     });
     post_job("/api/measure", [](const JsonReader& body) {
-      return MeasureJob{request_of(body), scene_of(body), body.at("recording").text()};
+      return MeasureJob{{request_of(body), scene_of(body)}, body.at("recording").text()};
     });
   }
 

@@ -92,7 +92,7 @@ TEST(Statistics, QuantilesDoNotDependOnTheOrder) {
   std::vector<double> values = random_numbers(40, random);
   const double before = quantile(values, 0.37);
   for (int k = 0; k < 20; ++k) {
-    std::ranges::rotate(values, values.begin() + 1 + random.index(39));
+    std::rotate(values.begin(), values.begin() + 1 + random.index(39), values.end());
     std::swap(values[random.index(40)], values[random.index(40)]);
     EXPECT_EQ(quantile(values, 0.37), before);
   }

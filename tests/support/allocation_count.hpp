@@ -6,12 +6,20 @@
 #include <atomic>
 #include <cstdlib>
 
+#if defined(__has_feature)  // clang's way to say it
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define LIMBER_HEAP_IS_THE_SANITIZERS
+#endif
+#elif defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define LIMBER_HEAP_IS_THE_SANITIZERS
+#endif
+
 namespace limber {
 
 /// Blocks taken from the heap so far, by any thread.
 inline std::atomic<long> allocations{0};
 
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if defined(__GLIBC__) && !defined(LIMBER_HEAP_IS_THE_SANITIZERS)
 inline constexpr bool kCountsAllocations = true;
 #else
 inline constexpr bool kCountsAllocations = false;
@@ -19,7 +27,7 @@ inline constexpr bool kCountsAllocations = false;
 
 }  // namespace limber
 
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if defined(__GLIBC__) && !defined(LIMBER_HEAP_IS_THE_SANITIZERS)
 extern "C" void* __libc_malloc(std::size_t size);
 extern "C" void* __libc_memalign(std::size_t alignment, std::size_t size);
 extern "C" void* malloc(std::size_t size) {

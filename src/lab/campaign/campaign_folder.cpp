@@ -213,7 +213,9 @@ std::string CampaignFolder::identity(const CampaignUnit& unit) {
     }
   };
   for (const auto& [name, values] : unit.flags) {
-    std::ranges::for_each(values, [&](const std::string& value) { add(name, value); });
+    for (const std::string& value : values) {
+      add(name, value);
+    }
   }
   add(kArmFlag, arm_of(unit));
   if (campaign_.verb == "experiment" && values_in(unit.flags, kEnvironmentsFlag) == nullptr) {

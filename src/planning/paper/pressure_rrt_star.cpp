@@ -13,8 +13,7 @@ class RrtStarRun {
  public:
   RrtStarRun(const PlanningProblem& problem, const CollisionChecker& checker, const char* planner,
              std::uint64_t seed, PlannerBudget& budget)
-      : problem_(problem),
-        budget_(budget),
+      : budget_(budget),
         simulator_(problem.arm, problem.model, checker),
         search_(problem, simulator_, PressureRrtStarSettings(), seed),
         ladder_(problem, simulator_, budget, planner, seed) {}
@@ -61,7 +60,6 @@ class RrtStarRun {
     return result;
   }
 
-  const PlanningProblem& problem_;
   PlannerBudget& budget_;
   MotionSimulator simulator_;
   RrtStarSearch search_;
