@@ -6,7 +6,7 @@
 # Always optimised: kernels that do not stay in registers would make even the tests crawl. gcc 12 takes
 # its own _mm512_undefined_ps() for a use before initialisation.
 function(limber_cpu_level_sources variable stem)
-  set(options -O3 -ffp-contract=off -Wno-psabi -Wno-maybe-uninitialized)
+  set(options -O3 -ffp-contract=off -Wno-psabi $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   set(instructions_of_avx2 -mavx2 -mfma)
   set(instructions_of_avx512 -mavx2 -mfma -mavx512f -mavx512vl)
   set(levels baseline)

@@ -27,7 +27,7 @@ if(LIMBER_SANITIZE)
   target_compile_options(limber_private_settings INTERFACE
     -fsanitize=${LIMBER_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all
     # gcc 12 warns of its own <regex> where it is instrumented.
-    -Wno-maybe-uninitialized)
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(limber_private_settings INTERFACE -fsanitize=${LIMBER_SANITIZE})
 endif()
 

@@ -101,13 +101,30 @@ std::vector<std::string> own_command() {
   return words;
 }
 
+bool has_flag(const std::string& verb_name, const std::string& flag) {
+  CommonFlags flags;
+  for (const std::unique_ptr<Verb>& verb : all_verbs()) {
+    if (verb->name() == verb_name) {
+      CLI::App app;
+      add_common_flags(app, flags);
+      verb->add_flags(app);
+      return app.get_option_no_throw(flag) != nullptr;
+    }
+  }
+  return false;
+}
+
+/// @param command  begins with its verb. What is on unless it is said otherwise has a flag
+/// --no-NAME.
 void add_flag(std::vector<std::string>& command, const std::string& name,
               const FlagValues& values) {
   for (const std::string& value : values) {
-    command.push_back("--" + name);
-    if (value == "false") {
-      command.pop_back();
-    } else if (value != "true") {
+    if (value != "false") {
+      command.push_back("--" + name);
+    } else if (const std::string off = "--no-" + name; has_flag(command.front(), off)) {
+      command.push_back(off);
+    }
+    if (value != "false" && value != "true") {
       command.push_back(value);
     }
   }
@@ -158,8 +175,9 @@ void use_cpu_level(const Campaign& campaign) {
   }
 }
 
-std::vector<std::string> unit_command(const Campaign& campaign, const CampaignUnit& unit,
-                                      const fs::path& folder, int jobs) {
+/// The verb and the unit's own flags; its arm where the campaign changes that.
+std::vector<std::string> own_flags(const Campaign& campaign, const CampaignUnit& unit,
+                                   const fs::path& folder) {
   std::vector<std::string> command = {campaign.verb};
   const bool has_own_arm = !arm_parameters(unit).empty();
   for (const auto& [name, values] : unit.flags) {
@@ -170,6 +188,12 @@ std::vector<std::string> unit_command(const Campaign& campaign, const CampaignUn
   if (has_own_arm) {
     add_flag(command, kArm, {(folder / "arm.yaml").string()});
   }
+  return command;
+}
+
+std::vector<std::string> unit_command(const Campaign& campaign, const CampaignUnit& unit,
+                                      const fs::path& folder, int jobs) {
+  std::vector<std::string> command = own_flags(campaign, unit, folder);
   if (const char* name = out_name(campaign, unit)) {
     add_flag(command, "out", {(folder / name).string()});
   }
@@ -276,13 +300,9 @@ bool can_join_experiments(const Campaign& campaign) {
 }
 
 int join_experiments(const Campaign& campaign, CampaignFolder& folder) {
-  std::vector<std::string> command = {campaign.verb};
-  const CampaignUnit first = campaign_unit(campaign, 0);
-  for (const auto& [name, values] : first.flags) {
-    if (name != kEnvironments) {
-      add_flag(command, name, values);
-    }
-  }
+  CampaignUnit first = campaign_unit(campaign, 0);
+  std::erase_if(first.flags, [](const auto& flag) { return flag.first == kEnvironments; });
+  std::vector<std::string> command = own_flags(campaign, first, folder.unit_folder(0));
   for (std::size_t i = 0; i < unit_count(campaign); ++i) {
     add_flag(command, kEnvironments, *values_in(campaign_unit(campaign, i).flags, kEnvironments));
     add_flag(command, "join", {(folder.unit_folder(i) / kUnitExperiment).string()});

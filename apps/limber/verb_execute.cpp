@@ -194,7 +194,8 @@ class ExecuteVerb final : public Verb {
       }
     }
     for (const Disturbance& one : disturbances) {
-      if (one.kind == DisturbanceKind::obstacle || one.kind == DisturbanceKind::lost_tracking) {
+      if (one.kind == DisturbanceKind::obstacle || one.kind == DisturbanceKind::lost_tracking ||
+          one.kind == DisturbanceKind::picked_up || one.kind == DisturbanceKind::leak) {
         throw InputError(fmt::format("--disturbance {}: is sampled for a plan; not with --track",
                                      to_string(one.kind)));
       }

@@ -164,6 +164,7 @@ class ExperimentVerb final : public Verb {
     }
     settings_.limits = settings_.limits.or_default();
     take_common(flags, settings_);
+    settings_.planners = once_each(settings_.planners);
     settings_.controllers = runs_.controllers();
     settings_.disturbances = runs_.disturbances();
     settings_.with_no_load = !network_only_;

@@ -124,6 +124,9 @@ class ImproveVerb final : public Verb {
     for (const std::string& data : data_) {
       json["data"].push_back(file_hash(data));
     }
+    if (!calibration_.empty()) {
+      json["calibration"] = file_hash(calibration_);
+    }
     return json;
   }
 

@@ -6,10 +6,12 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <Eigen/Core>
 #include <nlohmann/json.hpp>
 #include <nlohmann/json_fwd.hpp>
 
 #include "limber/arm/arm_description.hpp"
+#include "limber/arm/valve_model.hpp"
 #include "limber/arm/valve_parameters.hpp"
 #include "limber/certificate/certificate.hpp"
 #include "limber/common/atomic_file.hpp"
@@ -55,6 +57,22 @@ bool has_failed(const Certificate& certificate, const char* check) {
   });
 }
 
+/// What follows a plan's set points behind these valves is what it commands.
+void give_commands(const ValveParameters& valves, const ArmDescription& arm, Plan& plan) {
+  const auto frames = Eigen::Index(plan.frames.size());
+  Eigen::MatrixXd setpoint_kpa(arm.channel_count(), frames);
+  for (Eigen::Index k = 0; k < frames; ++k) {
+    setpoint_kpa.col(k) = plan.frames[std::size_t(k)].setpoint_kpa.cast<double>();
+  }
+  const Eigen::VectorXd first_kpa =
+      valves.is_ideal() ? Eigen::VectorXd(setpoint_kpa.col(0))
+                        : Eigen::VectorXd(plan.frames.front().pressure_kpa.cast<double>());
+  const Eigen::MatrixXd kpa = ValveModel(arm, valves).run(setpoint_kpa, first_kpa);
+  for (Eigen::Index k = 0; k < frames; ++k) {
+    plan.frames[std::size_t(k)].pressure_kpa = kpa.col(k).cast<float>();
+  }
+}
+
 /// Rolls out `plan` on the network of `model_file`, by the certificate's own simulation, from its
 /// start through its set points. Obstacles need only not be touched: margins are the plan's
 /// model's business. A network that learnt from set points is asked with them.
@@ -80,7 +98,8 @@ OtherJudgement judge_by(const std::string& model_file, const Plan& plan, const A
   judgement.reaches_goal = judgement.is_shape && !has_failed(found, "goal");
   judgement.collides = judgement.is_shape && !(found.clearance_m >= Certificate::kMinClearanceM);
   if (judgement.is_shape) {
-    judgement.spread = plan_spread(plan, arm, network, environment);
+    give_commands(network.learnt_from_setpoints ? ValveParameters{} : used, arm, same_commands);
+    judgement.spread = plan_spread(same_commands, arm, network, environment);
   }
   return judgement;
 }

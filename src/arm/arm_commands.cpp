@@ -103,18 +103,19 @@ void require_own_commands(const YamlReader& node, const std::vector<ArmCommand>&
 }  // namespace
 
 std::vector<ArmCommand> read_arm_commands(const YamlReader& node, const ArmDescription& arm) {
+  const std::vector<YamlReader> elements = node.elements();
+  node.refuse_if(elements.empty() || elements.size() > kMaxCommands,
+                 "{} commands found; expected 1 to {}, or no such key where each segment "
+                 "has a command of its own",
+                 elements.size(), kMaxCommands);
   std::vector<ArmCommand> commands;
-  for (const YamlReader& element : node.elements()) {
+  for (const YamlReader& element : elements) {
     element.refuse_unknown_keys({"name", "acts_on"});
     ArmCommand command;
     command.name = read_name(element.at("name"), commands);
     command.shares = read_shares(element.at("acts_on"), arm);
     commands.push_back(std::move(command));
   }
-  node.refuse_if(commands.empty() || commands.size() > kMaxCommands,
-                 "{} commands found; expected 1 to {}, or no such key where each segment "
-                 "has a command of its own",
-                 commands.size(), kMaxCommands);
   require_own_commands(node, commands, arm);
   return commands;
 }

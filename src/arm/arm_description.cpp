@@ -223,6 +223,9 @@ ArmDescription read_arm(const YamlReader& root, PolynomialsOf polynomials) {
   }
   arm.actuator_radius_m = read_radius_m(root.at("actuator_radius_m"));
   const YamlReader segments = root.at("segments");
+  const std::vector<YamlReader> nodes = segments.elements();
+  segments.refuse_if(nodes.empty() || nodes.size() > kMaxSegments,
+                     "{} segments found; expected 1 to {}", nodes.size(), kMaxSegments);
   if (arm.is_spatial()) {
     read_space_segments(root, polynomials, arm);
   } else {
@@ -230,12 +233,10 @@ ArmDescription read_arm(const YamlReader& root, PolynomialsOf polynomials) {
       root.at("gravity").refuse("an arm in a plane lies on a table; expected no such key");
     }
     const SegmentReader reader(root, arm, polynomials);
-    for (const YamlReader& node : segments.elements()) {
+    for (const YamlReader& node : nodes) {
       arm.segments.push_back(reader.read(node));
     }
   }
-  segments.refuse_if(arm.segments.empty() || arm.segments.size() > kMaxSegments,
-                     "{} segments found; expected 1 to {}", arm.segments.size(), kMaxSegments);
   require_usable_rate(root, arm);
   if (root.has("commands")) {
     arm.commands = read_arm_commands(root.at("commands"), arm);

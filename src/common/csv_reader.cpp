@@ -60,15 +60,21 @@ bool CsvReader::next(std::vector<CsvCell>& row) {
   }
 }
 
+void CsvReader::skip_line() {
+  while (!at_line_end()) {
+    ++position_;
+  }
+  end_line();
+}
+
 void CsvReader::skip_lines_with(char first) {
   while (position_ < text_.size()) {
     const std::size_t begin = text_.find_first_not_of(" \t", position_);
     if (begin == std::string::npos || text_[begin] != first) {
       return;
     }
-    for (position_ = begin; !at_line_end(); ++position_) {
-    }
-    end_line();
+    position_ = begin;
+    skip_line();
   }
 }
 

@@ -59,7 +59,8 @@ std::string unit_suspicion(double ratio, const std::string& unit) {
       min_mismatch = mismatch;
     }
   }
-  return best == nullptr || best == given ? std::string() : fmt::format("is it in {}?", best->name);
+  const bool as_given = best == nullptr || best->size == given->size;
+  return as_given ? std::string() : fmt::format("is it in {}?", best->name);
 }
 
 }  // namespace limber

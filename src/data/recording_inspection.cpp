@@ -120,7 +120,8 @@ class EpisodeInspector {
   }
 
   void look_at_base(int t) {
-    const double base_m = (episode_.position_m(t, 0) - episode_.position_m(0, 0)).norm();
+    const int first = episode_.next_tracked(0, t);
+    const double base_m = (episode_.position_m(t, 0) - episode_.position_m(first, 0)).norm();
     if (base_m > kBaseStandsStill_m) {
       suspicions_.add("a base that has moved since the episode's start", index_, t,
                       fmt::format("{:.3f} m away", base_m));
@@ -318,7 +319,7 @@ RecordingInspection inspect(const Recording& recording, const ArmDescription* ar
   inspection.limits_kpa = limits_of(arm, inspection.pressures);
   inspection.transitions = transition_coverage(recording, inspection.limits_kpa);
   Suspicions suspicions;
-  look_at_whole(recording, arm, suspicions);
+  look_at_whole(recording, arm, inspection.limits_kpa, suspicions);
   for (std::size_t i = 0; i < recording.episodes.size(); ++i) {
     EpisodeInspector(recording, i, inspection.limits_kpa, suspicions).run();
   }

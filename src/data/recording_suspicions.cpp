@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/common/statistics.hpp"
+#include "limber/data/episode_slice.hpp"
 #include "limber/data/log_units.hpp"
 #include "limber/data/median_rate.hpp"
 
@@ -37,7 +39,8 @@ void look_at_arm(const Recording& recording, const ArmDescription& arm, Suspicio
   }
 }
 
-void look_at_constant_commands(const Recording& recording, const ArmDescription* arm,
+void look_at_constant_commands(const Recording& recording,
+                               const std::vector<PressureLimits>& limits_kpa,
                                Suspicions& suspicions) {
   for (Eigen::Index i = 0; i < recording.channel_count(); ++i) {
     float lowest = std::numeric_limits<float>::max();
@@ -46,8 +49,8 @@ void look_at_constant_commands(const Recording& recording, const ArmDescription*
       lowest = std::min(lowest, episode.pressure_kpa.col(i).minCoeff());
       highest = std::max(highest, episode.pressure_kpa.col(i).maxCoeff());
     }
-    const double limit = arm != nullptr ? arm->limits_of_channel(int(i)).half_width_kpa() : 1.0;
-    if (double(highest) - double(lowest) < kConstant * limit) {
+    const double limit = limits_kpa[std::size_t(i)].half_width_kpa();
+    if (limit == 0.0 || double(highest) - double(lowest) < kConstant * limit) {
       suspicions.add("a segment whose " + recording.command.name +
                          " never changes: nothing can be learnt about it",
                      0, 0,
@@ -113,21 +116,26 @@ void look_at_lengths(const std::vector<Episode>& episodes, Suspicions& suspicion
   }
 }
 
-double median_distance_m(const Recording& recording, int plate) {
+/// None where the arm was never tracked.
+std::optional<double> median_distance_m(const Recording& recording, int plate) {
   std::vector<double> distances;
   for (const Episode& episode : recording.episodes) {
-    for (Eigen::Index t = 0; t < episode.backbone.rows(); ++t) {
+    for (const int t : tracked_frames(episode)) {
       distances.push_back((episode.position_m(t, plate + 1) - episode.position_m(t, plate)).norm());
     }
   }
-  return median(std::move(distances));
+  return distances.empty() ? std::nullopt : std::optional(median(std::move(distances)));
 }
 
 void look_at_distances(const Recording& recording, const ArmDescription* arm,
                        Suspicions& suspicions) {
   const std::vector<double> rest = arm != nullptr ? rest_positions_m(*arm) : std::vector<double>();
   for (int plate = 0; plate + 1 < recording.point_count; ++plate) {
-    const double distance_m = median_distance_m(recording, plate);
+    const std::optional<double> found_m = median_distance_m(recording, plate);
+    if (!found_m) {
+      return;
+    }
+    const double distance_m = *found_m;
     if (distance_m < kSamePlace_m) {
       suspicions.add("two plates at the same place", 0, 0, plates_of_gap(plate));
     } else if (arm != nullptr && (distance_m > kMaxGapStretch * (rest[plate + 1] - rest[plate]) ||
@@ -142,11 +150,12 @@ void look_at_distances(const Recording& recording, const ArmDescription* arm,
 
 }  // namespace
 
-void look_at_whole(const Recording& recording, const ArmDescription* arm, Suspicions& suspicions) {
+void look_at_whole(const Recording& recording, const ArmDescription* arm,
+                   const std::vector<PressureLimits>& limits_kpa, Suspicions& suspicions) {
   if (arm != nullptr) {
     look_at_arm(recording, *arm, suspicions);
   }
-  look_at_constant_commands(recording, arm, suspicions);
+  look_at_constant_commands(recording, limits_kpa, suspicions);
   for (std::size_t i = 0; i < recording.episodes.size(); ++i) {
     look_at_episode(recording, i, suspicions);
   }

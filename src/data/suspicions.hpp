@@ -32,7 +32,9 @@ class Suspicions {
 /// What shows only in a recording as a whole, or in an episode: another arm, commands that never
 /// change, episodes too short or never tracked, frames at another rate, a base away from the
 /// origin, distances between plates that are not the arm's.
-/// @param arm  null if none was given.
-void look_at_whole(const Recording& recording, const ArmDescription* arm, Suspicions& suspicions);
+/// @param arm  null if none was given
+/// @param limits_kpa  of its commands, or the largest that were recorded
+void look_at_whole(const Recording& recording, const ArmDescription* arm,
+                   const std::vector<PressureLimits>& limits_kpa, Suspicions& suspicions);
 
 }  // namespace limber

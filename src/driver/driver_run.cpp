@@ -24,6 +24,7 @@
 #include "limber/common/seconds_since.hpp"
 #include "limber/common/utf8.hpp"
 #include "limber/common/version.hpp"
+#include "limber/run/safety_gate.hpp"
 
 namespace limber {
 
@@ -39,8 +40,6 @@ std::string who_started_this() {
   return fmt::format("{}@{}", user, host_name());
 }
 
-constexpr double kSetpointRounding = 1e-3;  // of float32 set points
-
 /// A driver that somebody else owns, for those who take one of their own.
 class BorrowedDriver final : public ArmDriver {
  public:
@@ -52,6 +51,7 @@ class BorrowedDriver final : public ArmDriver {
   }
   bool is_real_time() const override { return driver_.is_real_time(); }
   void vent() noexcept override { driver_.vent(); }
+  std::vector<PressureLimits> limits_kpa() const override { return driver_.limits_kpa(); }
 
  private:
   ArmDriver& driver_;
@@ -109,10 +109,7 @@ std::optional<ForbiddenSetpoint> first_beyond(const Plan& plan,
     for (Eigen::Index s = 0; s < setpoint.size(); ++s) {
       const double value = setpoint[s];
       const PressureLimits& sides = limits[s];
-      const bool is_within =  // no NaN is
-          value <= sides.upper_kpa + kSetpointRounding &&
-          value >= sides.lower_kpa - kSetpointRounding;
-      if (!is_within) {
+      if (!allow(sides, value, kSetpointRoundingShare * sides.largest_kpa())) {
         return ForbiddenSetpoint{k, s, value, sides};
       }
     }
@@ -153,7 +150,7 @@ std::optional<ShortReach> first_short_reach(const ArmDescription& arm, double li
     for (const double sign : {1.0, -1.0}) {
       const double wanted = limit_scale * arm.limits_of_channel(int(s)).side_kpa(sign);
       const double allowed = allowed_kpa[s].side_kpa(sign);
-      if (sign * allowed < sign * wanted - kSetpointRounding) {
+      if (sign * (wanted - allowed) > kSetpointRoundingShare * allowed_kpa[s].largest_kpa()) {
         return ShortReach{Eigen::Index(s), wanted, allowed};
       }
     }

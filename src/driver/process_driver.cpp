@@ -72,8 +72,8 @@ class ProcessDriver::Session {
     try {
       throw_if_wrong(gate_->check_command(setpoint_kpa));
       throw_if_wrong(gate_->check_in_force(state_));  // of a vent: where a run begins
+      resting_ = false;                               // a wait that is interrupted ends in a vent
       wait_for_slot();
-      resting_ = false;
       exchange(setpoint_kpa);
       throw_if_wrong(own_vent_.has_vented(state_)
                          ? "the driver has vented by itself: its set point in force is zero"

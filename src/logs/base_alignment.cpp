@@ -170,17 +170,32 @@ void add_base(PointTracks& tracks) {
 
 /// The base is bolted down: what is left of its motion is noise, unless there is too much of it.
 void settle_base(const std::vector<bool>& tracked, PointTracks& tracks, RunReport& report) {
-  std::vector<double> distances;
+  std::vector<double> x_m;
+  std::vector<double> y_m;
   for (Eigen::Index t = 0; t < tracks.row_count(); ++t) {
     if (tracked[std::size_t(t)]) {
-      distances.push_back(std::hypot(tracks.x_m(t, 0), tracks.y_m(t, 0)));
+      x_m.push_back(tracks.x_m(t, 0));
+      y_m.push_back(tracks.y_m(t, 0));
     }
+  }
+  const double middle_x_m = median(x_m);
+  const double middle_y_m = median(y_m);
+  std::vector<double> distances(x_m.size());
+  for (std::size_t i = 0; i < x_m.size(); ++i) {
+    distances[i] = std::hypot(x_m[i] - middle_x_m, y_m[i] - middle_y_m);
   }
   report.base_scatter_m = quantile(std::move(distances), kMostBaseRows);
   if (report.base_scatter_m > kBaseStandsStill_m) {
     report.note(
         "the base moves by more than 5 mm: left as it was tracked",
         fmt::format("95 % of the rows have it within {:.1f} mm", 1e3 * report.base_scatter_m));
+    return;
+  }
+  const double off_m = std::hypot(middle_x_m, middle_y_m);
+  if (off_m > kBaseStandsStill_m) {
+    report.note(
+        "the base lies more than 5 mm from where 'alignment' has it: left as it was tracked",
+        fmt::format("{:.1f} mm", 1e3 * off_m));
     return;
   }
   tracks.x_m.col(0).setZero();

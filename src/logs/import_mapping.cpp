@@ -25,7 +25,7 @@ TimeColumn read_time(const YamlReader& node) {
     node.refuse_unknown_keys({"rate_hz"});
     time = {"", 1.0, "frame"};
   } else {
-    time.column = node.at("column").text();
+    time.column = column_name(node.at("column"));
     if (node.has("rate_hz") && !(node.has("unit") && node.at("unit").text() == "frame")) {
       node.at("rate_hz").refuse("belongs to a column of frames (unit: frame), or to no column");
     }
@@ -43,7 +43,7 @@ std::vector<std::string> read_names(const YamlReader& node, std::size_t count,
                                     const std::string& each) {
   std::vector<std::string> names;
   for (const YamlReader& element : node.elements()) {
-    const std::string name = element.text();
+    const std::string name = column_name(element);
     element.refuse_if(std::find(names.begin(), names.end(), name) != names.end(),
                       "'{}' is named twice", name);
     names.push_back(name);
@@ -144,7 +144,8 @@ CommandColumns read_commands(const YamlReader& node, const std::string& key,
   const bool sided = node.has("right") && node.has("left");
   const bool setpoints_alone =
       node.has("setpoints") && !node.has("columns") && !node.has("right") && !node.has("left");
-  if (node.has("columns") == sided && !setpoints_alone) {
+  const bool one_sided = node.has("right") != node.has("left");
+  if ((node.has("columns") == sided || one_sided) && !setpoints_alone) {
     node.refuse(fmt::format(
         "expected either 'columns', signed{}, or both 'right' and 'left', one column a side; or "
         "'setpoints' alone, where nothing was measured",
@@ -184,6 +185,15 @@ PointSource read_point(const YamlReader& node) {
   node.refuse_if(sources != 1,
                  "expected one of: x and y (columns of a CSV), body, marker, or right and left "
                  "(objects of a Motive file)");
+  if (!point.body.empty()) {
+    node.refuse_unknown_keys({"plate", "body"});
+  } else if (!point.marker.empty()) {
+    node.refuse_unknown_keys({"plate", "marker"});
+  } else if (!point.right.empty() && !point.left.empty()) {
+    node.refuse_unknown_keys({"plate", "right", "left"});
+  } else {
+    node.refuse_unknown_keys({"plate", "x", "y", "theta"});
+  }
   return point;
 }
 

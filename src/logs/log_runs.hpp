@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "limber/common/filesystem.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/data/median_rate.hpp"
 #include "limber/logs/import_mapping.hpp"
 #include "limber/logs/import_report.hpp"
@@ -37,6 +38,12 @@ template <class Tracks, class WantPoints, class PointsOf>
 std::vector<RunOf<Tracks>> read_runs(const fs::path& path, const ImportMapping& mapping,
                                      const ArmDescription& arm, bool with_commands,
                                      const WantPoints& want_points, const PointsOf& points_of) {
+  refuse_if(with_commands && !(mapping.commands.time == mapping.time),
+            "{}: the mapping has the commands' times in '{}' ({}) and those of the motion in '{}' "
+            "({}), and both are in one log; expected one time, or the commands in a log of their "
+            "own: --pressures LOG",
+            path.string(), mapping.commands.time.column, mapping.commands.time.unit,
+            mapping.time.column, mapping.time.unit);
   WantedColumns wanted;
   wanted.names.push_back(mapping.time.column);
   wanted.label = mapping.recording;

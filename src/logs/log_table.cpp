@@ -44,7 +44,7 @@ class LogFile {
       : mapping_(mapping), csv_(CsvReader::from_file(path, mapping.separator)) {
     std::vector<CsvCell> row;
     for (int i = 0; i < mapping.skip_lines; ++i) {
-      csv_.next(row);
+      csv_.skip_line();
     }
     if (!mapping.columns.empty()) {
       names_ = mapping.columns;

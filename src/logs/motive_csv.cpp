@@ -331,16 +331,18 @@ class MotiveFile {
     }
     object.position_m = to_metres_ * numbers.leftCols<3>();
     if (!present[0] || !present[1] || !present[2]) {
-      refuse(fmt::format("'{}' ({}) has no X, Y and Z of its position", object.name, object.type));
+      throw InputError(fmt::format("{}: '{}' ({}) has no X, Y and Z of its position", csv_.name(),
+                                   object.name, object.type));
     }
     if (present[6]) {
-      object.rotation = unit_quaternions(csv_, object.name, take_.time_s, numbers.rightCols<4>());
+      object.rotation =
+          unit_quaternions(csv_.name(), object.name, take_.time_s, numbers.rightCols<4>());
     } else if (present[3] && present[4] && present[5]) {
       if (!is_euler_order(take_.rotation_type)) {
-        refuse(
-            fmt::format("'Rotation Type' is '{}'; expected Quaternion "
+        throw InputError(
+            fmt::format("{}: 'Rotation Type' is '{}'; expected Quaternion "
                         "or an order of Euler angles, XYZ … ZYX. {}",
-                        take_.rotation_type, kHowToExport));
+                        csv_.name(), take_.rotation_type, kHowToExport));
       }
       object.rotation = quaternions_of_euler(numbers.middleCols<3>(3), take_.rotation_type);
     }

@@ -155,16 +155,16 @@ PointSeries series_of(const PointSource& point, const PlateFinder& finder, const
 
 }  // namespace
 
-Eigen::MatrixXd unit_quaternions(const CsvReader& csv, const std::string& object,
+Eigen::MatrixXd unit_quaternions(const std::string& file, const std::string& object,
                                  const std::vector<double>& time_s, Eigen::MatrixXd rotation) {
   for (Eigen::Index t = 0; t < rotation.rows(); ++t) {
     const double length = rotation.row(t).norm();
     if (!std::isnan(length) && std::abs(length - 1.0) > kUnitMiss) {  // NaN: not seen
-      csv.refuse(1,
-                 fmt::format("the rotation of '{}' at {} s is ({}, {}, {}, {}), of length {:.4g}; "
-                             "expected a unit quaternion X, Y, Z, W",
-                             object, time_s[std::size_t(t)], rotation(t, 0), rotation(t, 1),
-                             rotation(t, 2), rotation(t, 3), length));
+      throw InputError(
+          fmt::format("{}: the rotation of '{}' at {} s is ({}, {}, {}, {}), of length {:.4g}; "
+                      "expected a unit quaternion X, Y, Z, W",
+                      file, object, time_s[std::size_t(t)], rotation(t, 0), rotation(t, 1),
+                      rotation(t, 2), rotation(t, 3), length));
     }
     rotation.row(t) /= length;
   }

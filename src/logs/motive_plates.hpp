@@ -6,7 +6,6 @@
 #include <Eigen/Core>
 
 #include "limber/arm/arm_description.hpp"
-#include "limber/common/csv_reader.hpp"
 #include "limber/logs/import_mapping.hpp"
 #include "limber/logs/import_report.hpp"
 #include "log_rows.hpp"
@@ -15,11 +14,11 @@
 
 namespace limber {
 
-/// `rotation`, T×4 quaternions x, y, z, w as `csv` has them, with their length made 1. Rows with
+/// `rotation`, T×4 quaternions x, y, z, w as `file` has them, with their length made 1. Rows with
 /// NaN stay.
 /// @param time_s  T times, for the message.
 /// @throws InputError naming file, object and time if a length is not 1 up to rounding.
-Eigen::MatrixXd unit_quaternions(const CsvReader& csv, const std::string& object,
+Eigen::MatrixXd unit_quaternions(const std::string& file, const std::string& object,
                                  const std::vector<double>& time_s, Eigen::MatrixXd rotation);
 
 /// Whether `order` is one of XYZ … ZYX.

@@ -115,8 +115,9 @@ std::string text_of(const Eigen::Vector3d& v) {
 std::optional<LogsBase> share_base(const ImportMapping& mapping, const ArmDescription& arm,
                                    std::vector<ReadRun<PointTracks>>& runs) {
   using Kind = BaseAlignment::Kind;
-  const bool counts_headings_anew =
-      mapping.alignment.kind == Kind::straight && runs.front().run.points.has_headings();
+  const bool counts_headings_anew = mapping.alignment.kind == Kind::straight &&
+                                    mapping.headings_measured &&
+                                    runs.front().run.points.has_headings();
   if (runs.size() < 2 || !is_base_sought(mapping.alignment) || counts_headings_anew) {
     return {};
   }

@@ -9,6 +9,7 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/data/log_units.hpp"
 
 namespace limber {
@@ -32,11 +33,11 @@ std::vector<std::string> read_rotation(const YamlReader& node, const EulerAngles
                  "a quaternion and Euler angles found; expected one of both");
   std::vector<std::string> columns;
   if (quaternion) {
-    columns = {node.at("qx").text(), node.at("qy").text(), node.at("qz").text(),
-               node.at("qw").text()};
+    columns = {column_name(node.at("qx")), column_name(node.at("qy")), column_name(node.at("qz")),
+               column_name(node.at("qw"))};
   }
   if (node.has("euler")) {
-    columns = node.at("euler").texts();
+    columns = mapped<std::string>(node.at("euler").elements(), column_name);
     if (columns.size() != 3) {
       node.at("euler").refuse(
           fmt::format("{} columns found; expected 3, one for each turn of 'backbone.euler.order'",
@@ -77,14 +78,16 @@ PointSource read_space_point(const YamlReader& node, const EulerAngles& euler) {
       int(columns) + int(node.has("body")) + int(node.has("marker")) != 1,
       "expected one of: x, y and z (columns of a CSV), body, or marker (objects of a Motive file)");
   if (columns) {
-    point.x = node.at("x").text();
-    point.y = node.at("y").text();
-    point.z = node.at("z").text();
+    point.x = column_name(node.at("x"));
+    point.y = column_name(node.at("y"));
+    point.z = column_name(node.at("z"));
     point.rotation = read_rotation(node, euler);
   } else if (node.has("body")) {
-    point.body = node.at("body").text();
+    node.refuse_unknown_keys({"plate", "body"});
+    point.body = column_name(node.at("body"));
   } else {
-    point.marker = node.at("marker").text();
+    node.refuse_unknown_keys({"plate", "marker"});
+    point.marker = column_name(node.at("marker"));
   }
   return point;
 }
@@ -233,6 +236,12 @@ std::vector<PointSource> read_sources(
     }
   }
   return points;
+}
+
+std::string column_name(const YamlReader& node) {
+  const std::string name = node.text();
+  node.refuse_if(name.empty(), "an empty name found; expected a column or an object by its name");
+  return name;
 }
 
 double factor_to(const YamlReader& node, const std::string& to) {

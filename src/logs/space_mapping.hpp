@@ -17,6 +17,9 @@ inline constexpr double kParallelAxes = 1e-3;  // sine of the least angle betwee
 /// How many `to` make one of the unit that is written here. @throws InputError for unknown ones.
 double factor_to(const YamlReader& node, const std::string& to);
 
+/// A column's name, or a tracked object's. @throws InputError where it is empty
+std::string column_name(const YamlReader& node);
+
 /// `headings: measured` or `tangent`.
 bool read_headings_measured(const YamlReader& node);
 

@@ -26,7 +26,8 @@ namespace {
 
 /// As published, pressures are the set points; "paper,valves=1" predicts with the valves.
 std::unique_ptr<Planner> make_paper_planner(PlannerName parsed, const std::string& name, int jobs) {
-  const Valves valves = parsed.take("valves", 0, 1, 0) != 0 ? Valves::as_given : Valves::left_out;
+  const Valves valves =
+      parsed.take_whole("valves", 0, 1, 0) != 0 ? Valves::as_given : Valves::left_out;
   if (!parsed.settings.empty()) {
     throw InputError(
         fmt::format("planner setting {}: unknown; '{}' has the setting valves (0 or 1)",

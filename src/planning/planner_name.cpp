@@ -31,6 +31,10 @@ double PlannerName::take(const std::string& key, double low, double high, double
   return setting_number(key, setting.mapped(), low, high);
 }
 
+int PlannerName::take_whole(const std::string& key, int low, int high, int fallback) {
+  return whole(key, take(key, low, high, fallback));
+}
+
 double setting_number(const std::string& key, const std::string& value, double low, double high) {
   const std::optional<double> number = number_in(value);
   refuse_if(!number || !(*number >= low && *number <= high),

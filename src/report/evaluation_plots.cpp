@@ -27,19 +27,11 @@ namespace {
 
 constexpr int kShownFrames = 6;
 
+/// Of an episode. @param network  null where there is none
 struct Predictions {
-  FrameMatrix no_load;
-  std::optional<FrameMatrix> network;
+  const FrameMatrix& no_load;
+  const FrameMatrix* network;
 };
-
-Predictions predict_both(const ForwardModel& no_load, const ForwardModel* network,
-                         const Episode& episode, int jobs) {
-  Predictions predictions{predict(no_load, episode, Restart::every_frame, jobs), std::nullopt};
-  if (network != nullptr) {
-    predictions.network = predict(*network, episode, Restart::at_the_start_only, jobs);
-  }
-  return predictions;
-}
 
 /// Over x, number `across` of each pose: 1, y, or in space 2, z.
 void draw_backbone(Chart& chart, const char* label, const FrameMatrix& backbones,
@@ -206,15 +198,18 @@ std::string predictions_csv(const std::vector<Episode>& episodes,
 EvaluationPlots plot_evaluation(const ArmDescription& arm, const ForwardModel& no_load,
                                 const ForwardModel* network, const std::vector<Episode>& episodes,
                                 int jobs) {
-  TipErrorSeries no_load_errors;
-  TipErrorSeries network_errors;
-  for (const Episode& episode : episodes) {
-    const Predictions predictions = predict_both(no_load, network, episode, jobs);
-    append(no_load_errors, tip_errors(predictions.no_load, episode));
-    if (predictions.network) {
-      append(network_errors, tip_errors(*predictions.network, episode));
+  const std::vector<FrameMatrix> by_no_load =
+      predict(no_load, episodes, Restart::every_frame, jobs);
+  const std::vector<FrameMatrix> by_network =
+      network == nullptr ? std::vector<FrameMatrix>()
+                         : predict(*network, episodes, Restart::at_the_start_only, jobs);
+  const auto errors_of = [&](const std::vector<FrameMatrix>& predicted) {
+    TipErrorSeries errors;
+    for (std::size_t i = 0; i < predicted.size(); ++i) {
+      append(errors, tip_errors(predicted[i], episodes[i]));
     }
-  }
+    return errors;
+  };
   Chart position("Position error of the tip, open loop");
   Chart orientation("Orientation error of the tip, open loop");
   position.y_axis("position error [cm]").without_legend();
@@ -225,12 +220,14 @@ EvaluationPlots plot_evaluation(const ArmDescription& arm, const ForwardModel& n
       orientation.distribution(name, errors.orientation_rad, {.color = palette_color(color)});
     }
   };
-  add("no load", no_load_errors, kNoLoadColor);
+  add("no load", errors_of(by_no_load), kNoLoadColor);
   if (network != nullptr) {
-    add("network", network_errors, kNetworkColor);
+    add("network", errors_of(by_network), kNetworkColor);
   }
   const Episode& shown = longest(episodes);
-  const Predictions predictions = predict_both(no_load, network, shown, jobs);
+  const auto index = std::size_t(&shown - episodes.data());
+  const Predictions predictions{by_no_load[index],
+                                network == nullptr ? nullptr : &by_network[index]};
   ChartGrid backbones(3, "Backbones at the ends of motions, open loop");
   for (const Eigen::Index across : {1, 2}) {
     if (across < position_size(shown.dimension)) {

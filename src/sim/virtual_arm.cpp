@@ -196,7 +196,9 @@ class VirtualArm::Simulation {
     while (!pending.empty() && pending.front().step <= state_.step) {
       state_.setpoint_kpa = std::move(pending.front().setpoint_kpa);
       pending.pop_front();
-      state_.vented = false;
+      const bool is_rest =
+          std::ranges::all_of(state_.setpoint_kpa, [](double kpa) { return kpa == 0.0; });
+      state_.vented = state_.vented && is_rest;
     }
   }
 

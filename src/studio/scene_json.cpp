@@ -139,7 +139,9 @@ Json reach_to_json(const ArmDescription& arm) {
       const PressureLimits& limits = arm.segments[i].pressure_limit_kpa;
       const bool at_limit = random.uniform() < kAtLimit;
       const double inside = random.uniform(limits.lower_kpa, limits.upper_kpa);
-      kpa[i] = float(!at_limit ? inside : inside < 0.0 ? limits.lower_kpa : limits.upper_kpa);
+      const double nearer = inside < 0.5 * (limits.lower_kpa + limits.upper_kpa) ? limits.lower_kpa
+                                                                                 : limits.upper_kpa;
+      kpa[i] = float(at_limit ? nearer : inside);
     }
     model.backbone(Eigen::Ref<const Eigen::VectorXf>(kpa), Eigen::Ref<Backbone>(shape));
     const Eigen::Vector2d tip_m = tip_position_m(shape);

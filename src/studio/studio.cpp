@@ -241,8 +241,8 @@ class Studio::Server {
       });
     });
     post_job("/api/follow", [](const JsonReader& body) {
-      return FollowJob{{request_of(body), scene_of(body)}, body.at("environment").value(),
-                       tip_path_in(body)};
+      return FollowJob{
+          {request_of(body), scene_of(body)}, body.at("environment").value(), tip_path_in(body)};
     });
     post("/api/drive", [this](const JsonReader& body, Response& response) {
       const std::vector<double> kpa = body.at("setpoint_kpa").numbers(std::string::npos, "kPa");

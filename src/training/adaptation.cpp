@@ -149,12 +149,12 @@ class Adapter {
     if (settings_.weights == AdaptWeights::automatic && !std::isnan(result.fitted_error_m) &&
         (is_too_wrong || result.distance > Adaptation::kFarFromFamily) &&
         can_be_learnt_from(halves.seen, settings_of_weights())) {
-      CompensationModel trained = trained_on(before, halves.seen, halves.held_back);
-      result.trained_error_m = error_on(trained, halves.held_back);
+      TrainingResult trained = trained_on(before, halves.seen, halves.held_back);
+      result.trained_error_m = error_on(trained.model, halves.held_back);
       if (result.trained_error_m < kWorthIt * result.fitted_error_m) {
         result.has_trained_weights = true;
-        result.model = trained_on(result.model, episodes, {});
-        before = std::move(trained);
+        result.model = trained_on(result.model, episodes, {}, trained.best_epoch).model;
+        before = std::move(trained.model);
       }
     }
     if (!before.learnt_from_setpoints) {
@@ -173,19 +173,22 @@ class Adapter {
   }
 
   /// Weights trained further. What validates only says which epoch is the best.
-  CompensationModel trained_on(const CompensationModel& start, const std::vector<Episode>& training,
-                               const std::vector<Episode>& validation) const {
+  /// @param keep_epoch  without validation: the one that is kept
+  TrainingResult trained_on(const CompensationModel& start, const std::vector<Episode>& training,
+                            const std::vector<Episode>& validation, int keep_epoch = 0) const {
     const TrainingData data{training, validation};
     const TrainingHooks hooks{.should_stop = interrupt_requested};
-    TrainingResult result = fine_tune(arm_, data, settings_of_weights(), start, hooks);
+    TrainingSettings settings = settings_of_weights();
+    settings.keep_epoch = keep_epoch;
+    TrainingResult result = fine_tune(arm_, data, settings, start, hooks);
     if (result.status == TrainingStatus::interrupted) {
       throw Interrupted("stopped while weights were trained");
     }
     if (result.best_epoch == 0) {
-      return start;
+      result.model = start;
     }
     result.model.learnt = start.learnt;
-    return result.model;
+    return result;
   }
 
   const ArmDescription& arm_;

@@ -11,6 +11,7 @@
 
 #include "limber/common/refuse_if.hpp"
 #include "limber/common/statistics.hpp"
+#include "limber/data/episode_slice.hpp"
 #include "limber/network/backbone_layout.hpp"
 #include "limber/training/episode_slices.hpp"
 
@@ -48,13 +49,7 @@ Eigen::MatrixXd joint_vectors(const Episode& episode, const std::vector<int>& fr
 
 /// Of the frames in which the arm was tracked.
 Eigen::MatrixXd joint_vectors_of(const Episode& episode) {
-  std::vector<int> tracked;
-  for (int t = 0; t < episode.frame_count(); ++t) {
-    if (episode.was_tracked(t)) {
-      tracked.push_back(t);
-    }
-  }
-  return joint_vectors(episode, tracked);
+  return joint_vectors(episode, tracked_frames(episode));
 }
 
 /// By how much they change from frame to frame, where both were tracked.

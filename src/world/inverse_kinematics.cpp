@@ -160,7 +160,8 @@ double excess(const PoseGoal& goal, const PoseError& error, double arm_length_m)
          std::max(0.0, error.orientation_rad - goal.orientation_tolerance_rad) * arm_length_m;
 }
 
-void require_valid(const PoseGoal& goal, const InverseKinematicsSettings& settings) {
+void require_valid(const NoLoadModel& model, const PoseGoal& goal,
+                   const InverseKinematicsSettings& settings) {
   const bool finite = std::isfinite(goal.x_m) && std::isfinite(goal.y_m) &&
                       (!goal.theta_rad || std::isfinite(*goal.theta_rad));
   if (!finite) {
@@ -170,6 +171,9 @@ void require_valid(const PoseGoal& goal, const InverseKinematicsSettings& settin
   refuse_if(!(goal.position_tolerance_m > 0.0) || !(goal.orientation_tolerance_rad > 0.0),
             "goal tolerances {} m and {} rad; expected both > 0", goal.position_tolerance_m,
             goal.orientation_tolerance_rad);
+  refuse_if(!settings.limits.empty() && std::ssize(settings.limits) != model.segment_count(),
+            "inverse kinematics: {} limits; the arm has {} segments", settings.limits.size(),
+            model.segment_count());
   refuse_if(
       settings.starts < 1 || settings.starts > kMaxStarts || settings.max_solutions < 1 ||
           settings.iterations < 1 || settings.iterations > kMaxIterations ||
@@ -202,7 +206,7 @@ std::string describe_failure(const PoseGoal& goal, const InverseKinematicsResult
 InverseKinematicsResult solve_inverse_kinematics(const NoLoadModel& model, const PoseGoal& goal,
                                                  const InverseKinematicsSettings& settings,
                                                  RandomStream& random) {
-  require_valid(goal, settings);
+  require_valid(model, goal, settings);
   const int n = model.segment_count();
   double arm_length_m = 0.0;
   Eigen::VectorXd distinct_kpa(n);

@@ -10,6 +10,7 @@
 #include "limber/common/content_hash.hpp"
 #include "limber/common/filesystem.hpp"
 #include "limber/common/json.hpp"
+#include "limber/common/json_number.hpp"
 #include "limber/common/json_reader.hpp"
 #include "limber/common/mapped.hpp"
 #include "limber/common/number_text.hpp"
@@ -166,11 +167,6 @@ std::string seal_of(nlohmann::json root) {
   return content_hash(root.dump());
 }
 
-/// NaN and infinities have no JSON; null says "no obstacles".
-Json finite_or_null(double clearance_m) {
-  return std::isfinite(clearance_m) ? Json(clearance_m) : Json(nullptr);
-}
-
 double read_clearance(const JsonReader& field) {
   return field.is_null() ? std::numeric_limits<double>::infinity() : field.number(-kMax, kMax);
 }
@@ -185,6 +181,9 @@ std::optional<PlanTube> read_tube(const JsonReader& root, Eigen::Index plates) {
                              "end_radius_m", "end_heading_rad", "goal_inside"});
   PlanTube tube;
   tube.level = field.at("level").number(0.0, 1.0);
+  if (tube.level == 0.0 || tube.level == 1.0) {
+    field.at("level").refuse_found("expected a share between 0 and 1");
+  }
   tube.plate_radius_m =
       field.at("plate_radius_m").numbers(std::size_t(plates), "lengths in metres", 0.0, kMax);
   tube.growth.start_share = field.at("start_share").number(0.0, 1.0);
@@ -324,7 +323,7 @@ void write_plan(const fs::path& path, const Plan& plan) {
     root[quantity_key(plan.command, "limits")].push_back({limits.lower_kpa, limits.upper_kpa});
   }
   root[quantity_key(plan.command, "cost")] = plan.cost_kpa;
-  root["clearance_m"] = finite_or_null(plan.clearance_m);
+  root["clearance_m"] = json_number(plan.clearance_m);
   root["goal_distance_m"] = plan.goal_distance_m;
   root["goal_orientation_rad"] = plan.goal_orientation_rad;
   root["hold_frame_count"] = plan.hold_frame_count;
@@ -340,7 +339,7 @@ void write_plan(const fs::path& path, const Plan& plan) {
     Json sealed = root;
     sealed[waypoints_key] = waypoints;
     sealed["frames"] = frames;
-    root["certificate"] = {{"clearance_m", finite_or_null(plan.certified->clearance_m)},
+    root["certificate"] = {{"clearance_m", json_number(plan.certified->clearance_m)},
                            {"largest_deviation_m", plan.certified->max_deviation_m},
                            {"seal", seal_of(sealed)}};
   }

@@ -210,6 +210,31 @@ TEST(RecordingInspection, FindsCommandsThatNeverChange) {
   EXPECT_THAT(constant.first, HasSubstr("segment 0: 55 … 55 kPa"));
 }
 
+// A tendon moves by millimetres: without an arm file a command is held against its own largest.
+TEST(RecordingInspection, SmallNumbersOfAnotherUnitChangeToo) {
+  Recording recording = corner_recording({0, 1, 0, -1, 0, 1});
+  recording.episodes[0].pressure_kpa *= 1e-4F;
+  recording.episodes[0].setpoint_kpa *= 1e-4F;
+  for (const Suspicion& suspicion : inspect_it(recording).suspicions) {
+    EXPECT_THAT(suspicion.what, ::testing::Not(HasSubstr("never changes"))) << suspicion.first;
+  }
+}
+
+TEST(RecordingInspection, WhatWasNotTrackedSaysNothingOfPlates) {
+  Recording recording = corner_recording({0, 1, 0, -1, 0, 1});
+  Episode& episode = recording.episodes[0];
+  const int hidden = episode.frame_count() / 2 + 1;
+  for (int t = 0; t < episode.frame_count(); ++t) {
+    episode.backbone.row(t).array() += t < hidden ? 0.0F : 0.03F;  // where its tracker has the base
+    episode.tracked[std::size_t(t)] = t < hidden ? 0 : 1;
+  }
+  episode.backbone.topRows(hidden).setZero();
+  for (const Suspicion& suspicion : inspect_it(recording).suspicions) {
+    EXPECT_THAT(suspicion.what, ::testing::Not(HasSubstr("same place"))) << suspicion.first;
+    EXPECT_THAT(suspicion.what, ::testing::Not(HasSubstr("has moved"))) << suspicion.first;
+  }
+}
+
 TEST(RecordingInspection, FindsEpisodesTooShortOrNeverTracked) {
   Recording recording = corner_recording({0, 1, 0, -1});
   recording.episodes.push_back(corner_recording({0, 1, -1}).episodes[0]);

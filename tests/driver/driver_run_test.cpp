@@ -38,6 +38,16 @@ TEST(DriverRun, FindsTheFirstSetPointBeyondEitherSideOfItsSegment) {
   EXPECT_EQ(first_beyond(plan_to(0.0F, -30.1F), kLimits)->segment, 1);
 }
 
+// The gate's rounding is a share of the limit: what passes here is not refused in mid-motion.
+TEST(DriverRun, RoundingIsThatOfTheGate) {
+  const std::vector<PressureLimits> small = {29.9991, 30.0};
+  EXPECT_TRUE(first_beyond(plan_to(30.0F, 0.0F), small));
+  ArmDescription arm = small_arm();
+  arm.segments[0].pressure_limit_kpa = 30.0;
+  arm.segments[1].pressure_limit_kpa = 30.0;
+  EXPECT_TRUE(first_short_reach(arm, 1.0, small));
+}
+
 TEST(DriverRun, NoNumberIsNotWithinLimits) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(first_beyond(plan_to(0.0F, nan), kLimits)->segment, 1);

@@ -274,6 +274,20 @@ TEST_F(LogImportFaults, NamesColumnsThatAreNotThere) {
   expect_refusal(semicolons, mapping(), {"separated by semicolons"});
 }
 
+TEST_F(LogImportFaults, RefusesWhatItWouldNotRead) {
+  expect_refusal(log(), replaced(mapping(), "{column: time_s}", "{column: ''}"),
+                 {"time.column", "an empty name found"});
+  expect_refusal(log(), replaced(mapping(), "columns: [pressure_1_kpa", "columns: [''"),
+                 {"columns[0]", "an empty name found"});
+  expect_refusal(log(), replaced(mapping(), "x: x4, y: y4", "body: P4, theta: t"), {"'theta'"});
+  expect_refusal(log(), replaced(mapping(), "pressures:\n", "pressures:\n  right: [a, b, c]\n"),
+                 {"both 'right' and 'left'"});
+  expect_refusal(
+      log(),
+      replaced(mapping(), "pressures:\n", "pressures:\n  time: {column: valves, unit: ms}\n"),
+      {"the commands' times in 'valves' (ms)", "in one log", "--pressures"});
+}
+
 TEST_F(LogImportFaults, RefusesLogsThatDoNotBelongTogether) {
   rows_ = 2000;
   const std::string text = LogTruth::table("time_s" + header().substr(header().find(",x0")), rows_,

@@ -86,6 +86,25 @@ TEST_F(CsvImport, FindsTheBaseOfAnArmThatLiesAnywhere) {
   EXPECT_NEAR(run.base.theta_rad, 2.5, kWritten);
 }
 
+TEST_F(CsvImport, ABaseBesideWhereItWasSaidToBeIsSaidAndStandsStill) {
+  shift_m_ = {0.108, 0.0};
+  const ImportResult result =
+      import(log(), mapping() + "alignment: {x_m: 0.1, y_m: 0.0, heading_rad: 0.0}\n");
+  EXPECT_EQ(note(result, "the base moves"), nullptr);
+  const ImportNote* beside = note(result, "the base lies more than 5 mm from where");
+  ASSERT_NE(beside, nullptr);
+  EXPECT_EQ(beside->first, "8.0 mm");
+  EXPECT_LT(result.report.runs.front().base_scatter_m, 1e-6);
+}
+
+// What a line that is skipped holds is nobody's business, a quote that is never closed too.
+TEST_F(CsvImport, LinesThatAreSkippedAreLines) {
+  const std::string note = "\"Trial 3, rerun\na second line of it\n";
+  const Episode episode =
+      import(note + log(), mapping() + "skip_lines: 2\n").recording.episodes.front();
+  EXPECT_LT(errors(episode).first, kWritten);
+}
+
 TEST_F(CsvImport, TakesHeadingsFromTheTangentWhereOnlyPositionsWereLogged) {
   headings_ = false;
   turn_rad_ = -0.7;

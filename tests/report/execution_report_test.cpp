@@ -41,7 +41,7 @@ TEST(ExecutionReport, HoldsTheKeysThatScriptsRelyOn) {
   EXPECT_EQ(json["frames"], 80);
   EXPECT_EQ(json["first_collision"]["obstacle"], 1);
   EXPECT_EQ(json["first_collision"]["kind"], "rectangle");
-  EXPECT_EQ(json["first_collision"]["plates"], nlohmann::json({4, 5}));
+  EXPECT_EQ(json["first_collision"]["plates"], nlohmann::ordered_json({4, 5}));
   EXPECT_EQ(json["final_backbone"].size(), 3U);
   Environment without_heading = environment_with_obstacles();
   without_heading.goal.theta_rad.reset();

@@ -95,8 +95,9 @@ TEST_P(ArmPhysicsOf, LosesEnergyWhileNothingIsInflated) {
   constexpr double kRipple = 3e-3;  // of semi-implicit Euler, at the shock of losing all air
   const ArmDescription arm = own_arm(GetParam());
   const double own = virtual_arm_parameters(arm).friction_coefficient;
-  for (const auto& [friction, worse] :
-       {std::pair(0.0, false), {own, false}, {0.0, true}, {own, true}}) {
+  for (const auto& choice : {std::pair(0.0, false), {own, false}, {0.0, true}, {own, true}}) {
+    const double friction = choice.first;
+    const bool worse = choice.second;
     ArmDescription on_table = arm;
     change_virtual_arm(on_table, [&](VirtualArmParameters& p) {
       if (worse) {

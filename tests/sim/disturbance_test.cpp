@@ -37,7 +37,7 @@ class DisturbanceTest : public ::testing::Test {
   }
 
   const ArmDescription arm_ = sample_arm(2);
-  const Environment environment_;
+  const Environment environment_{};
   const Plan plan_ = bending_plan(arm_, environment_);
 };
 

@@ -189,6 +189,24 @@ TEST(VirtualArm, ASafetyVentDoesNotWaitForTheDeadTime) {
   EXPECT_LT(late.true_pressure_kpa()[0], before);
 }
 
+// Whoever serves it tells it to rest, frame by frame, and its dead band would leave air in it.
+TEST(VirtualArm, AVentedArmThatIsToldToRestStaysVented) {
+  ArmDescription description = sample_arm(1);
+  change_virtual_arm(description, [&](VirtualArmParameters& p) {
+    p.valve_dead_time_s = 0.0;
+    p.pressure_dead_band_kpa = 5.0;
+  });
+  VirtualArm arm(description);
+  arm.settle(pressures({50.0F}), 3.0);
+  for (int frame = 0; frame < 100; ++frame) {
+    arm.vent();
+    arm.command(pressures({0.0F}));
+  }
+  EXPECT_LT(std::abs(arm.true_pressure_kpa()[0]), 0.5);
+  arm.command(pressures({1.0F}));
+  EXPECT_FALSE(arm.save().vented);
+}
+
 TEST(VirtualArm, RefusesAnotherArmsState) {
   VirtualArm three(sample_arm(3));
   const VirtualArm two(sample_arm(2));

@@ -195,6 +195,18 @@ TEST_F(StudioServer, StrangersGetNothing) {
   }
 }
 
+// The library does not hold a range against what there is: it would read on in memory.
+TEST_F(StudioServer, NoRangeLeadsBeyondAnAnswer) {
+  const std::string refused = "Host: " + host() + "\r\n";
+  for (const std::string& headers : {refused, own_headers()}) {
+    const std::string whole = ask("GET /api/project", headers);
+    for (const char* range : {"0-200000", "100000-100999", "-200000", "5-9,0-200000"}) {
+      const std::string ranged = "Range: bytes=" + std::string(range) + "\r\n";
+      EXPECT_EQ(ask("GET /api/project", headers + ranged), whole) << range;
+    }
+  }
+}
+
 TEST_F(StudioServer, PathsDoNotLeadOut) {
   for (const char* name : {"../secret.yaml", "..%2Fsecret.yaml", "%2e%2e/secret.yaml",
                            "/etc/passwd", "limber:../../etc/passwd", "x%00.yaml"}) {

@@ -149,6 +149,13 @@ class Campaigns(InFolder):
         self.assertEqual((status["done"], status["waiting"]), (UNITS // 2, UNITS // 2))
         self.assertGreater(status["left_s"], 0)
 
+    def test_what_is_on_by_default_can_be_switched_off(self):
+        self.write("c.yaml", "schema: limber/campaign/1\nverb: train\nflags: {data: a.h5, epochs: 4}\n"
+                   "grid: {velocity: [true, false], setpoints: [true, false]}\n")
+        commands = [unit["command"] for unit in self.run_json("campaign", "c.yaml", "--dry-run")["units"]]
+        self.assertEqual(["--no-velocity" in command for command in commands], [False, False, True, True])
+        self.assertEqual(["--setpoints" in command for command in commands], [True, False, True, False])
+
     def test_a_forest_is_grown_before_units_run_and_not_needed_after(self):
         self.write("c.yaml", "schema: limber/campaign/1\nverb: experiment\nflags: {model: m.safetensors, max-queries: 100, "
                    "forest: none.forest}\ngrid: {trials: [1]}\n")
@@ -227,6 +234,12 @@ class Campaigns(InFolder):
         tables = [without_times(json.loads((self.folder / name / "table.json").read_text(encoding="utf-8")))
                   for name in ("alone", "e/experiment")]
         self.assertEqual(*tables)
+        self.write("f.yaml", "schema: limber/campaign/1\nverb: experiment\n"
+                   "flags: {model: m.safetensors, trials: 1, max-queries: 200, arm.friction_coefficient: 0.5}\n"
+                   f"grid:\n  environments:\n    - {places[0]}\n    - {places[1]}\n")
+        self.run_limber("campaign", "f.yaml")
+        self.run_limber("campaign", "f.yaml", "--collect")
+        self.assertTrue((self.folder / "f/experiment/table.json").exists())
         self.write("ways.yaml", "schema: limber/campaign/1\nverb: experiment\n"
                    f"flags: {{model: m.safetensors, trials: 1, max-queries: 200, environments: {places[0]}}}\n"
                    "grid: {planner: [default, paper]}\n")

@@ -70,8 +70,8 @@ class Track(InFolder):
         self.refuses("open.csv:3: ends 10.0 mm from where the path starts", *model, "--track",
                      "open.csv", "--laps", 2)
         self.refuses("--replan belongs to a plan", *model, "--track", "open.csv", "--replan")
-        self.refuses("is sampled for a plan", *model, "--track", "open.csv", "--disturbance",
-                     "obstacle")
+        for kind in ("obstacle", "lost_tracking", "picked_up", "leak"):
+            self.refuses("is sampled for a plan", *model, "--track", "open.csv", "--disturbance", kind)
 
 
 if __name__ == "__main__":

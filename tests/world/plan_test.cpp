@@ -169,7 +169,15 @@ TEST(PlanFile, ATubeHasARadiusForEveryPlateAndAStart) {
     };
   };
   const std::vector<double> radii_m(16, 0.01);
+  const auto level = [&](double share) {
+    return [=](Json& j) {
+      with_tube(radii_m, 0.4)(j);
+      j["tube"]["level"] = share;
+    };
+  };
   expect_refused({
+      {"no run inside", level(0.0), {"tube.level", "0", "between 0 and 1"}},
+      {"every run inside", level(1.0), {"tube.level", "1", "between 0 and 1"}},
       {"no radius", with_tube({}, 0.4), {"tube.plate_radius_m", "0 numbers found; expected 16"}},
       {"no width at the start", with_tube(radii_m, 0.0), {"tube.start_share", "0", "more than 0"}},
       {"wider at the start", with_tube(radii_m, 1.5), {"tube.start_share", "from 0 to 1"}},

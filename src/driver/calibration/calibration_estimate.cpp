@@ -171,8 +171,7 @@ Eigen::VectorXd turned_rad(const CalibrationLog& log, const SeenPoses& poses, st
 Signal turn_signal(const CalibrationLog& log, const SeenPoses& poses, double frame_period_s,
                    const std::vector<double>& time_s) {
   const CalibrationTiming& timing = log.timing;
-  const auto frames = std::size_t(std::lround(0.5 / frame_period_s));
-  const Eigen::VectorXd turned = turned_rad(log, poses, frames);
+  const Eigen::VectorXd turned = turned_rad(log, poses, before_mean_frames(frame_period_s));
   Signal signal;
   for (std::size_t k = timing.first; k < timing.end; ++k) {
     if (poses.seen(k)) {
@@ -283,8 +282,7 @@ bool is_mirrored(const CalibrationLog& log, const SeenPoses& poses, const Operat
   if (answer.mirrored) {
     return *answer.mirrored;
   }
-  const auto frames = std::size_t(std::max(1.0, 0.5 / frame_period_s));
-  const Eigen::VectorXd turned = turned_rad(log, poses, frames);
+  const Eigen::VectorXd turned = turned_rad(log, poses, before_mean_frames(frame_period_s));
   Eigen::Index most = 0;
   turned.cwiseAbs().maxCoeff(&most);
   return (turned[most] > 0.0) == *answer.bends_right;

@@ -44,6 +44,11 @@ void require_rate_to_be_seen(const ArmDescription& arm) {
             arm.name, arm.frame_rate_hz, kBeforeMeanS, kMinSeenFrames);
 }
 
+std::size_t before_mean_frames(double frame_period_s) {
+  constexpr double kRounding = 1e-9;  // as ArmDescription::frames_in
+  return std::size_t(std::ceil(kBeforeMeanS / frame_period_s - kRounding));
+}
+
 SeenPoses seen_poses(const CalibrationLog& log) {
   const auto first = std::find_if(log.frames.begin(), log.frames.end(),
                                   [](const auto& f) { return f.state.backbone.has_value(); });
@@ -128,7 +133,7 @@ PoseNoise pose_noise(const SeenPoses& poses, std::size_t first, std::size_t end)
 }
 
 PulseWindows pulse_windows(const CalibrationPulse& pulse, double frame_period_s) {
-  const auto before = std::size_t(std::lround(kBeforeMeanS / frame_period_s));
+  const std::size_t before = before_mean_frames(frame_period_s);
   const auto frames = std::size_t(std::lround(kPoseMeanS / frame_period_s));
   return {{pulse.first, pulse.first + before, "before a pulse"},
           {pulse.hold_end - frames, pulse.hold_end, "of a held pulse"},

@@ -36,6 +36,9 @@ struct MeanPose {
 /// @throws InputError where the arm's frames are too long for the means that are taken here.
 void require_rate_to_be_seen(const ArmDescription& arm);
 
+/// In the mean before something moves: as many frames as `require_rate_to_be_seen` counts.
+std::size_t before_mean_frames(double frame_period_s);
+
 /// As the wire has them. @throws CalibrationRefused where nothing tracks the arm.
 SeenPoses seen_poses(const CalibrationLog& log);
 

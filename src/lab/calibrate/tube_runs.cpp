@@ -340,7 +340,8 @@ std::vector<GrowingErrors> TubeRuns::errors() const {
   std::vector<GrowingErrors> result;
   for (const TubeRun& run : all) {
     if (run.errors) {
-      result.push_back(scaled(*run.errors, usual_m > 0.0 ? usual_m / run.expected_error_m : 1.0));
+      const bool known = usual_m > 0.0 && run.expected_error_m > 0.0;
+      result.push_back(scaled(*run.errors, known ? usual_m / run.expected_error_m : 1.0));
     }
   }
   return result;

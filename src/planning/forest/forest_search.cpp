@@ -235,7 +235,7 @@ ForestSearch::Round ForestSearch::round(const std::function<bool()>& give_up, bo
     return {!in_goal_.empty() || (near_ && !near_->empty() && near_left_ > 0), {}};
   }
   const std::vector<PathOutcome> outcomes = simulator_.run(batch.paths, give_up);
-  // Once time is up some are wrongly ruled out, which nobody asks for any more.
+  // Once time is up some are wrongly ruled out, unless another path of the batch reached them.
   Round result{true, {}};
   for (std::size_t k = 0; k < outcomes.size(); ++k) {
     if (const auto solution = settle(batch.candidates[k], outcomes[k])) {
@@ -252,7 +252,8 @@ std::optional<BatchSearch::Solution> ForestSearch::settle(const Candidate& tried
       known_.try_emplace(tried.path[i]);
       return std::nullopt;
     }
-    known_.try_emplace(tried.path[i], outcome.at[i]);
+    known_.insert_or_assign(tried.path[i],
+                            outcome.at[i]);  // a path cut short may have ruled it out
   }
   int node = graft(tried.node);
   if (!outcome.free) {

@@ -103,9 +103,9 @@ const std::map<std::string, ob::PlannerPtr (*)(const oc::SpaceInformationPtr&, s
 
 OmplSettings take_settings(PlannerName& name) {
   OmplSettings settings;
-  settings.frames = int(name.take("frames", 1, 100, settings.frames));
+  settings.frames = name.take_whole("frames", 1, 100, settings.frames);
   settings.tip_weight = name.take("tip_weight", 0, 100, settings.tip_weight);
-  settings.directed = name.take("directed", 0, 1, 1) != 0;
+  settings.directed = name.take_whole("directed", 0, 1, 1) != 0;
   return settings;
 }
 

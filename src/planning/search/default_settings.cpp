@@ -52,9 +52,7 @@ void set(Settings& settings, const Range& range, double value) {
     settings.** real = value;
     return;
   }
-  refuse_if(value != std::floor(value), "planner setting {} = {}; expected a whole number",
-            range.name, value);
-  settings.*std::get<int Settings::*>(range.member) = int(value);
+  settings.*std::get<int Settings::*>(range.member) = whole(range.name, value);
 }
 
 }  // namespace

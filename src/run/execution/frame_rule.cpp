@@ -7,14 +7,12 @@
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"
 #include "limber/run/executor.hpp"
+#include "limber/run/safety_gate.hpp"
 
 namespace limber {
 
 void require_frame_rule(const ArmDescription& arm, int frame, const Pressures& before_kpa,
                         const Pressures& setpoint_kpa) {
-  // Of float32 set points and their sums: [kPa], or in larger numbers of the largest command.
-  constexpr double kRounding = 1e-3;
-  constexpr double kRoundingShare = 1e-5;
   const double step_kpa = arm.pressure_step_limit_kpa();
   if (setpoint_kpa.size() != arm.channel_count()) {
     throw InputError(fmt::format("controller: {} set points in {}; arm '{}' has {} {}",
@@ -29,8 +27,8 @@ void require_frame_rule(const ArmDescription& arm, int frame, const Pressures& b
                                    channel_name(arm, i), frame_name(frame), value, arm.command.unit,
                                    to_string(limits)));
     }
-    const double rounding = std::max(kRounding, kRoundingShare * limits.largest_kpa());
-    if (!(std::abs(value - double(before_kpa[i])) <= step_kpa + rounding)) {
+    const double rounding_kpa = kSetpointRoundingShare * limits.largest_kpa();
+    if (!(std::abs(value - double(before_kpa[i])) <= step_kpa + rounding_kpa)) {
       throw InputError(fmt::format(
           "controller: set point of {} in {} changes from {} to {} {unit}; a frame allows "
           "{} {unit}",

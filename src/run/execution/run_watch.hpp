@@ -94,7 +94,8 @@ class PredictionWatch {
     sum_m_ += distance_m;
     ++count_;
     if (int(frame) < plan.frame_count() - plan.hold_frame_count) {
-      error_.before_hold_m = sum_m_ / count_;
+      moving_sum_m_ += distance_m;
+      error_.before_hold_m = moving_sum_m_ / ++moving_count_;
     }
   }
 
@@ -112,6 +113,8 @@ class PredictionWatch {
   ExecutedError error_;
   double sum_m_ = 0.0;
   int count_ = 0;
+  double moving_sum_m_ = 0.0;
+  int moving_count_ = 0;
 };
 
 /// What is seen of an execution, frame by frame, and what it amounts to in the end: contacts, the

@@ -14,27 +14,20 @@ namespace limber {
 
 namespace {
 
-constexpr double kRoundingShare = 1e-5;  // of the largest command: float32 set points at a limit
-constexpr double kStuckWindowS = 1.0;    // a reading that stands still for so long …
-constexpr double kStuckDelayS = 0.5;     // … though the set point had moved so long before
-constexpr double kStuckShare = 0.02;     // of the set point's change: less is none
+constexpr double kStuckWindowS = 1.0;  // a reading that stands still for so long …
+constexpr double kStuckDelayS = 0.5;   // … though the set point had moved so long before
+constexpr double kStuckShare = 0.02;   // of the set point's change: less is none
 // At low rates: a state may be of the frame before, and a channel has to have one more to move in.
 constexpr int kMinFollowingFrames = 3;
 constexpr int kMinStuckFrames = 4;
 constexpr int kMinStuckDelayFrames = 2;
-
-/// Whether limits allow a set point, rounded or not.
-bool allow(const PressureLimits& limits, double kpa, double rounding_kpa) {
-  return kpa >= limits.lower_kpa - rounding_kpa &&
-         kpa <= limits.upper_kpa + rounding_kpa;  // no NaN
-}
 
 int stuck_frames(const ArmDescription& arm) {
   return std::max(arm.frames_in(kStuckWindowS), kMinStuckFrames);
 }
 
 double rounding_kpa(const ArmDescription& arm, int channel) {
-  return kRoundingShare * arm.limits_of_channel(channel).largest_kpa();
+  return kSetpointRoundingShare * arm.limits_of_channel(channel).largest_kpa();
 }
 
 /// Of the side that `kpa` is on; without a sign where both have the same.
@@ -64,6 +57,11 @@ std::string another_scale(const PlatePositions& shape, double arm_length_m) {
 }
 
 }  // namespace
+
+bool allow(const PressureLimits& limits, double kpa, double rounding_kpa) {
+  return kpa >= limits.lower_kpa - rounding_kpa &&
+         kpa <= limits.upper_kpa + rounding_kpa;  // no NaN
+}
 
 std::optional<PlatePositions> plate_positions(const ArmState& state) {
   if (state.space_backbone) {
@@ -132,7 +130,7 @@ std::string SafetyGate::check_command(const Eigen::Ref<const Pressures>& setpoin
     const double rounding = rounding_kpa(arm_, s);
     if (!allow(limits, value, rounding)) {
       return fmt::format(
-          "set point of {} is {:.2f} {unit}; its limit is {:.2f} {unit}. It was not sent",
+          "set point of {} is {:.6g} {unit}; its limit is {:.6g} {unit}. It was not sent",
           channel_name(arm_, s), value, limit_of(limits, value), fmt::arg("unit", unit));
     }
     const double change_kpa = value - double(setpoint_kpa_[s]);

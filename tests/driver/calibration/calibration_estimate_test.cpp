@@ -6,7 +6,9 @@
 
 #include <gmock/gmock.h>
 
+#include "limber/arm/arm_description.hpp"
 #include "simulated_rig.hpp"
+#include "src/driver/calibration/seen_poses.hpp"
 
 namespace limber {
 namespace {
@@ -20,6 +22,16 @@ constexpr double kTiltRad = 0.005;  // of the plane of bodies in 3D
 constexpr double kDelayS = 5e-3;
 constexpr double kRoundingS = 1e-9;
 constexpr int kCasesHere = 8;  // all 200 with LIMBER_CALIBRATION_CASES=200: ctest -L soak
+
+TEST(CalibrationRates, TheSlowestArmThatMayBeCalibratedHasFramesForItsMeans) {
+  ArmDescription arm = load_arm(LIMBER_SOURCE_DIR "/arms/three_segment.yaml");
+  for (const double rate_hz : {4.1, 5.0, 5.9, 20.0, 30.0}) {
+    arm.frame_rate_hz = rate_hz;
+    EXPECT_NO_THROW(require_rate_to_be_seen(arm)) << rate_hz;
+    EXPECT_EQ(before_mean_frames(arm.frame_period_s()), std::size_t(arm.frames_in(0.5))) << rate_hz;
+    EXPECT_GE(before_mean_frames(arm.frame_period_s()), 3U) << rate_hz;
+  }
+}
 
 struct Calibrated {
   CalibrationEstimate known;    ///< with the base's marker body where it was built

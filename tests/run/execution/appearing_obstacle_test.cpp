@@ -25,7 +25,7 @@ class AppearingObstacleTest : public ::testing::Test {
   }
 
   const ArmDescription arm_ = slow_arm();
-  const Environment environment_;
+  const Environment environment_{};
   const Plan plan_ = bending_plan(arm_, environment_);
 };
 

@@ -77,7 +77,7 @@ class ControllerTest : public ::testing::Test {
   }
 
   const ArmDescription arm_ = small_arm();  // 10 kPa a frame
-  const Environment environment_;
+  const Environment environment_{};
   const Plan plan_ = bending_plan(arm_, environment_);
 };
 

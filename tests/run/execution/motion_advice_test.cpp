@@ -84,7 +84,7 @@ class MotionAdviceTest : public ::testing::Test {
   }
 
   const ArmDescription arm_ = small_arm();
-  const Environment environment_;
+  const Environment environment_{};
   const Plan plan_ = bending_plan(arm_, environment_);
 };
 

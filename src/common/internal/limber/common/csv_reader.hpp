@@ -35,6 +35,9 @@ class CsvReader {
   /// @throws InputError if a quote is never closed.
   bool next(std::vector<CsvCell>& row);
 
+  /// Passes over one line, whatever quotes it holds.
+  void skip_line();
+
   /// Passes over lines that begin with `first`, whatever quotes they hold.
   void skip_lines_with(char first);
 

@@ -18,6 +18,8 @@ struct TimeColumn {
   std::string column = "time_s";  ///< empty: rows follow each other at a nominal rate
   double seconds_per_unit = 1.0;
   std::string unit = "s";  ///< as the mapping has it; "frame" with a rate
+
+  bool operator==(const TimeColumn&) const = default;
 };
 
 /// Where a log holds commands: either `columns`, signed, or one column per side. In space there are

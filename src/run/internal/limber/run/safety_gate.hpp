@@ -11,6 +11,12 @@
 
 namespace limber {
 
+inline constexpr double kSetpointRoundingShare =
+    1e-5;  // of the largest command: float32 at a limit
+
+/// Whether limits allow a set point, rounded or not; no NaN.
+bool allow(const PressureLimits& limits, double kpa, double rounding_kpa);
+
 /// Of an arm's plates, m×3.
 using PlatePositions = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 

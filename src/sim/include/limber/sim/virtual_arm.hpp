@@ -54,7 +54,7 @@ struct VirtualArmState {
   std::vector<double> flow_kpa_per_s;  ///< what the valves let through
   std::vector<double> setpoint_kpa;    ///< set points that the pressure controller follows
   std::deque<PendingSetpoint> pending_setpoints;  ///< commanded, but still delayed (dead time)
-  bool vented = false;                            ///< `vent` was the last command
+  bool vented = false;  ///< `vent` was the last command, but for set points of zero
   std::vector<double>
       braid_anchor_m;           ///< spring-sliders of the braids, each side or chamber of each gap
   std::vector<double> creep_m;  ///< relaxed part of each side's stretch, left and right
