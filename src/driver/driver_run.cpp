@@ -137,7 +137,7 @@ std::optional<double> scale_within(const ArmDescription& arm,
 std::string advice(const ShortReach& found, const ArmDescription& arm,
                    const std::vector<PressureLimits>& allowed_kpa, const char* flag) {
   const std::optional<double> scale = scale_within(arm, allowed_kpa);
-  return fmt::format("the driver allows {:.1f} kPa in {}, and motions ask for {:.1f} kPa; {}",
+  return fmt::format("the driver allows {:.6g} kPa in {}, and motions ask for {:.6g} kPa; {}",
                      found.allowed_kpa, channel_name(arm, found.segment), found.wanted_kpa,
                      scale ? fmt::format("{} stays within", fmt::format(fmt::runtime(flag), *scale))
                            : "no scale stays within: say in the arm file which side has no "

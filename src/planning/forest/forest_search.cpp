@@ -252,8 +252,8 @@ std::optional<BatchSearch::Solution> ForestSearch::settle(const Candidate& tried
       known_.try_emplace(tried.path[i]);
       return std::nullopt;
     }
-    known_.insert_or_assign(tried.path[i],
-                            outcome.at[i]);  // a path cut short may have ruled it out
+    // Another path that was cut short may have ruled it out.
+    known_.insert_or_assign(tried.path[i], outcome.at[i]);
   }
   int node = graft(tried.node);
   if (!outcome.free) {

@@ -11,8 +11,8 @@
 
 namespace limber {
 
-inline constexpr double kSetpointRoundingShare =
-    1e-5;  // of the largest command: float32 at a limit
+/// Of the largest command: what float32 set points at a limit may be beyond it.
+inline constexpr double kSetpointRoundingShare = 1e-5;
 
 /// Whether limits allow a set point, rounded or not; no NaN.
 bool allow(const PressureLimits& limits, double kpa, double rounding_kpa);
