@@ -4,6 +4,7 @@
 #include "limber/common/random_stream.hpp"
 #include "limber/run/collision_watch.hpp"
 #include "limber/world/collision.hpp"
+#include "src/run/execution/run_watch.hpp"
 #include "support/fake_arm.hpp"
 
 namespace limber {
@@ -44,6 +45,28 @@ TEST(CollisionWatch, MissesNothingWhileSkippingMostChecks) {
     checks += watch.checks();
   }
   EXPECT_LT(checks, kTrials * kSteps / 2);
+}
+
+TEST(PredictionWatch, TheErrorBeforeTheHoldIsThatOfFramesThatMove) {
+  Plan plan;
+  plan.hold_frame_count = 2;
+  plan.frames.resize(4);
+  for (PlanFrame& frame : plan.frames) {
+    frame.backbone = Backbone::Zero(2, 3);
+  }
+  const auto at = [](double x_m) {
+    BackboneD shape = BackboneD::Zero(2, 3);
+    shape(1, 0) = x_m;
+    return shape;
+  };
+  PredictionWatch watch;
+  for (const double moving_m : {0.01, 0.02}) {  // a plan, its hold, and a plan after it
+    for (std::size_t frame = 0; frame < 4; ++frame) {
+      watch.compare(plan, frame, at(frame < 2 ? moving_m : 0.001));
+    }
+  }
+  EXPECT_NEAR(watch.error()->before_hold_m, 0.015, 1e-12);
+  EXPECT_NEAR(watch.error()->mean_m, 0.5 * (0.015 + 0.001), 1e-12);
 }
 
 }  // namespace
