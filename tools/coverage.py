@@ -14,6 +14,7 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 
@@ -46,7 +47,7 @@ def run_corpora():
     targets = subprocess.run([REPLAY], capture_output=True, text=True, check=True).stdout.split()
     codes = [subprocess.run([REPLAY, target], cwd=BUILD, env=environment("corpora"), stdout=subprocess.DEVNULL).returncode
              for target in targets]
-    return max(codes)
+    return int(any(codes))
 
 
 def merged(kind):
@@ -111,7 +112,8 @@ def main():
     if not arguments.tables:
         subprocess.run(["cmake", "--preset", "coverage"], cwd=ROOT, check=True)
         subprocess.run(["cmake", "--build", "--preset", "coverage"], cwd=ROOT, check=True)
-        code = run_tests(arguments.ctest) or run_corpora()
+        shutil.rmtree(PROFILES, ignore_errors=True)  # of another build
+        code = max(run_tests(arguments.ctest), run_corpora())
     print_tables()
     return code
 

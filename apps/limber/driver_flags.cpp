@@ -10,7 +10,6 @@
 #include "limber/arm/names.hpp"
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/atomic_file.hpp"
-#include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/json.hpp"
 #include "limber/common/refuse_if.hpp"
@@ -115,10 +114,6 @@ std::optional<WireCalibration> WireFlags::calibration(const ArmDescription& arm)
   WireCalibration calibration = read_wire_calibration(calibration_);
   require_calibration_of(calibration, arm, calibration_);
   return calibration;
-}
-
-std::string WireFlags::calibration_note() const {
-  return is_calibrated() ? ", calibration " + file_hash(calibration_) : "";
 }
 
 std::function<void(const std::string&)> tell_of_arm(bool all) {

@@ -31,7 +31,6 @@ class WireFlags {
   bool is_calibrated() const { return !calibration_.empty(); }
   /// None without --calibration. @throws InputError if it is another arm's.
   std::optional<WireCalibration> calibration(const ArmDescription& arm) const;
-  std::string calibration_note() const;
   bool may_be_simulated() const { return simulated_; }
 
   /// For the program of `exec:COMMAND`. @param driver  that whole text
@@ -64,8 +63,6 @@ class DriverFlags {
   bool is_program() const { return !is_virtual() && !is_model(); }
   bool is_dry_run() const { return dry_run_; }
   double limit_scale() const { return limit_scale_; }
-  /// For what may be resumed: ", calibration HASH" of the file; empty without one.
-  std::string calibration_note() const { return wire_.calibration_note(); }
 
   /// Where a run on a driver is recorded if --out is not given: named by the time, and said.
   std::string recording_or_default(const std::string& out, const CommonFlags& flags) const;

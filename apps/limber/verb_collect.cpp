@@ -179,7 +179,7 @@ class CollectVerb final : public Verb {
         driver_.start(arm, arm_file, out_, straight, flags);
     require_reach(arm, schedule_.limit_scale, *driver);
     settings.source = describe(*driver);
-    settings.driver = "on an arm, by its driver" + driver_.calibration_note();
+    settings.driver = how_it_is_moved(*driver);
     settings.jobs = 1;
     settings.partial = fs::path(out_).replace_extension(".partial.h5");
     const CollectionResult result = collect(arm, settings, on_one_driver(*driver), out_);

@@ -57,7 +57,8 @@ bool has_failed(const Certificate& certificate, const char* check) {
   });
 }
 
-/// What follows a plan's set points behind these valves is what it commands.
+/// What follows a plan's set points behind these valves is what it commands. Valves with a dead
+/// time begin settled here, and not after what a start had been told before.
 void give_commands(const ValveParameters& valves, const ArmDescription& arm, Plan& plan) {
   const auto frames = Eigen::Index(plan.frames.size());
   Eigen::MatrixXd setpoint_kpa(arm.channel_count(), frames);

@@ -29,7 +29,7 @@ CollectionResult collect_on(const ArmDescription& arm, CollectionSettings settin
   const SharedProcessDriver::Use driver(shared);
   require_reach(arm, settings.schedule.limit_scale, *driver);
   settings.source = describe(*driver);
-  settings.driver = "on an arm, by its driver";
+  settings.driver = how_it_is_moved(*driver);
   settings.jobs = 1;
   settings.partial = fs::path(path).replace_extension(".partial.h5");
   return caller.run([&] { return collect(arm, settings, on_one_driver(*driver), path); });

@@ -19,7 +19,7 @@ namespace limber {
 
 namespace {
 
-constexpr double kConstant = 0.02;      // of the limit (of 1 without an arm), over all episodes
+constexpr double kConstant = 0.02;      // of the limit, over all episodes
 constexpr int kShortEpisode = 33;       // frames: a training window and the frame before it
 constexpr double kManyUntracked = 0.2;  // of an episode's frames
 constexpr double kRateTolerance = 0.02;
@@ -49,7 +49,8 @@ void look_at_constant_commands(const Recording& recording,
       lowest = std::min(lowest, episode.pressure_kpa.col(i).minCoeff());
       highest = std::max(highest, episode.pressure_kpa.col(i).maxCoeff());
     }
-    const double limit = limits_kpa[std::size_t(i)].half_width_kpa();
+    const double limit = std::max({limits_kpa[std::size_t(i)].half_width_kpa(),
+                                   std::abs(double(lowest)), std::abs(double(highest))});
     if (limit == 0.0 || double(highest) - double(lowest) < kConstant * limit) {
       suspicions.add("a segment whose " + recording.command.name +
                          " never changes: nothing can be learnt about it",

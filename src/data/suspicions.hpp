@@ -33,7 +33,7 @@ class Suspicions {
 /// change, episodes too short or never tracked, frames at another rate, a base away from the
 /// origin, distances between plates that are not the arm's.
 /// @param arm  null if none was given
-/// @param limits_kpa  of its commands, or the largest that were recorded
+/// @param limits_kpa  of its commands, or the largest set points
 void look_at_whole(const Recording& recording, const ArmDescription* arm,
                    const std::vector<PressureLimits>& limits_kpa, Suspicions& suspicions);
 

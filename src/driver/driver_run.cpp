@@ -17,6 +17,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/arm/names.hpp"
+#include "limber/common/content_hash.hpp"
 #include "limber/common/cpu_level.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/filesystem.hpp"
@@ -71,6 +72,13 @@ std::string describe(const ProcessDriver& driver) {
   const auto or_unnamed = [](const std::string& text) { return text.empty() ? "unnamed" : text; };
   return fmt::format("driver {} (device: {}){}{}", or_unnamed(hello.driver),
                      or_unnamed(hello.device), kStartedBy, who_started_this());
+}
+
+std::string how_it_is_moved(const ProcessDriver& driver) {
+  const std::string by = "on an arm, by its driver";
+  return driver.calibration()
+             ? fmt::format("{}, calibration {}", by, content_hash(to_yaml(*driver.calibration())))
+             : by;
 }
 
 std::string time_stamped_run_name() {

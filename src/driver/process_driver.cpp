@@ -137,6 +137,7 @@ class ProcessDriver::Session {
   const ArmState& first_state() const { return first_state_; }
   const ArmState& state() const { return state_; }
   const DriverHello& hello() const { return link_.hello(); }
+  const std::optional<WireCalibration>& calibration() const { return settings_.calibration; }
   const DriverTiming& timing() const { return timing_; }
   const VentResult& last_vent() const { return vent_; }
   const std::vector<PressureLimits>& limits_kpa() const { return limits_kpa_; }
@@ -378,6 +379,10 @@ const ArmState& ProcessDriver::first_state() const {
 
 const DriverHello& ProcessDriver::hello() const {
   return session_->hello();
+}
+
+const std::optional<WireCalibration>& ProcessDriver::calibration() const {
+  return session_->calibration();
 }
 
 const DriverTiming& ProcessDriver::timing() const {

@@ -25,7 +25,7 @@ TimeColumn read_time(const YamlReader& node) {
     node.refuse_unknown_keys({"rate_hz"});
     time = {"", 1.0, "frame"};
   } else {
-    time.column = column_name(node.at("column"));
+    time.column = named_column(node.at("column"));
     if (node.has("rate_hz") && !(node.has("unit") && node.at("unit").text() == "frame")) {
       node.at("rate_hz").refuse("belongs to a column of frames (unit: frame), or to no column");
     }
@@ -43,7 +43,7 @@ std::vector<std::string> read_names(const YamlReader& node, std::size_t count,
                                     const std::string& each) {
   std::vector<std::string> names;
   for (const YamlReader& element : node.elements()) {
-    const std::string name = column_name(element);
+    const std::string name = named_column(element);
     element.refuse_if(std::find(names.begin(), names.end(), name) != names.end(),
                       "'{}' is named twice", name);
     names.push_back(name);
@@ -170,7 +170,7 @@ CommandColumns read_commands(const YamlReader& node, const std::string& key,
 PointSource read_point(const YamlReader& node) {
   node.refuse_unknown_keys({"plate", "x", "y", "theta", "body", "marker", "right", "left"});
   const auto text = [&](const char* key) {
-    return node.has(key) ? node.at(key).text() : std::string();
+    return node.has(key) ? named_column(node.at(key)) : std::string();
   };
   PointSource point;
   point.x = text("x");
@@ -289,8 +289,8 @@ ImportMapping read_import_mapping(const fs::path& path, const ArmDescription& ar
   ImportMapping mapping = default_import_mapping(arm);
   read_layout(root, mapping);
   root.read_if_there("time", mapping.time, read_time);
-  root.read_if_there("recording", mapping.recording, &YamlReader::text);
-  root.read_if_there("motion", mapping.motion, &YamlReader::text);
+  root.read_if_there("recording", mapping.recording, named_column);
+  root.read_if_there("motion", mapping.motion, named_column);
   if (root.has("pressures") && root.has("commands")) {
     root.at("commands").refuse("stands beside pressures; a mapping has one of the two");
   }

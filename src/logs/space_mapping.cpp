@@ -33,11 +33,11 @@ std::vector<std::string> read_rotation(const YamlReader& node, const EulerAngles
                  "a quaternion and Euler angles found; expected one of both");
   std::vector<std::string> columns;
   if (quaternion) {
-    columns = {column_name(node.at("qx")), column_name(node.at("qy")), column_name(node.at("qz")),
-               column_name(node.at("qw"))};
+    columns = {named_column(node.at("qx")), named_column(node.at("qy")),
+               named_column(node.at("qz")), named_column(node.at("qw"))};
   }
   if (node.has("euler")) {
-    columns = mapped<std::string>(node.at("euler").elements(), column_name);
+    columns = mapped<std::string>(node.at("euler").elements(), named_column);
     if (columns.size() != 3) {
       node.at("euler").refuse(
           fmt::format("{} columns found; expected 3, one for each turn of 'backbone.euler.order'",
@@ -78,16 +78,16 @@ PointSource read_space_point(const YamlReader& node, const EulerAngles& euler) {
       int(columns) + int(node.has("body")) + int(node.has("marker")) != 1,
       "expected one of: x, y and z (columns of a CSV), body, or marker (objects of a Motive file)");
   if (columns) {
-    point.x = column_name(node.at("x"));
-    point.y = column_name(node.at("y"));
-    point.z = column_name(node.at("z"));
+    point.x = named_column(node.at("x"));
+    point.y = named_column(node.at("y"));
+    point.z = named_column(node.at("z"));
     point.rotation = read_rotation(node, euler);
   } else if (node.has("body")) {
     node.refuse_unknown_keys({"plate", "body"});
-    point.body = column_name(node.at("body"));
+    point.body = named_column(node.at("body"));
   } else {
     node.refuse_unknown_keys({"plate", "marker"});
-    point.marker = column_name(node.at("marker"));
+    point.marker = named_column(node.at("marker"));
   }
   return point;
 }
@@ -238,7 +238,7 @@ std::vector<PointSource> read_sources(
   return points;
 }
 
-std::string column_name(const YamlReader& node) {
+std::string named_column(const YamlReader& node) {
   const std::string name = node.text();
   node.refuse_if(name.empty(), "an empty name found; expected a column or an object by its name");
   return name;

@@ -18,7 +18,7 @@ inline constexpr double kParallelAxes = 1e-3;  // sine of the least angle betwee
 double factor_to(const YamlReader& node, const std::string& to);
 
 /// A column's name, or a tracked object's. @throws InputError where it is empty
-std::string column_name(const YamlReader& node);
+std::string named_column(const YamlReader& node);
 
 /// `headings: measured` or `tangent`.
 bool read_headings_measured(const YamlReader& node);

@@ -265,7 +265,11 @@ std::vector<fs::path> write_evaluation_plots(const fs::path& folder, const Evalu
 
 std::string plot_inflate_deflate(const ForwardModel& no_load, const ForwardModel* network,
                                  const Episode& episode) {
-  const Predictions predictions = predict_both(no_load, network, episode, 1);
+  const FrameMatrix by_no_load = predict(no_load, episode, Restart::every_frame, 1);
+  const FrameMatrix by_network = network == nullptr
+                                     ? FrameMatrix()
+                                     : predict(*network, episode, Restart::at_the_start_only, 1);
+  const Predictions predictions{by_no_load, network == nullptr ? nullptr : &by_network};
   Chart chart = backbone_chart("Right side inflated fully, then vented", predictions, episode,
                                episode.backbone.rows() - 1);
   chart.note("Friction keeps the arm from coming back to straight; the no-load model has none.");

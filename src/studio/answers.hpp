@@ -37,7 +37,7 @@ inline void send(httplib::Response& response, std::string_view bytes, const char
   response.set_content_provider(
       bytes.size(), media_type,
       [bytes, owner = std::move(owner)](std::size_t at, std::size_t size, httplib::DataSink& sink) {
-        return at <= bytes.size() &&
+        return at < bytes.size() &&
                sink.write(bytes.data() + at, std::min(size, bytes.size() - at));
       });
 }

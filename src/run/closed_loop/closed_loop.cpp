@@ -354,7 +354,7 @@ void ClosedLoop::report(ExecutionResult& result) const {
 }
 
 void ClosedLoop::obstacle_appeared(const Environment& now) {
-  PlanController::held();  // advice that was given without it counts for nothing
+  forget_answers();
   motion_->move_in(now);
 }
 

@@ -156,8 +156,8 @@ void PlanController::drop_late_advice(bool is_thinking) {
   if (!advised_ || !is_late_ || is_thinking) {
     return;
   }
-  ++times_.late;
-  (void)take_answer(true);
+  times_.late += run_->in_real_time ? 1 : 0;
+  (void)take_answer(run_->in_real_time);
   is_late_ = false;
 }
 

@@ -20,6 +20,9 @@ namespace limber {
 /// "driver arduino (device: limber-sketch 2), started by user@host", as recordings say it.
 std::string describe(const ProcessDriver& driver);
 
+/// What a collection on it has to have in common with the one that it goes on with.
+std::string how_it_is_moved(const ProcessDriver& driver);
+
 /// "run_20260102_030405": by the time of now, UTC.
 std::string time_stamped_run_name();
 /// stem + suffix; numbered, with the separator before the number, where an earlier run's file has

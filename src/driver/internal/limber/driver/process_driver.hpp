@@ -107,6 +107,7 @@ class ProcessDriver final : public ArmDriver {
   const ArmState& first_state() const;
 
   const DriverHello& hello() const;
+  const std::optional<WireCalibration>& calibration() const;
   const DriverTiming& timing() const;
   const VentResult& last_vent() const;
   /// Whether any driver of this process was left with an arm whose last vent is not confirmed,

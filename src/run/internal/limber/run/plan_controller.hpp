@@ -75,6 +75,12 @@ class PlanController : public Controller {
   const std::list<FollowedPlan>& further_plans() const { return plans_; }
 
  protected:
+  /// What has been answered counts for nothing: it was for other obstacles. It is asked again.
+  /// @pre nothing is being worked out
+  void forget_answers() {
+    is_late_ = advised_ != nullptr;
+    found_ = nullptr;
+  }
   /// Told of every frame, first of the start; and whether a question is being worked out.
   virtual void observe(const Moment& now) { (void)now; }
   /// Whether the rest of the plan may be followed; asked after each of its frames but the last.
