@@ -20,7 +20,7 @@ import time
 PROTOCOL = 1
 SILENT_FRAMES = 3  # without a request: vent
 MAX_LINE = 1 << 20
-ROUNDING_KPA = 1e-3  # of set points, beyond a limit
+ROUNDING_KPA, ROUNDING_SHARE = 1e-3, 1e-5  # of set points, beyond a limit: the larger of both
 
 
 class Lines:
@@ -61,7 +61,7 @@ def require_within(limits_kpa, pressures_kpa):
     if len(pressures_kpa) != len(limits_kpa):
         raise ValueError(f"{len(pressures_kpa)} set points; expected {len(limits_kpa)}")
     for segment, (limit, kpa) in enumerate(zip(limits_kpa, pressures_kpa)):
-        if not abs(kpa) <= limit + ROUNDING_KPA:  # NaN is not, either
+        if not abs(kpa) <= limit + max(ROUNDING_KPA, ROUNDING_SHARE * limit):  # NaN is not, either
             raise ValueError(f"the set point of segment {segment} is {kpa} kPa; this driver's limit is {limit} kPa")
 
 

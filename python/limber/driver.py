@@ -160,7 +160,8 @@ class _Server:
         if limits is None:
             return
         lower, upper = np.transpose(_ranges(limits))
-        if not ((setpoint_kpa >= lower - 1e-3) & (setpoint_kpa <= upper + 1e-3)).all():
+        room = np.maximum(1e-3, 1e-5 * np.maximum(-lower, upper))  # no less than limber's own
+        if not ((setpoint_kpa >= lower - room) & (setpoint_kpa <= upper + room)).all():
             raise ValueError(f"set points {setpoint_kpa.tolist()} kPa are beyond the driver's "
                              f"limits {list(limits)}")
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "limber/common/json.hpp"
+#include "limber/common/refuse_if.hpp"
 #include "limber/common/units.hpp"
 #include "limber/report/scene_json.hpp"
 
@@ -10,6 +11,8 @@ namespace limber {
 
 void MotionTrack::add(const Eigen::Ref<const Pressures>& kpa,
                       const Eigen::Ref<const Backbone>& shape, bool is_seen) {
+  refuse_if(shape.rows() != arm_.point_count(), "a shape of {} plates; arm '{}' has {}",
+            shape.rows(), arm_.name, arm_.point_count());
   pressures_kpa_.push_back(pressures_to_json(kpa));
   shapes_.push_back(shape_to_json(shape));
   if (!obstacles_.empty()) {

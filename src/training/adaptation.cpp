@@ -152,9 +152,12 @@ class Adapter {
       TrainingResult trained = trained_on(before, halves.seen, halves.held_back);
       result.trained_error_m = error_on(trained.model, halves.held_back);
       if (result.trained_error_m < kWorthIt * result.fitted_error_m) {
-        result.has_trained_weights = true;
-        result.model = trained_on(result.model, episodes, {}, trained.best_epoch).model;
-        before = std::move(trained.model);
+        TrainingResult again = trained_on(result.model, episodes, {}, trained.best_epoch);
+        if (again.best_epoch == trained.best_epoch) {  // else it is not what was judged
+          result.has_trained_weights = true;
+          result.model = std::move(again.model);
+          before = std::move(trained.model);
+        }
       }
     }
     if (!before.learnt_from_setpoints) {

@@ -109,9 +109,11 @@ void append(TipErrorSeries& series, const TipErrorSeries& more) {
   add(series.orientation_rad, more.orientation_rad);
   add(series.plates_cm, more.plates_cm);
   add(series.moving, more.moving);
-  const int next = series.motion.empty() ? 0 : series.motion.back() + 1;
-  std::ranges::transform(more.motion, std::back_inserter(series.motion),
-                         [next](int motion) { return next + motion; });
+  int number = series.motion.empty() ? 0 : series.motion.back() + 1;
+  for (std::size_t i = 0; i < more.motion.size(); ++i) {
+    number += i > 0 && more.motion[i] != more.motion[i - 1] ? 1 : 0;
+    series.motion.push_back(number);
+  }
 }
 
 TipErrorSeries moving_frames(const TipErrorSeries& series) {

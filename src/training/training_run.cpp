@@ -306,7 +306,8 @@ std::optional<TrainingResult> TrainingRun::run_stage(const TrainingStage& stage,
   const int last_epoch = std::min(stage_end, end());
   const int stop_epoch = settings_.stop_after_epochs > 0 ? settings_.stop_after_epochs : -1;
   while (state.epochs_done < last_epoch) {
-    if (interrupt_requested() || state.epochs_done == stop_epoch) {
+    const bool is_stopped = interrupt_requested() || (hooks_.should_stop && hooks_.should_stop());
+    if (is_stopped || state.epochs_done == stop_epoch) {
       store(true);
       return result(TrainingStatus::interrupted, "stopped by the user");
     }

@@ -341,7 +341,7 @@ void write_plan(const fs::path& path, const Plan& plan) {
     sealed["frames"] = frames;
     root["certificate"] = {{"clearance_m", json_number(plan.certified->clearance_m)},
                            {"largest_deviation_m", plan.certified->max_deviation_m},
-                           {"seal", seal_of(sealed)}};
+                           {"seal", plan.certified->seal_is_intact ? seal_of(sealed) : "broken"}};
   }
   write_file_atomically(path, one_line_an_entry(root, waypoints_key, waypoints, frames));
 }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/common/error.hpp"
+#include "limber/data/log_units.hpp"
 #include "support/test_recording.hpp"
 
 namespace limber {
@@ -208,6 +209,12 @@ TEST(RecordingInspection, FindsCommandsThatNeverChange) {
   });
   EXPECT_THAT(constant.what, HasSubstr("pressure never changes"));
   EXPECT_THAT(constant.first, HasSubstr("segment 0: 55 … 55 kPa"));
+}
+
+TEST(UnitSuspicion, AUnitIsNotAskedForBySomeOtherName) {
+  EXPECT_EQ(unit_suspicion(1.0, "hPa"), "");
+  EXPECT_EQ(unit_suspicion(1.0, "mbar"), "");
+  EXPECT_THAT(unit_suspicion(1e3, "kPa"), HasSubstr("is it in Pa?"));
 }
 
 // A tendon moves by millimetres: without an arm file a command is held against its own largest.

@@ -68,5 +68,19 @@ TEST(SceneJson, TheReachIsThatOfTheUnloadedArm) {
   }
 }
 
+TEST(SceneJson, AnArmWithoutPressureOnOneSideReachesWhereItRests) {
+  ArmDescription arm = own_arm();
+  for (Segment& segment : arm.segments) {
+    segment.pressure_limit_kpa = PressureLimits(0.0, segment.pressure_limit_kpa.upper_kpa);
+  }
+  const nlohmann::ordered_json reach = reach_to_json(arm);
+  const auto middles = reach["middles_m"].get<std::vector<double>>();
+  double nearest_m = arm.length_m();
+  for (std::size_t i = 0; i < middles.size(); i += 2) {
+    nearest_m = std::min(nearest_m, std::hypot(middles[i] - arm.length_m(), middles[i + 1]));
+  }
+  EXPECT_LT(nearest_m, double(reach["cell_m"]));
+}
+
 }  // namespace
 }  // namespace limber

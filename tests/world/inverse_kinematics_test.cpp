@@ -243,5 +243,18 @@ TEST(InverseKinematics, RefusesGoalsThatAreNoNumbersAndSettingsThatCannotWork) {
   }
 }
 
+TEST(InverseKinematics, LimitsAreOneForEachSegment) {
+  const NoLoadModel model(arm_of(3));
+  RandomStream random(23, 0);
+  InverseKinematicsSettings settings;
+  settings.limits = {PressureLimits(50.0)};
+  EXPECT_THAT(
+      [&] {
+        (void)solve_inverse_kinematics(model, {0.5, 0.2, std::nullopt, 0.001, 0.05}, settings,
+                                       random);
+      },
+      ThrowsMessage<InputError>(HasSubstr("1 limits; the arm has 3 segments")));
+}
+
 }  // namespace
 }  // namespace limber

@@ -235,6 +235,24 @@ TEST(PlanFile, RefusesFramesThatContradictTheRest) {
   });
 }
 
+TEST(PlanFile, ASealThatIsBrokenStaysBroken) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "p.json";
+  Plan plan = small_plan(three_segment_arm());
+  plan.certified = CertifiedFigures{};
+  write_plan(path, plan);
+  ASSERT_TRUE(read_plan(path).certified->seal_is_intact);
+  auto json = nlohmann::ordered_json::parse(read_file(path));
+  json["certificate"]["seal"] = "0";
+  write_file_atomically(path, json.dump());
+  for (int copy = 0; copy < 2; ++copy) {
+    const Plan changed = read_plan_unchecked(path);
+    EXPECT_FALSE(changed.certified->seal_is_intact);
+    write_plan(path, changed);
+  }
+  EXPECT_THAT([&] { read_plan(path); }, ThrowsMessage<InputError>(HasSubstr("was changed since")));
+}
+
 // The seal is a hash over everything, so an extra key counts, however deep it goes.
 TEST(PlanFile, RefusesNestingThatWouldEndTheStack) {
   const TemporaryFolder folder;

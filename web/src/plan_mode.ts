@@ -101,6 +101,8 @@ export class PlanMode implements Mode {
     const { app } = this;
     byId('tools').replaceChildren();
     changeText(byId('said'), '');
+    this.grip = null; // of a scene that may be another one by now
+    app.history.end();
     if (app.planner.searching || this.fitting) app.endWork();
     app.planner.giveUp();
     app.planner.end();

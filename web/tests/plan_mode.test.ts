@@ -52,3 +52,22 @@ it('a plan is saved with its environment where no file has that', async () => {
   const [environment, plan] = ['/api/environment', '/api/plan/save'];
   expect(sent).toEqual([environment, plan, plan, environment, plan]);
 });
+
+it('what was grabbed in one scene is not dragged into the next', () => {
+  fakePage();
+  const goal = { x_m: 0.3, y_m: 0.1, theta_rad: null, position_tolerance_m: 0.02, orientation_tolerance_rad: 0.2 };
+  const changes: unknown[] = [];
+  let ends = 0;
+  const mode = new PlanMode({
+    environment: { goal, obstacles: [] }, selected: null, select: () => {}, edited: () => {}, refresh: () => {},
+    endWork: () => {}, planner: { searching: false, giveUp: () => {}, end: () => {}, hurry: () => {} },
+    history: { begin: () => {}, change: (value: unknown) => changes.push(value), end: () => { ++ends; } },
+  } as never);
+  expect(mode.down([0.3, 0.1], 0.05)).toBe(true);
+  mode.drag([0.31, 0.1], 0);
+  expect(changes).toHaveLength(1);
+  mode.leave();
+  mode.drag([0.4, 0.1], 0);
+  expect(changes).toHaveLength(1);
+  expect(ends).toBe(1);
+});

@@ -55,10 +55,10 @@ class ModbusTerminal:
         self.transaction = (self.transaction + 1) % 65536
         body = bytes([1, function]) + data  # 1: the unit's number
         self.socket.sendall(struct.pack(">HHH", self.transaction, 0, len(body)) + body)
-        transaction, _, length = struct.unpack(">HHH", self.receive(6))
-        reply = self.receive(length)
-        if transaction != self.transaction:
-            raise ValueError(f"the terminal answered request {transaction}; {self.transaction} was asked")
+        transaction = None
+        while transaction != self.transaction:  # others are late answers to requests before
+            transaction, _, length = struct.unpack(">HHH", self.receive(6))
+            reply = self.receive(length)
         if reply[1] != function:
             raise ValueError(f"the terminal refused function {function} with code {reply[2]}")
         return reply[2:]
