@@ -15,6 +15,8 @@ namespace {
 constexpr double kSlack = 1e-9;
 /// If a range is narrower than this share of its values, doubles can't tell its ticks apart.
 constexpr double kNarrowest = 1e-9;
+/// Values below this are drawn as zero: their steps would be none.
+constexpr double kLeast = 1e-300;
 
 std::string tick_label(double value, double step) {
   const double magnitude = std::abs(value);
@@ -199,8 +201,9 @@ NiceRange nice_range(double low, double high, int count) {
     std::swap(low, high);
   }
   const double magnitude = std::max(std::abs(low), std::abs(high));
-  if (high - low <= kNarrowest * magnitude || magnitude == 0.0) {
-    const double half = magnitude == 0.0 ? 1.0 : 0.1 * magnitude;
+  const bool is_nothing = magnitude < kLeast;
+  if (is_nothing || high - low <= kNarrowest * magnitude) {
+    const double half = is_nothing ? 1.0 : 0.1 * magnitude;
     low -= half;
     high += half;
   }

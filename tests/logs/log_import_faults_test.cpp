@@ -279,7 +279,8 @@ TEST_F(LogImportFaults, RefusesWhatItWouldNotRead) {
                  {"time.column", "an empty name found"});
   expect_refusal(log(), replaced(mapping(), "columns: [pressure_1_kpa", "columns: [''"),
                  {"columns[0]", "an empty name found"});
-  expect_refusal(log(), replaced(mapping(), "x: x4, y: y4, theta", "body: P4, theta"), {"'theta'"});
+  expect_refusal(log(), replaced(mapping(), "x: x4, y: y4, theta", "body: P4, theta"),
+                 {"points[4].theta: unknown key"});
   expect_refusal(log(), replaced(mapping(), "pressures:\n", "pressures:\n  right: [a, b, c]\n"),
                  {"both 'right' and 'left'"});
   expect_refusal(

@@ -177,10 +177,14 @@ constexpr int kBlock = 128;
 void multiply(Product p) {
   const int k = p.k;
   const bool relu_at_end = p.relu;
-  for (int from = 0; from == 0 || from < k; from += kBlock) {
-    p.k = k - from < kBlock ? k - from : kBlock;
-    p.relu = relu_at_end && from + kBlock >= k;
+  for (int from = 0;; from += kBlock) {
+    const bool is_last = from + kBlock >= k;
+    p.k = is_last ? k - from : kBlock;
+    p.relu = relu_at_end && is_last;
     multiply_panels(p);
+    if (is_last) {
+      return;
+    }
     p.a += kBlock * p.lda;
     p.b += kBlock * p.b_step_k;
     p.start = Start::c;
