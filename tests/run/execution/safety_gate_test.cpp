@@ -69,7 +69,7 @@ class SafetyGateTest : public ::testing::Test {
 TEST_F(SafetyGateTest, PassesLimitsAndRefusesWhatIsBeyond) {
   SafetyGate gate = this->gate(false);
   EXPECT_THAT(gate.check_command(pressures(100.0F, -100.0F)), IsEmpty());
-  EXPECT_THAT(gate.check_command(pressures(0.0F, -100.1F)), HasSubstr("segment 1 is -100.10 kPa"));
+  EXPECT_THAT(gate.check_command(pressures(0.0F, -100.1F)), HasSubstr("segment 1 is -100.1 kPa"));
   EXPECT_THAT(gate.check_command(pressures(std::nanf(""), 0.0F)), HasSubstr("segment 0"));
   EXPECT_THAT(gate.check_command(pressures(INFINITY, 0.0F)), HasSubstr("segment 0"));
 }

@@ -42,7 +42,9 @@ inline void start_tile(const Product& p, Tile t, Vector (&sum)[kColumns][kVector
 #pragma GCC unroll 12
     for (int v = 0; v < kVectors; ++v) {
       const bool last = kPartial && v == kVectors - 1;
-      const float* source = p.start == Start::c ? c : p.bias + t.i;
+      const float* source = p.start == Start::c          ? c
+                            : p.start == Start::row_bias ? p.bias + t.i
+                                                         : nullptr;
       if (p.start == Start::zero) {
         sum[j][v] = Vector{};
       } else if (p.start == Start::column_bias) {
@@ -58,8 +60,9 @@ template <int kVectors, int kColumns, bool kPartial>
 void multiply_tile(const Product& p, Tile t) {
   Vector sum[kColumns][kVectors];
   start_tile<kVectors, kColumns, kPartial>(p, t, sum);
-  const float* a = p.a + t.i;
-  const float* b = p.b + t.j * p.b_step_j;
+  const bool has_products = p.k > 0;  // else there may be no A and no B
+  const float* a = has_products ? p.a + t.i : nullptr;
+  const float* b = has_products ? p.b + t.j * p.b_step_j : nullptr;
   for (int k = 0; k < p.k; ++k, a += p.lda, b += p.b_step_k) {
     if constexpr (kVectors > kTileVectors) {
       // Every row is loaded once, by itself: as an operand of each product, and still on its way
