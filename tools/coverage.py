@@ -33,7 +33,7 @@ READERS = re.compile(
 
 def environment(kind):
     """Profiles are merged as they are written, by four processes at most at a time."""
-    libraries_leak = "detect_leaks=1:detect_stack_use_after_return=0"
+    libraries_leak = "detect_leaks=1:detect_stack_use_after_return=0:use_sigaltstack=0"
     return os.environ | {"LLVM_PROFILE_FILE": str(PROFILES / kind / "%4m.profraw"), "ASAN_OPTIONS": libraries_leak,
                          "LSAN_OPTIONS": f"suppressions={ROOT / 'tests' / 'lsan.supp'}:print_suppressions=0"}
 

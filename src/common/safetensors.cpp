@@ -26,8 +26,9 @@ using PlainJson = nlohmann::json;
 constexpr std::size_t kLengthBytes = 8;
 constexpr std::size_t kAlignment = 8;
 constexpr std::uint64_t kMaxHeader = 100'000'000;  // the format's own limit
-// Of a dimension: beside one of 0, no data bound it.
-constexpr std::size_t kMaxSize = std::size_t{1} << 40U;
+// Of a dimension: beside one of 0, no data bound it, and whoever goes through its columns takes as
+// long as through real ones.
+constexpr std::size_t kMaxSize = std::size_t{1} << 28U;
 constexpr const char* kMetadataKey = "__metadata__";
 constexpr const char* kFloats = "F32";
 constexpr const char* kShorts = "I16";
