@@ -7,6 +7,7 @@
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/mapped.hpp"
 #include "limber/logs/command_shares.hpp"
 #include "limber/logs/log_import.hpp"
 #include "limber/run/tip_path.hpp"
@@ -41,7 +42,7 @@ const std::filesystem::path& commands_of_takes() {
   return file;
 }
 
-/// An input is a log, or a mapping, kBreak and a log.
+/// An input is a log; or a mapping, kBreak and a log; or these, kBreak and a log of the commands.
 template <class Import>
 void import(const Input& input, const ArmDescription& arm, ImportOptions options,
             Import&& import_logs) {
@@ -49,9 +50,14 @@ void import(const Input& input, const ArmDescription& arm, ImportOptions options
   const auto [first, second] = two_files(input.bytes);
   if (second) {
     const auto mapping = scratch_folder() / "map.log.csv";  // a refusal of it names log.csv, too
+    const auto [log, commands] = two_files(*second);
     write_file_atomically(mapping, first);
-    write_file_atomically(input.file, *second);
+    write_file_atomically(input.file, log);
     options.mapping = read_import_mapping(mapping, arm);
+    if (commands) {
+      options.command_logs = {scratch_folder() / "set.log.csv"};
+      write_file_atomically(options.command_logs.front(), *commands);
+    }
   }
   const ImportResult result = import_logs({input.file}, options, arm);
   validate(result.recording, "the import");
@@ -108,26 +114,67 @@ void find_shares(const Input& input) {
   });
 }
 
-std::vector<std::string> generic_seeds() {
-  const LogTruth truth(one_segment());
-  std::string header = "time_s" + truth.pressure_names();
-  std::string mapping =
-      "schema: limber/import/1\ntime: {column: time_s}\npressures:\n  columns: [pressure_1_kpa]\n"
-      "backbone:\n  points:\n";
-  for (int p = 0; p < one_segment().point_count(); ++p) {
-    header += fmt::format(",x{0},y{0},theta{0}", p);
-    mapping += fmt::format("    - {{plate: {0}, x: x{0}, y: y{0}, theta: theta{0}}}\n", p);
-  }
-  constexpr int kRows = 25;
-  const std::string log = LogTruth::table(header, kRows, 20.0, [&](double t) {
-    std::string cells = truth.pressure_cells(t);
-    const BackboneD backbone = truth.backbone(t);
-    for (Eigen::Index p = 0; p < backbone.rows(); ++p) {
-      cells += fmt::format(",{:.5f},{:.5f},{:.5f}", backbone(p, 0), backbone(p, 1), backbone(p, 2));
+/// What a log of one segment and its mapping say, and what is wrong with it.
+struct SeedLog {
+  std::string more = {};  // of the mapping
+  double pressure_factor = 1.0;
+  double length_factor = 1.0;
+  bool apart = false;       // the commands have a log of their own, on another clock
+  bool flips = false;       // headings, for a second
+  bool hides = false;       // the tip, for half a second
+  bool repeats = false;     // rows of the tracker, for a second
+  bool turns_back = false;  // plates from the tip to the base
+
+  std::string text() const {
+    const LogTruth truth(one_segment());
+    const int points = one_segment().point_count();
+    std::string header = "time_s" + (apart ? "" : truth.pressure_names());
+    std::string mapping =
+        "schema: limber/import/1\ntime: {column: time_s}\npressures:\n  columns: "
+        "[pressure_1_kpa]\n" +
+        more + "backbone:\n  points:\n";
+    for (int p = 0; p < points; ++p) {
+      header += fmt::format(",x{0},y{0},theta{0}", p);
+      mapping += fmt::format("    - {{plate: {0}, x: x{1}, y: y{1}, theta: theta{1}}}\n", p,
+                             turns_back ? points - 1 - p : p);
     }
-    return cells;
-  });
-  return {mapping + std::string(kBreak) + log};
+    constexpr int kRows = 150;
+    const std::string log = LogTruth::table(header, kRows, 20.0, [&](double t) {
+      std::string cells = apart ? "" : truth.pressure_cells(t, pressure_factor);
+      const BackboneD backbone = truth.backbone(repeats && t > 5.0 && t < 6.0 ? 5.0 : t);
+      for (int p = 0; p < points; ++p) {
+        const double heading =
+            backbone(p, 2) + (flips && p > 0 && t > 3.0 && t < 4.0 ? 3.14159 : 0.0);
+        cells += hides && p == points - 1 && t > 2.0 && t < 2.5
+                     ? ",,,"
+                     : fmt::format(",{:.5f},{:.5f},{:.5f}", length_factor * backbone(p, 0),
+                                   length_factor * backbone(p, 1), heading);
+      }
+      return cells;
+    });
+    const std::string text = mapping + std::string(kBreak) + log;
+    constexpr double kOtherClock_s = 0.7;
+    return !apart
+               ? text
+               : text + std::string(kBreak) +
+                     LogTruth::table("time_s" + truth.pressure_names(), kRows, 20.0, [&](double t) {
+                       return truth.pressure_cells(t + kOtherClock_s);
+                     });
+  }
+};
+
+std::vector<std::string> generic_seeds() {
+  return mapped<std::string>(
+      std::vector<SeedLog>{{},
+                           {.more = "alignment: {x_m: 0, y_m: 0, heading_rad: 0}\n", .hides = true},
+                           {.more = "alignment: {straight_s: [0, 0.2]}\n", .flips = true},
+                           {.more = "alignment: none\n", .repeats = true},
+                           {.apart = true},
+                           {.pressure_factor = -1.0},
+                           {.pressure_factor = 1e-3},
+                           {.length_factor = 1e3},
+                           {.turns_back = true}},
+      [](const SeedLog& seed) { return seed.text(); });
 }
 
 /// Two rigid bodies for a second, of which one moves.
