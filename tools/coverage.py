@@ -22,6 +22,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 BUILD = ROOT / "build" / "coverage"
 REPLAY = BUILD / "bin" / "limber_fuzz_replay"
 PROFILES = BUILD / "profiles"
+WANTED = ("clang++-14", "llvm-cov-14", "llvm-profdata-14")
 # What turns bytes from outside into values: the sources that the targets of fuzz/ are there for.
 READERS = re.compile(
     r"src/(arm/(arm_description|arm_file|valve_file|bench_csv)\w*|common/(csv_reader|json_reader|yaml_reader|safetensors)"
@@ -106,6 +107,9 @@ def main():
     parser.add_argument("ctest", nargs="*", help="further arguments of ctest, behind --")
     arguments = parser.parse_args()
     code = 0
+    for program in WANTED:
+        if not shutil.which(program):
+            sys.exit(f"error: {program} is missing: apt-get install clang-14 llvm-14 libclang-rt-14-dev")
     if arguments.lines:
         print_lines(arguments.lines)
         return 0

@@ -10,6 +10,8 @@ import sys
 
 # Modules, and programs that tests run where they find them, by the package that brings them.
 PACKAGES = {
+    "cmake": "cmake",
+    "ctest": "cmake",
     "cv2": "python3-opencv",
     "git": "git",
     "groff": "groff-base",
@@ -33,7 +35,8 @@ FOLDERS = {"tests": INSTALLED, "tools": INSTALLED, "python": INSTALLED,
 BY_HAND = {"make_pytorch_gradients.py"}
 OTHERS = {"examples": {"rclpy", "std_msgs"},  # of ROS 2, which is not Debian's
           "tests": {"mpirun", "sbatch", "sinfo"},  # of a cluster; tests without them are skipped
-          "tools": {"git", "matplotlib"}}  # whoever measures a state of the project, or draws a picture again
+          # Whoever measures a state of the project, or draws a picture again.
+          "tools": {"git", "llvm-cov-14", "llvm-profdata-14", "matplotlib"}}
 OWN = {"limber"}  # and every file's own name
 
 
