@@ -63,7 +63,8 @@ inline void query_layer(int m, int k, const float* a, const float* x, const floa
   int left = m / kLanes;
   for (int i = 0; left > 0;) {
     const int vectors = left < kQueryVectors ? left : kQueryVectors;
-    kRows[vectors - 1](k, a + i, m, x, bias + i, with_relu, y + i);
+    const float* rows = k > 0 ? a + i : nullptr;  // else there may be no A
+    kRows[vectors - 1](k, rows, m, x, bias + i, with_relu, y + i);
     i += vectors * kLanes;
     left -= vectors;
   }

@@ -184,7 +184,8 @@ NiceRange y_range(const ChartSettings& settings, const Measurer& measured) {
 double nice_step(double low, double high, int count) {
   assert(low < high && count >= 1);
   // Divided first: the difference of two huge doubles overflows.
-  const double rough = high / count - low / count;
+  const double rough =
+      std::max(high / count - low / count, std::numeric_limits<double>::min());  // else no power
   const double power = std::pow(10.0, std::floor(std::log10(rough)));
   const double digit = rough / power;
   if (digit < 1.5) {

@@ -43,7 +43,9 @@ Eigen::MatrixXd joint_vectors(const Episode& episode, const std::vector<int>& fr
   const Eigen::MatrixXd poses = episode.backbone(frames, Eigen::all).cast<double>().transpose();
   const Eigen::MatrixXd gaps = gap_poses_of(poses);
   Eigen::MatrixXd joint(episode.pressure_kpa.cols() + gaps.rows(), gaps.cols());
-  joint << episode.pressure_kpa(frames, Eigen::all).cast<double>().transpose(), gaps;
+  if (!frames.empty()) {
+    joint << episode.pressure_kpa(frames, Eigen::all).cast<double>().transpose(), gaps;
+  }
   return joint;
 }
 
