@@ -13,6 +13,10 @@ def copy_sources(root, copy):
     note = copy / ".copied.json"
     for gone in set(json.loads(note.read_text(encoding="utf-8")) if note.exists() else ()) - names:
         (copy / gone).unlink(missing_ok=True)
+        for folder in (copy / gone).parents:
+            if folder == copy or not folder.is_dir() or any(folder.iterdir()):
+                break
+            folder.rmdir()
     copy.mkdir(parents=True, exist_ok=True)
     note.write_text(json.dumps(sorted(names)), encoding="utf-8")
     for name in names:

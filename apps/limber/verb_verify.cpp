@@ -99,7 +99,8 @@ OtherJudgement judge_by(const std::string& model_file, const Plan& plan, const A
   judgement.reaches_goal = judgement.is_shape && !has_failed(found, "goal");
   judgement.collides = judgement.is_shape && !(found.clearance_m >= Certificate::kMinClearanceM);
   if (judgement.is_shape) {
-    if (network.learnt_from_setpoints || valves == nullptr) {  // else they are the plan's
+    // Else they are the plan's.
+    if (network.learnt_from_setpoints || valves == nullptr || has_failed(found, "valves")) {
       give_commands(network.learnt_from_setpoints ? ValveParameters{} : used, arm, same_commands);
     }
     judgement.spread = plan_spread(same_commands, arm, network, environment);

@@ -160,7 +160,7 @@ class _Server:
         if limits is None:
             return
         lower, upper = np.transpose(_ranges(limits))
-        room = np.maximum(1e-3, 1e-5 * np.maximum(-lower, upper))  # no less than limber's own
+        room = np.maximum(1e-3, 1e-5 * np.maximum(-lower, upper))  # as limber looks at plans before a run
         if not ((setpoint_kpa >= lower - room) & (setpoint_kpa <= upper + room)).all():
             raise ValueError(f"set points {setpoint_kpa.tolist()} kPa are beyond the driver's "
                              f"limits {list(limits)}")

@@ -39,7 +39,8 @@ void look_at_arm(const Recording& recording, const ArmDescription& arm, Suspicio
   }
 }
 
-void look_at_constant_commands(const Recording& recording,
+/// @param arm  null: pressures beyond the largest set point count for a limit, too
+void look_at_constant_commands(const Recording& recording, const ArmDescription* arm,
                                const std::vector<PressureLimits>& limits_kpa,
                                Suspicions& suspicions) {
   for (Eigen::Index i = 0; i < recording.channel_count(); ++i) {
@@ -49,8 +50,9 @@ void look_at_constant_commands(const Recording& recording,
       lowest = std::min(lowest, episode.pressure_kpa.col(i).minCoeff());
       highest = std::max(highest, episode.pressure_kpa.col(i).maxCoeff());
     }
-    const double limit = std::max({limits_kpa[std::size_t(i)].half_width_kpa(),
-                                   std::abs(double(lowest)), std::abs(double(highest))});
+    const double largest = std::max(std::abs(double(lowest)), std::abs(double(highest)));
+    const double limit =
+        std::max(limits_kpa[std::size_t(i)].half_width_kpa(), arm != nullptr ? 0.0 : largest);
     if (limit == 0.0 || double(highest) - double(lowest) < kConstant * limit) {
       suspicions.add("a segment whose " + recording.command.name +
                          " never changes: nothing can be learnt about it",
@@ -156,7 +158,7 @@ void look_at_whole(const Recording& recording, const ArmDescription* arm,
   if (arm != nullptr) {
     look_at_arm(recording, *arm, suspicions);
   }
-  look_at_constant_commands(recording, limits_kpa, suspicions);
+  look_at_constant_commands(recording, arm, limits_kpa, suspicions);
   for (std::size_t i = 0; i < recording.episodes.size(); ++i) {
     look_at_episode(recording, i, suspicions);
   }

@@ -16,7 +16,7 @@ constexpr double kSlack = 1e-9;
 /// If a range is narrower than this share of its values, doubles can't tell its ticks apart.
 constexpr double kNarrowest = 1e-9;
 /// Values below this are drawn as zero: their steps would be none.
-constexpr double kLeast = 1e-300;
+constexpr double kLeast = 1e-290;
 
 std::string tick_label(double value, double step) {
   const double magnitude = std::abs(value);
@@ -149,7 +149,8 @@ NiceRange x_range(const ChartSettings& settings, const Measurer& measured) {
     return {0.0, 1.0};
   }
   const double width = measured.x.high - measured.x.low;
-  if (width <= 1e-9 * std::max(std::abs(measured.x.low), std::abs(measured.x.high))) {
+  const double magnitude = std::max(std::abs(measured.x.low), std::abs(measured.x.high));
+  if (magnitude < kLeast || width <= 1e-9 * magnitude) {
     return nice_range(measured.x.low, measured.x.high);
   }
   const double margin = measured.padded ? 0.03 * width : 0.0;

@@ -10,6 +10,7 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/filesystem.hpp"
 #include "limber/common/safetensors.hpp"
 #include "support/temporary_folder.hpp"
 #include "training/toy_arm.hpp"
@@ -260,6 +261,25 @@ TEST(Train, RefusesValidationDataThatMeasureNothing) {
   settings.family_size = 1;
   EXPECT_THAT([&] { (void)train(arm, data, settings); },
               ::testing::ThrowsMessage<InputError>(HasSubstr("to be fitted and judged")));
+}
+
+// Whoever ends a run between two epochs has not waited long enough for a checkpoint to be due.
+TEST(Checkpoint, IsLeftByARunThatIsStoppedBetweenTwoEpochs) {
+  const ArmDescription arm = three_segment_arm();
+  const TemporaryFolder folder;
+  TrainingSettings settings;
+  settings.hidden_units = {8};
+  settings.stages = {{2, 64, 4}};
+  settings.checkpoint = folder.path() / "run.checkpoint";
+  settings.checkpoint_interval_s = 1e6;
+  int epochs = 0;
+  TrainingHooks hooks;
+  hooks.on_epoch = [&](const LearningCurvePoint&) { ++epochs; };
+  hooks.should_stop = [&] { return epochs == 2; };
+  EXPECT_EQ(train(arm, toy_data(arm), settings, hooks).status, TrainingStatus::interrupted);
+  ASSERT_TRUE(fs::exists(settings.checkpoint));
+  settings.resume = true;
+  EXPECT_EQ(train(arm, toy_data(arm), settings).curve.size(), 4U);
 }
 
 }  // namespace

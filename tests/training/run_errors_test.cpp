@@ -1,10 +1,12 @@
 #include "limber/training/run_errors.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include <gmock/gmock.h>
 
 #include "limber/common/random_stream.hpp"
+#include "limber/training/tip_errors.hpp"
 
 namespace limber {
 namespace {
@@ -88,6 +90,17 @@ TEST(RunErrors, TooFewMotionsGiveNoTube) {
   EXPECT_FALSE(errors_of(77, false).tube(kLength_m));
   EXPECT_TRUE(errors_of(78, false).tube(kLength_m));
   EXPECT_FALSE(RunErrors().result(0.05));
+}
+
+TEST(TipErrorSeries, MotionsOfSeveralEpisodesAreCountedOn) {
+  constexpr int kLast = std::numeric_limits<int>::max();
+  TipErrorSeries all;
+  for (const std::vector<int>& motions : {std::vector<int>{kLast - 1, kLast, kLast}, {0, 7}}) {
+    TipErrorSeries one;
+    one.motion = motions;
+    append(all, one);
+  }
+  EXPECT_EQ(all.motion, (std::vector<int>{0, 1, 1, 2, 3}));
 }
 
 }  // namespace

@@ -354,7 +354,9 @@ void ClosedLoop::report(ExecutionResult& result) const {
 }
 
 void ClosedLoop::obstacle_appeared(const Environment& now) {
-  forget_answers();
+  if (forget_answers() && !motion_->next_is_correction) {
+    ++motion_->settings.corrections.max_replans;  // that one was counted, and is not followed
+  }
   motion_->move_in(now);
 }
 

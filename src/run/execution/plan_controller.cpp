@@ -265,7 +265,7 @@ void PlanController::report(ExecutionResult& result) const {
   result.halts = halts_;
   result.frames_not_certified = frames_not_certified_;
   result.advice = times_;
-  if (advised_) {
+  if (advised_ && run_->in_real_time) {
     ++result.advice.late;  // the run has ended before it
   }
 }

@@ -76,10 +76,12 @@ class PlanController : public Controller {
 
  protected:
   /// What has been answered counts for nothing: it was for other obstacles. It is asked again.
-  /// @pre nothing is being worked out
-  void forget_answers() {
+  /// @return whether a plan to go on with was among it. @pre nothing is being worked out
+  bool forget_answers() {
     is_late_ = advised_ != nullptr;
+    const bool had_plan = found_ && found_->has_value();
     found_ = nullptr;
+    return had_plan;
   }
   /// Told of every frame, first of the start; and whether a question is being worked out.
   virtual void observe(const Moment& now) { (void)now; }
