@@ -101,17 +101,25 @@ std::vector<std::string> own_command() {
   return words;
 }
 
-bool has_flag(const std::string& verb_name, const std::string& flag) {
+/// The command line of a verb, while `use` looks at it. Nothing where there is no such verb.
+template <class Use>
+void with_command_line(const std::string& verb_name, const Use& use) {
   CommonFlags flags;
   for (const std::unique_ptr<Verb>& verb : all_verbs()) {
     if (verb->name() == verb_name) {
-      CLI::App app;
+      CLI::App app(verb->summary(), verb->name());
       add_common_flags(app, flags);
       verb->add_flags(app);
-      return app.get_option_no_throw(flag) != nullptr;
+      use(app);
     }
   }
-  return false;
+}
+
+bool has_flag(const std::string& verb_name, const std::string& flag) {
+  bool found = false;
+  with_command_line(verb_name,
+                    [&](CLI::App& app) { found = app.get_option_no_throw(flag) != nullptr; });
+  return found;
 }
 
 /// @param command  begins with its verb. What is on unless it is said otherwise has a flag
@@ -205,14 +213,7 @@ std::vector<std::string> unit_command(const Campaign& campaign, const CampaignUn
 }
 
 void require_known_flags(const Campaign& campaign, const CampaignUnit& unit) {
-  CommonFlags flags;
-  for (const std::unique_ptr<Verb>& verb : all_verbs()) {
-    if (verb->name() != campaign.verb) {
-      continue;
-    }
-    CLI::App app(verb->summary(), verb->name());
-    add_common_flags(app, flags);
-    verb->add_flags(app);
+  with_command_line(campaign.verb, [&](CLI::App& app) {
     std::vector<std::string> command = unit_command(campaign, unit, "unit", 1);
     command.erase(command.begin());
     std::ranges::reverse(command);  // as CLI11 takes a vector
@@ -222,7 +223,7 @@ void require_known_flags(const Campaign& campaign, const CampaignUnit& unit) {
       throw InputError(
           fmt::format("unit {}: limber {}: {}", unit.index, campaign.verb, error.what()));
     }
-  }
+  });
 }
 
 void require_forests(const Campaign& campaign) {

@@ -168,30 +168,40 @@ void add_base(PointTracks& tracks) {
   }
 }
 
+/// Of a tracked base: its median place, and what 95 % of its distances from there are within.
+struct BaseScatter {
+  double middle_x_m = 0.0;
+  double middle_y_m = 0.0;
+  double scatter_m = 0.0;
+};
+
+/// @pre rows is not empty
+BaseScatter base_scatter(const PointTracks& tracks, const std::vector<Eigen::Index>& rows) {
+  const double x_m = median(mapped<double>(rows, [&](Eigen::Index t) { return tracks.x_m(t, 0); }));
+  const double y_m = median(mapped<double>(rows, [&](Eigen::Index t) { return tracks.y_m(t, 0); }));
+  auto off_m = mapped<double>(rows, [&](Eigen::Index t) {
+    return std::hypot(tracks.x_m(t, 0) - x_m, tracks.y_m(t, 0) - y_m);
+  });
+  return {x_m, y_m, quantile(std::move(off_m), kMostBaseRows)};
+}
+
 /// The base is bolted down: what is left of its motion is noise, unless there is too much of it.
 void settle_base(const std::vector<bool>& tracked, PointTracks& tracks, RunReport& report) {
-  std::vector<double> x_m;
-  std::vector<double> y_m;
+  std::vector<Eigen::Index> rows;
   for (Eigen::Index t = 0; t < tracks.row_count(); ++t) {
     if (tracked[std::size_t(t)]) {
-      x_m.push_back(tracks.x_m(t, 0));
-      y_m.push_back(tracks.y_m(t, 0));
+      rows.push_back(t);
     }
   }
-  const double middle_x_m = median(x_m);
-  const double middle_y_m = median(y_m);
-  std::vector<double> distances(x_m.size());
-  for (std::size_t i = 0; i < x_m.size(); ++i) {
-    distances[i] = std::hypot(x_m[i] - middle_x_m, y_m[i] - middle_y_m);
-  }
-  report.base_scatter_m = quantile(std::move(distances), kMostBaseRows);
+  const BaseScatter base = base_scatter(tracks, rows);
+  report.base_scatter_m = base.scatter_m;
   if (report.base_scatter_m > kBaseStandsStill_m) {
     report.note(
         "the base moves by more than 5 mm: left as it was tracked",
         fmt::format("95 % of the rows have it within {:.1f} mm", 1e3 * report.base_scatter_m));
     return;
   }
-  const double off_m = std::hypot(middle_x_m, middle_y_m);
+  const double off_m = std::hypot(base.middle_x_m, base.middle_y_m);
   if (off_m > kBaseStandsStill_m) {
     report.note(
         "the base lies more than 5 mm from where 'alignment' has it: left as it was tracked",
@@ -209,32 +219,26 @@ void settle_base(const std::vector<bool>& tracked, PointTracks& tracks, RunRepor
 
 void show_still_base(PointTracks& tracks, RunReport& report) {
   std::vector<Eigen::Index> hidden;
-  std::vector<double> x_m;
-  std::vector<double> y_m;
+  std::vector<Eigen::Index> seen;
   std::complex<double> heading;
   for (Eigen::Index t = 0; tracks.plates.front() == 0 && t < tracks.row_count(); ++t) {
     if (!tracks.is_tracked(t, 0)) {
       hidden.push_back(t);
       continue;
     }
-    x_m.push_back(tracks.x_m(t, 0));
-    y_m.push_back(tracks.y_m(t, 0));
+    seen.push_back(t);
     heading += tracks.has_headings() ? std::polar(1.0, tracks.theta_rad(t, 0)) : 0.0;
   }
-  if (hidden.empty() || x_m.empty()) {
+  if (hidden.empty() || seen.empty()) {
     return;
   }
-  const double middle_x_m = median(x_m);
-  const double middle_y_m = median(y_m);
-  auto off_m = mapped<double>(x_m.size(), [&](std::size_t i) {
-    return std::hypot(x_m[i] - middle_x_m, y_m[i] - middle_y_m);
-  });
-  if (quantile(std::move(off_m), kMostBaseRows) > kBaseStandsStill_m) {
+  const BaseScatter base = base_scatter(tracks, seen);
+  if (base.scatter_m > kBaseStandsStill_m) {
     return;
   }
   for (const Eigen::Index t : hidden) {
-    tracks.x_m(t, 0) = middle_x_m;
-    tracks.y_m(t, 0) = middle_y_m;
+    tracks.x_m(t, 0) = base.middle_x_m;
+    tracks.y_m(t, 0) = base.middle_y_m;
     if (tracks.has_headings()) {
       tracks.theta_rad(t, 0) = std::arg(heading);
     }

@@ -18,6 +18,16 @@ constexpr double kNarrowest = 1e-9;
 /// Values below this are drawn as zero: their steps would be none.
 constexpr double kLeast = 1e-290;
 
+double magnitude_of(double low, double high) {
+  return std::max(std::abs(low), std::abs(high));
+}
+
+/// @pre low ≤ high
+bool is_narrow(double low, double high) {
+  const double magnitude = magnitude_of(low, high);
+  return magnitude < kLeast || high - low <= kNarrowest * magnitude;
+}
+
 std::string tick_label(double value, double step) {
   const double magnitude = std::abs(value);
   if (step >= 1e6 || (step < 1e-4 && magnitude < 1.0)) {
@@ -149,8 +159,7 @@ NiceRange x_range(const ChartSettings& settings, const Measurer& measured) {
     return {0.0, 1.0};
   }
   const double width = measured.x.high - measured.x.low;
-  const double magnitude = std::max(std::abs(measured.x.low), std::abs(measured.x.high));
-  if (magnitude < kLeast || width <= 1e-9 * magnitude) {
+  if (is_narrow(measured.x.low, measured.x.high)) {
     return nice_range(measured.x.low, measured.x.high);
   }
   const double margin = measured.padded ? 0.03 * width : 0.0;
@@ -202,10 +211,9 @@ NiceRange nice_range(double low, double high, int count) {
   if (low > high) {
     std::swap(low, high);
   }
-  const double magnitude = std::max(std::abs(low), std::abs(high));
-  const bool is_nothing = magnitude < kLeast;
-  if (is_nothing || high - low <= kNarrowest * magnitude) {
-    const double half = is_nothing ? 1.0 : 0.1 * magnitude;
+  if (is_narrow(low, high)) {
+    const double magnitude = magnitude_of(low, high);
+    const double half = magnitude < kLeast ? 1.0 : 0.1 * magnitude;
     low -= half;
     high += half;
   }

@@ -78,7 +78,7 @@ class PlanController : public Controller {
   /// What has been answered counts for nothing: it was for other obstacles. It is asked again.
   /// @return whether a plan to go on with was among it. @pre nothing is being worked out
   bool forget_answers() {
-    is_late_ = advised_ != nullptr;
+    PlanController::held();
     const bool had_plan = found_ && found_->has_value();
     found_ = nullptr;
     return had_plan;
